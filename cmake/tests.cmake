@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# Functions that declare tests. Labels: "debug" builds and runs the test in the
+# Debug configuration too, "long" keeps it out of the default run.
+
+# Threads never multiply with ranks or with tests that run side by side, and
+# ranks of two tests are not bound to the same core.
+set(SQUEAL_TEST_ENVIRONMENT
+    OMP_NUM_THREADS=1
+    OPENBLAS_NUM_THREADS=1
+    DEAL_II_NUM_THREADS=1
+    OMPI_ALLOW_RUN_AS_ROOT=1
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    OMPI_MCA_btl_vader_single_copy_mechanism=none
+    OMPI_MCA_hwloc_base_binding_policy=none
+    OMPI_MCA_rmaps_base_oversubscribe=1)
+
+set(SQUEAL_DEFAULT_TIMEOUT 120)
+
+# Sets ${variable} to the command that starts a program on ${n} ranks.
+function(_squeal_launcher variable n)
+  if(n GREATER 1)
+    set(${variable} "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} ${n}
+        PARENT_SCOPE)
+  else()
+    set(${variable} "" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(_squeal_test_properties name ranks timeout)
+  if(NOT ranks)
+    set(ranks 1)
+  endif()
+  if(NOT timeout)
+    set(timeout ${SQUEAL_DEFAULT_TIMEOUT})
+  endif()
+  set_tests_properties(
+    ${name} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${timeout}
+                       ENVIRONMENT "${SQUEAL_TEST_ENVIRONMENT}"
+                       LABELS "${ARGN}")
+endfunction()
+
+# squeal_add_test(name source [MPI n] [LABELS ...] [TIMEOUT seconds]
+#                 [ARGUMENTS ...])
+#
+# A test program: exit code 0 is a pass. It is linked against squeal_core, finds
+# the source tree in the macro SQUEAL_SOURCE_DIR and runs in a directory of its
+# own. One source may serve several tests (other ranks or arguments).
+function(squeal_add_test name source)
+  cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT" "LABELS;ARGUMENTS")
+  if(test_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "squeal_add_test(${name}): unknown argument "
+                        "'${test_UNPARSED_ARGUMENTS}'")
+  endif()
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT "debug" IN_LIST test_LABELS)
+    return()
+  endif()
+  get_filename_component(_source "${source}" ABSOLUTE)
+  string(REGEX REPLACE "[/.]" "_" _target "test_${source}")
+  string(REGEX REPLACE "_cc$" "" _target "${_target}")
+  if(NOT TARGET ${_target})
+    add_executable(${_target} "${_source}")
+    target_include_directories(${_target}
+                               PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+    target_compile_definitions(
+      ${_target} PRIVATE SQUEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_link_libraries(${_target} squeal_core)
+    squeal_setup_target(${_target})
+    set_target_properties(
+      ${_target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
+                            "${PROJECT_BINARY_DIR}/tests/programs")
+    add_dependencies(squeal_tests ${_target})
+  endif()
+  set(_directory "${PROJECT_BINARY_DIR}/tests/run/${name}")
+  file(MAKE_DIRECTORY "${_directory}")
+  _squeal_launcher(_launcher "${test_MPI}")
+  add_test(NAME ${name}
+           COMMAND ${_launcher} $<TARGET_FILE:${_target}> ${test_ARGUMENTS}
+           WORKING_DIRECTORY "${_directory}")
+  _squeal_test_properties(${name} "${test_MPI}" "${test_TIMEOUT}"
+                          ${test_LABELS})
+endfunction()
+
+# squeal_add_prm_test(name file.prm [MPI n] [LABELS ...] [TIMEOUT seconds]
+#                     [SET "Entry = value"...])
+#
+# Runs squeal on a parameter file whose result checks decide: exit code 0 is a
+# pass. Relative names start at the top of the source tree.
+function(squeal_add_prm_test name file)
+  cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT" "LABELS;SET")
+  if(test_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "squeal_add_prm_test(${name}): unknown argument "
+                        "'${test_UNPARSED_ARGUMENTS}'")
+  endif()
+  if(NOT TARGET squeal OR CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT "debug"
+                          IN_LIST test_LABELS)
+    return()
+  endif()
+  get_filename_component(_file "${file}" ABSOLUTE
+                         BASE_DIR "${PROJECT_SOURCE_DIR}")
+  if(NOT EXISTS "${_file}")
+    message(FATAL_ERROR "squeal_add_prm_test(${name}): no file ${_file}")
+  endif()
+  set(_settings
+      --set "Output directory = ${PROJECT_BINARY_DIR}/tests/run/${name}" --set
+      "Overwrite = true")
+  foreach(_setting IN LISTS test_SET)
+    list(APPEND _settings --set "${_setting}")
+  endforeach()
+  add_dependencies(squeal_tests squeal)
+  _squeal_launcher(_launcher "${test_MPI}")
+  add_test(NAME ${name}
+           COMMAND ${_launcher} $<TARGET_FILE:squeal> "${_file}" ${_settings}
+           WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  _squeal_test_properties(${name} "${test_MPI}" "${test_TIMEOUT}"
+                          ${test_LABELS})
+endfunction()
+
+# squeal_add_validate_test(): every shipped parameter file is accepted as it is.
+function(squeal_add_validate_test)
+  if(NOT TARGET squeal OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+    return()
+  endif()
+  set(_tribology "")
+  if(TARGET squeal-tribology)
+    set(_tribology "-DTRIBOLOGY=$<TARGET_FILE:squeal-tribology>")
+  endif()
+  add_test(NAME parameters.every_shipped_file_is_valid
+           COMMAND "${CMAKE_COMMAND}" "-DPRM=${PROJECT_SOURCE_DIR}/prm"
+                   "-DPROGRAM=$<TARGET_FILE:squeal>" ${_tribology} -P
+                   "${PROJECT_SOURCE_DIR}/cmake/validate.cmake"
+           WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  _squeal_test_properties(parameters.every_shipped_file_is_valid 1 300)
+endfunction()

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_base_files_h
+#define squeal_base_files_h
+
+#include <functional>
+#include <iosfwd>
+#include <set>
+#include <string>
+
+namespace squeal
+{
+  /**
+   * A file that appears under its name only when it is complete.
+   *
+   * The content goes to temporary(), a hidden name in the same folder that
+   * keeps the extension; commit() renames it to the target. Without a commit
+   * the destructor removes what was written and the target stays as it was.
+   * For writers that want a file name (MPI-IO, HDF5, a subprocess); text is
+   * simpler with write_atomically().
+   */
+  class AtomicFile
+  {
+  public:
+    explicit AtomicFile(const std::string &path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile &)            = delete;
+    AtomicFile &operator=(const AtomicFile &) = delete;
+
+    /** Name to write to. */
+    const std::string &temporary() const;
+
+    /** Moves the file to its name. Throws InputError if that fails. */
+    void commit();
+
+  private:
+    std::string target;
+    std::string temporary_name;
+    bool        committed = false;
+  };
+
+  /**
+   * Calls @p writer with a stream and gives the file its name @p path only
+   * after every byte has reached the file system. Throws InputError (one line,
+   * with path and the system's reason) when the file cannot be opened, written
+   * or renamed; then, and when @p writer throws, nothing new is left behind and
+   * an older file of that name is untouched. A @p path that exists and is no
+   * regular file (/dev/stdout) is written to directly.
+   */
+  void write_atomically(const std::string                         &path,
+                        const std::function<void(std::ostream &)> &writer);
+
+  /**
+   * The whole content of @p path. Throws InputError naming the path when it is
+   * missing, a directory or unreadable.
+   */
+  std::string read_file(const std::string &path);
+
+  /**
+   * Makes @p directory ready for a new run: creates it if missing, and with
+   * @p overwrite removes the files that earlier runs listed in its manifest
+   * `.squeal_files`, never any other file. Throws InputError if the directory
+   * holds results or foreign files and @p overwrite is false, if a file is in
+   * its place, or if it cannot be written. What a run leaves that ended before
+   * its first result (a log, nothing else) does not count as results.
+   */
+  void prepare_output_directory(const std::string &directory, bool overwrite);
+
+  /**
+   * The directory of one run. Every result asks it for its path, so that the
+   * manifest knows what a later run may remove. On ranks other than the root
+   * it only composes paths: nothing is created or listed.
+   */
+  class OutputDirectory
+  {
+  public:
+    /** Prepares the directory (see prepare_output_directory()). */
+    OutputDirectory(const std::string &directory,
+                    bool               overwrite,
+                    bool               is_root = true);
+
+    /** The directory as given. */
+    const std::string &path() const;
+
+    /**
+     * Path of the result @p name, which may contain folders
+     * ("plots/spectrum.png"): they are created, and the name is added to the
+     * manifest. Throws InputError if a file of that name is there that squeal
+     * has not written.
+     */
+    std::string file(const std::string &name);
+
+    /** Names given out so far, sorted. */
+    const std::set<std::string> &files() const;
+
+  private:
+    std::string           directory;
+    bool                  is_root;
+    std::set<std::string> names;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_base_mumps_h
+#define squeal_base_mumps_h
+
+#include <squeal/base/row_space.h>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * A sparse direct factorisation by MUMPS, distributed over the ranks of a
+   * row space: LDL^T of a real symmetric matrix with its inertia, or LU of a
+   * real or complex general one.
+   *
+   * Entries are given in global numbering, each rank its own, duplicates
+   * summed; of a symmetric matrix the lower triangle. A matrix of the same
+   * pattern can be factorised again without a new analysis.
+   */
+  template <typename Number>
+  class MumpsFactorization
+  {
+  public:
+    using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+    enum class Symmetry
+    {
+      general,
+      symmetric
+    };
+
+    MumpsFactorization(std::shared_ptr<const RowSpace> space,
+                       const Symmetry                  symmetry);
+    ~MumpsFactorization();
+    MumpsFactorization(const MumpsFactorization &) = delete;
+    MumpsFactorization &
+    operator=(const MumpsFactorization &) = delete;
+
+    /** Analyses and factorises. Throws ComputationError when the matrix is
+     * numerically singular or memory runs out. */
+    void
+    factorize(std::vector<int>    rows,
+              std::vector<int>    columns,
+              std::vector<Number> values);
+
+    /** Factorises new values of the pattern given before, in that order. */
+    void
+    refactorize(std::vector<Number> values);
+
+    /** Solves for all columns at once; blocks hold this rank's owned rows. */
+    Matrix
+    solve(const Matrix &right_hand_sides) const;
+
+    /** Solves with the transposed matrix (general matrices). */
+    Matrix
+    solve_transposed(const Matrix &right_hand_sides) const;
+
+    /** Number of negative eigenvalues of a real symmetric matrix, by
+     * Sylvester's law of inertia. */
+    unsigned int
+    n_negative_pivots() const;
+
+    /** Entries of the factors over all ranks. */
+    double
+    n_factor_entries() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> impl;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_contact_contact_geometry_h
+#define squeal_contact_contact_geometry_h
+
+#include <squeal/base/sparse_matrix.h>
+#include <squeal/discretization/discretization.h>
+#include <squeal/discretization/point_evaluator.h>
+
+#include <memory>
+#include <vector>
+
+namespace squeal
+{
+  /** What a contact point does. */
+  enum class ContactStatus
+  {
+    open,
+    slip,
+    stick
+  };
+
+  /**
+   * Contact state of a pair: the status of every contact point and the share
+   * of the normal force it carries (sums to one over the closed points). One
+   * type for the linearised operators and for the contact solvers.
+   */
+  struct ContactState
+  {
+    std::vector<ContactStatus> status;
+    std::vector<double>        force_share;
+  };
+
+  /**
+   * Where a contact pair touches: points on the source face, their tributary
+   * areas, and the functionals of the relative motion there, target minus
+   * source (disc minus pad): normal B_n u = z_d - z_p, along the sliding of
+   * the target surface B_t u, and across it.
+   */
+  struct ContactGeometry
+  {
+    std::vector<dealii::Point<3>>      points;
+    std::vector<double>                areas; /**< m^2 */
+    std::vector<std::array<double, 2>> slip_direction; /**< unit, x and y */
+    /** |V| at the point over |V| at the centre of the source face. */
+    std::vector<double>                speed_ratio;
+    std::shared_ptr<const Functionals> normal, tangential, transverse;
+    /** Displacements (x, y, z) of the two sides at every point. */
+    std::vector<std::array<Functionals::Row, 3>> source_rows, target_rows;
+  };
+
+  /**
+   * Contact points of @p contact: the grid or the Gauss points of the source
+   * face. Throws InputError where the faces do not meet or the source face
+   * leaves the target.
+   */
+  ContactGeometry
+  make_contact_geometry(const Discretization    &discretization,
+                        const PointEvaluator    &evaluator,
+                        const ContactParameters &contact);
+
+  /** Full slip or full stick with an even pressure. */
+  ContactState
+  uniform_state(const ContactGeometry &geometry, const ContactStatus status);
+
+  /** Unit slip directions and speed ratios of points, by the friction
+   * direction of the pair: fixed y, or Omega x r about the target's axis. */
+  void
+  slip_directions(const SceneParameters               &scene,
+                  const ContactParameters             &contact,
+                  const std::vector<dealii::Point<3>> &points,
+                  std::vector<std::array<double, 2>>  &direction,
+                  std::vector<double>                 &speed_ratio);
+} // namespace squeal
+
+#endif

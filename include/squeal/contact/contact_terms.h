@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_contact_contact_terms_h
+#define squeal_contact_contact_terms_h
+
+#include <squeal/contact/contact_geometry.h>
+#include <squeal/discretization/affine_system.h>
+
+namespace squeal
+{
+  /**
+   * Adds the contact of pair @p number, linearised about steady sliding, by
+   * point springs: normal springs k_n at closed points; at slipping ones the
+   * friction mu k_n B_t^T B_n (rows of K: y_d: +mu k_n (z_d - z_p), y_p:
+   * -mu k_n (z_d - z_p)) and, on request, the damping mu N_i / |V| of the slip
+   * across the sliding direction and N_i dmu/dV along it; at sticking ones
+   * springs k_t in both tangential directions.
+   */
+  void
+  add_spring_contact(const Discretization  &discretization,
+                     const unsigned int     number,
+                     const ContactGeometry &geometry,
+                     const ContactState    &state,
+                     AffineSystem          &system);
+
+  /**
+   * The slip-rate terms of the friction law alone (transverse slip and slope),
+   * with normal forces @p state.force_share times the pair's normal force.
+   */
+  void
+  add_slip_rate_terms(const Discretization  &discretization,
+                      const unsigned int     number,
+                      const ContactGeometry &geometry,
+                      const ContactState    &state,
+                      AffineSystem          &system);
+
+  /**
+   * The whole linearised problem of a scene: bodies, springs and every contact
+   * pair in the formulation and state of its parameters; mortar ties and
+   * mortar contacts have their dependent unknowns eliminated, so the row space
+   * of the result may be smaller than that of the discretisation.
+   */
+  struct LinearizedSystem
+  {
+    AffineSystem                 system;
+    std::vector<ContactGeometry> contacts;
+    std::vector<ContactState>    states;
+    /** Unknowns of the discretisation from those of the system (the identity
+     * where nothing was eliminated). */
+    std::function<Block(const Block &)> expand;
+  };
+  LinearizedSystem
+  linearized_system(const Discretization            &discretization,
+                    const std::vector<BodyMatrices> &bodies);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_contact_mortar_h
+#define squeal_contact_mortar_h
+
+#include <squeal/discretization/discretization.h>
+#include <squeal/discretization/point_evaluator.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The dual mortar operators of a pair of faces: with dual shape functions
+   * psi_j on the source face, int psi_j phi_k = delta_jk D_j, and
+   * M_j u = int psi_j u_target. The weighted gap vanishes where the source
+   * node moves as the combination D_j^-1 M_j of target unknowns.
+   */
+  struct MortarCoupling
+  {
+    std::vector<dealii::Point<3>> nodes;   /**< source nodes, m */
+    std::vector<double>           weights; /**< D_j, m^2 */
+    /** Row of each source node's displacement (x, y, z); -1u where held. */
+    std::vector<std::array<unsigned int, 3>> source_rows;
+    /** D_j^-1 M_j for the three components; empty on the ground. */
+    std::vector<std::array<Functionals::Row, 3>> target_rows;
+  };
+
+  /**
+   * Integrates D and M over the source face, the target displacement sampled
+   * at @p subdivisions^2 x (degree + 2)^2 Gauss points a face. Constants are
+   * transferred exactly. Throws InputError (its text begins with @p where)
+   * where the source face leaves the target or carries hanging nodes.
+   */
+  MortarCoupling
+  make_mortar_coupling(const Discretization &discretization,
+                       const PointEvaluator &evaluator,
+                       const unsigned int    source_face_id,
+                       const unsigned int    target_body,
+                       const std::string    &where,
+                       const unsigned int    subdivisions = 2);
+} // namespace squeal
+
+#endif

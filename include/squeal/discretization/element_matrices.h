@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_discretization_element_matrices_h
+#define squeal_discretization_element_matrices_h
+
+#include <squeal/parameters/scene_parameters.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace squeal
+{
+  /** Elastic constants C_ijkl as [3 i + j][3 k + l], Pa. */
+  using ElasticTensor = std::array<std::array<double, 9>, 9>;
+
+  /** Hooke's law with Young modulus 1 Pa (isotropic), or in full
+   * (orthotropic, axes along x, y, z). */
+  ElasticTensor
+  elastic_tensor(const BodyParameters &body);
+
+  /**
+   * Stiffness and mass matrices of one hexahedron of degree p. The integrals
+   * H_kl = int dphi_a/dx_k dphi_b/dx_l are products of dense matrices
+   * (degrees >= 3 spend their time in BLAS-3), from which the stiffness of any
+   * elastic law is combined: K_(a i)(b j) = sum_kl C_ikjl (H_kl)_ab.
+   *
+   * Rows are ordered as the degrees of freedom of an FESystem of three FE_Q.
+   */
+  class ElementMatrices
+  {
+  public:
+    ElementMatrices(const dealii::DoFHandler<3>   &dofs,
+                    const dealii::Mapping<3, 3>   &mapping);
+
+    /** Computes H_kl and the scalar mass on @p cell. */
+    void
+    reinit(const dealii::DoFHandler<3>::active_cell_iterator &cell);
+
+    /** 3n x 3n stiffness for the elastic law @p C. */
+    void
+    stiffness(const ElasticTensor &C, Eigen::MatrixXd &K) const;
+
+    /** 3n x 3n mass for density 1. */
+    void
+    mass(Eigen::MatrixXd &M) const;
+
+    /**
+     * Terms of a body that turns about the axis through (x0, y0) along z, in
+     * the fixed frame, for density 1 and 1 rad/s: with d = x d/dy - y d/dx,
+     * gyroscopic G = 2 int phi_a d phi_b made skew (its symmetric part is a
+     * flux through the boundary, zero for an axisymmetric body) and convective
+     * N = - int d phi_a d phi_b.
+     */
+    void
+    rotation(const double     x0,
+             const double     y0,
+             Eigen::MatrixXd &G,
+             Eigen::MatrixXd &N) const;
+
+    /** Component 0..2 of degree of freedom @p i of a cell. */
+    unsigned int
+    component(const unsigned int i) const
+    {
+      return component_of[i];
+    }
+
+  private:
+    /** Spreads scalar matrices over the components: out_(a i)(b j) = s_ab for
+     * i = j. */
+    void
+    spread(const Eigen::MatrixXd &scalar, Eigen::MatrixXd &out) const;
+
+    dealii::FE_Q<3>                               fe;
+    dealii::QGauss<3>                             quadrature;
+    dealii::FEValues<3>                           fe_values;
+    std::vector<unsigned int>                     component_of, scalar_of;
+    std::array<std::vector<unsigned int>, 3>      dof_of; /**< [comp][scalar] */
+    std::array<Eigen::MatrixXd, 3>                gradients, weighted;
+    Eigen::MatrixXd                               values, weighted_values;
+    std::array<std::array<Eigen::MatrixXd, 3>, 3> H;
+    Eigen::MatrixXd                               scalar_mass;
+  };
+} // namespace squeal
+
+#endif

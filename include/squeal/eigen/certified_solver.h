@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_eigen_certified_solver_h
+#define squeal_eigen_certified_solver_h
+
+#include <squeal/eigen/complex_pairs.h>
+#include <squeal/eigen/reduced_basis.h>
+#include <squeal/eigen/undamped_modes.h>
+
+#include <functional>
+#include <vector>
+
+namespace squeal
+{
+  struct CertifiedOptions
+  {
+    double       lowest_frequency    = 0.;    /**< Hz */
+    double       highest_frequency   = 20e3;  /**< Hz */
+    double       residual_tolerance  = 1e-8;
+    double error_tolerance = 1e-8; /**< |d lambda| / |lambda| */
+    unsigned int maximum_enrichments = 30;
+  };
+
+  /** One row of the convergence history of the basis. */
+  struct EnrichmentStep
+  {
+    unsigned int basis_size;
+    double       worst_residual;
+    double       worst_estimate; /**< of this basis, from the next one */
+  };
+
+  /**
+   * The complex eigenvalue analysis in a certified reduced space.
+   *
+   * The space starts from the undamped modes below sqrt(2) times the shift
+   * frequency. Every pair is lifted and its full residual evaluated; the
+   * residuals of right and left vectors, solved with the one real factor at
+   * hand and compressed, enrich the space, until residual and error estimate of
+   * every pair in the band are below the tolerances or at the rounding floor. The error of a pair is the
+   * change of lambda by the next enrichment: it holds an adjoint part outside
+   * the space, without which the estimate would vanish identically (y^T r = 0
+   * for y in the space). Nearly coalesced pairs are compared by mean and
+   * squared half-difference, which depend smoothly on perturbations.
+   */
+  class CertifiedSolver
+  {
+  public:
+    CertifiedSolver(const Pencil         &pencil,
+                    const ShiftedInverse &inverse,
+                    const UndampedModes  &modes);
+
+    /** Pairs with frequency in the band (real eigenvalues where the band starts
+     * at 0). Throws ComputationError where the tolerance is not met within the
+     * allowed enrichments. */
+    ComplexPairs
+    solve(const CertifiedOptions                           &options,
+          const std::function<void(const EnrichmentStep &)> &report = {});
+
+    const std::vector<EnrichmentStep> &
+    history() const;
+    const ReducedBasis &
+    basis() const;
+
+  private:
+    /** Pairs of the band with their coordinates in the basis. */
+    struct Candidates
+    {
+      ComplexPairs     pairs;
+      Eigen::MatrixXcd right, left;
+    };
+    Candidates
+    candidates(const DensePairs &dense, const CertifiedOptions &options) const;
+
+    /** Fills in the residuals; returns the residual vectors scaled by the
+     * tolerances and compressed to the directions that matter. */
+    Block
+    residual_directions(Candidates             &candidates,
+                        const CertifiedOptions &options) const;
+
+    bool
+    converged(const ComplexPairs &pairs, const CertifiedOptions &options) const;
+
+    const Pencil                &pencil;
+    const ShiftedInverse        &inverse;
+    ReducedBasis                 reduced;
+    std::vector<EnrichmentStep>  steps;
+  };
+
+  /** Fills error_estimate of @p pairs from the eigenvalues of a better basis;
+   * also finds the partners of nearly coalesced ones. */
+  void
+  estimate_errors(ComplexPairs &pairs, const Eigen::VectorXcd &better);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_eigen_dense_quadratic_h
+#define squeal_eigen_dense_quadratic_h
+
+#include <squeal/discretization/affine_system.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace squeal
+{
+  /** One operator part of a reduced pencil and its coefficients. */
+  struct ReducedPart
+  {
+    Eigen::MatrixXd  matrix;
+    TermCoefficients coefficients;
+  };
+
+  /**
+   * Eigenpairs of a small quadratic pencil: Q(lambda) x = 0 and y^T Q(lambda) =
+   * 0 (no conjugation), one of each conjugate pair (Im lambda > 0) and every
+   * real eigenvalue.
+   */
+  struct DensePairs
+  {
+    Eigen::VectorXcd lambda;
+    Eigen::MatrixXcd right, left;
+  };
+
+  /**
+   * Solves by LAPACK. With C = alpha M + beta K throughout (@p rayleigh) the
+   * problem is K x = kappa M x of the single size, and lambda follows from
+   * lambda^2 + lambda (alpha + beta kappa) + kappa = 0; otherwise a companion
+   * form of twice the size is used.
+   */
+  DensePairs
+  solve_dense_quadratic(const std::vector<ReducedPart> &parts,
+                        const bool                      rayleigh,
+                        const double                    alpha,
+                        const double                    beta);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_eigen_mass_basis_h
+#define squeal_eigen_mass_basis_h
+
+#include <squeal/discretization/affine_system.h>
+
+namespace squeal
+{
+  /** Columns that are added at the end without copying those there are. */
+  class GrowingBlock
+  {
+  public:
+    explicit GrowingBlock(const unsigned int n_rows = 0);
+    void
+    append(const Block &columns);
+    unsigned int
+    n_columns() const;
+    /** The columns as one matrix expression. */
+    Eigen::Map<const Block>
+    view() const;
+
+  private:
+    Eigen::Index       n_rows;
+    unsigned int       n_used = 0;
+    std::vector<double> data;
+  };
+
+  /**
+   * A mass-orthonormal basis Q and its product M Q. Keeping the product makes
+   * orthogonalisation free of matrix products.
+   */
+  class MassBasis
+  {
+  public:
+    explicit MassBasis(const Pencil &pencil);
+
+    /**
+     * Orthonormalises the columns of @p W against the basis, then among
+     * themselves, and appends them; directions that shrink below @p drop of
+     * their own size are dropped. Returns the columns added; @p coefficients
+     * (optional) receives Q^T M W of the old basis.
+     */
+    Block
+    extend(Block W, const double drop, Eigen::MatrixXd *coefficients = nullptr);
+
+    unsigned int
+    size() const;
+    Eigen::Map<const Block>
+    vectors() const;
+    /** M Q. */
+    Eigen::Map<const Block>
+    mass_products() const;
+
+  private:
+    const Pencil &pencil;
+    GrowingBlock  Q, MQ;
+  };
+
+  /** X^T Y summed over the ranks, for any dense expressions. */
+  template <typename X, typename Y>
+  Eigen::MatrixXd
+  inner_products(const RowSpace &space, const X &x, const Y &y)
+  {
+    Eigen::MatrixXd result = x.transpose() * y;
+    space.sum(result);
+    return result;
+  }
+} // namespace squeal
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_eigen_mode_naming_solid_h
+#define squeal_eigen_mode_naming_solid_h
+
+#include <squeal/discretization/point_evaluator.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** Motion of a pad, a support beam or a rigid body. */
+  struct SolidShape
+  {
+    /** Such as "tangential" or "torsion"; empty for a body at rest. */
+    std::string family;
+    /** Nodes of the dominant motion along the body's long axis. */
+    unsigned int n_nodes = 0;
+  };
+
+  /**
+   * Motions of one body that is no annulus. A meshed body is cut into slices
+   * along its longest side (z if none is twice as long as the others); each
+   * slice has a mean displacement and a rotation about that axis. A rigid body
+   * is one slice with three displacements and three rotations.
+   *
+   * Displacements are radial, tangential and normal with respect to the disc
+   * axis as seen from the centre of the body; without a disc x, y and z.
+   *
+   * The coordinates of a vector are these motions, slice by slice, scaled such
+   * that their sum of squares is the integral of density |u|^2 (rotation about
+   * other axes left out).
+   */
+  class SolidShapes
+  {
+  public:
+    /** Appends its coordinates to @p rows. @p annulus: the body that gives the
+     * disc axis, or -1u. */
+    SolidShapes(const Discretization          &discretization,
+                const PointEvaluator          &evaluator,
+                const unsigned int             body,
+                const unsigned int             annulus,
+                std::vector<Functionals::Row> &rows);
+
+    unsigned int n_coordinates() const;
+
+    SolidShape classify(
+      const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const;
+
+    /** As DiscShapes::mirror_weights(): +1 for motions that the mirror plane
+     * through disc axis and body keeps, -1 for the others. */
+    Eigen::VectorXd mirror_weights() const;
+
+  private:
+    void add_rigid_rows(const Discretization          &discretization,
+                        const unsigned int             body,
+                        std::vector<Functionals::Row> &rows) const;
+    void add_slice_rows(
+      const PointEvaluator                             &evaluator,
+      const unsigned int                                body,
+      const std::vector<std::vector<dealii::Point<3>>> &slices,
+      const double                                      mass,
+      std::vector<Functionals::Row>                    &rows) const;
+
+    std::vector<std::string> families;
+    std::vector<double>      mirror; /**< sign of each family */
+    unsigned int             n_slices = 0;
+    unsigned int             axis     = 2;  /**< long axis, 0 to 2 */
+    double                   angle    = 0.; /**< of the radial direction, rad */
+  };
+
+  /** Centre of a body: of its bounding box if meshed, of gravity if rigid. */
+  dealii::Point<3> body_centre(const Discretization &discretization,
+                               const unsigned int    body);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_parameters_analysis_parameters_h
+#define squeal_parameters_analysis_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** Finite element space and mesh adaptation, section "Discretization". */
+  struct DiscretizationParameters
+  {
+    enum class Refinement
+    {
+      none,
+      uniform,         /**< `refinements` global steps */
+      eigenvalue_error /**< adaptive, driven by the modes in the band */
+    };
+    unsigned int degree      = 3;
+    unsigned int refinements = 0; /**< initial global refinements */
+    Refinement   refinement  = Refinement::none;
+    double       tolerance   = 1e-3; /**< estimated relative frequency error */
+    unsigned int maximum_cycles = 8;
+    unsigned int maximum_dofs   = 200000;
+    /** Estimate the discretisation error of every mode (costs a solve of one
+     * degree less on the same mesh where no adaptive cycle provides it). */
+    bool estimate_error = true;
+  };
+
+  /** Band and eigen-solver settings, section "Eigenvalues". */
+  struct EigenParameters
+  {
+    enum class Solver
+    {
+      certified, /**< reduced basis with residual enrichment */
+      direct     /**< sparse shift-invert Arnoldi, the check */
+    };
+    double lowest_frequency   = 0.;    /**< Hz, lower edge of the band */
+    double highest_frequency  = 20e3;  /**< Hz, upper edge of the band */
+    double mode_tolerance     = 1e-10; /**< relative residual of the Lanczos */
+    Solver solver             = Solver::certified;
+    double residual_tolerance = 1e-8; /**< residual_rel of every pair */
+    double error_tolerance    = 1e-8; /**< estimated |d lambda| / |lambda| */
+    unsigned int maximum_enrichments    = 30;
+    double       direct_shift_frequency = -1.; /**< Hz; negative: band centre */
+    unsigned int number_of_pairs        = 0;  /**< direct; 0: all of the band */
+    double damping_threshold_percent    = 1.; /**< line in the damping chart */
+    bool   compare_direct = false; /**< run the direct solver as well */
+  };
+
+  /** Ladder of "Analysis = work precision", section "Work precision". */
+  struct WorkPrecisionParameters
+  {
+    enum class Ladder
+    {
+      degree,     /**< FE degree */
+      refinement, /**< uniform refinement */
+      adaptive,   /**< tolerance of the adaptive refinement */
+      basis       /**< residual tolerance of the certified basis */
+    };
+    std::vector<Ladder> ladders;
+    std::vector<double> values;                 /**< settings of the ladder */
+    std::string         quantity = "frequency"; /**< frequency | sigma */
+    std::vector<double> reference; /**< exact values; empty: finest rung */
+  };
+
+  /** What is written, section "Output". */
+  struct OutputParameters
+  {
+    enum class Shapes
+    {
+      none,
+      unstable,
+      all
+    };
+    std::string  directory = "output";
+    bool         overwrite = false;
+    Shapes       shapes    = Shapes::all; /**< modes written as PVD/VTU */
+    unsigned int animation_frames = 12;
+    bool         plots            = true;
+    bool         report           = true;
+    bool   export_matrices = false; /**< MatrixMarket files of M, C, K parts */
+    double slip_display_scale = 0.05; /**< largest drawn displacement over the
+                                         scene's size */
+  };
+
+  /** One expected value, section "Result checks/Check <name>". */
+  struct ResultCheckParameters
+  {
+    std::string name;
+    std::string table;   /**< e.g. "modes.csv" */
+    std::string where;   /**< "column = value" (also != < <= > >=, joined by
+                            " and ") that selects rows; may be empty */
+    std::string nearest; /**< "column = number": the nearest selected row */
+    std::string column;  /**< column checked; "count" = number of rows */
+    double      expected           = 0.;
+    double      relative_tolerance = 0.;
+    double      absolute_tolerance = 0.;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_parameters_checks_h
+#define squeal_parameters_checks_h
+
+#include <squeal/parameters/parameters.h>
+
+#include <string>
+
+namespace squeal
+{
+  namespace prm
+  {
+    /** @name Parts of Parameters::check(). Each throws InputError with the
+     * entry and what to change. */
+    //@{
+    /** Shape, material and mass of one body. */
+    void check_body(const BodyParameters &body);
+
+    /** Ties, springs, supports, masses, loads and damping. */
+    void check_scene(const SceneParameters &scene);
+
+    /** Contact pairs: bodies, faces, and that they meet. */
+    void check_contacts(const SceneParameters &scene);
+
+    /** Everything outside the scene. */
+    void check_analysis(const Parameters &parameters);
+    //@}
+
+    /** @name Means of these */
+    //@{
+    /** Throws InputError "'<section>/<entry>' <reason>". */
+    [[noreturn]] void refuse_entry(const std::string &section,
+                                   const std::string &entry,
+                                   const std::string &reason);
+
+    /** The body called @p name, which @p section/@p entry refers to. */
+    const BodyParameters &require_body(const SceneParameters &scene,
+                                       const std::string     &name,
+                                       const std::string     &section,
+                                       const std::string     &entry);
+
+    /** Refuses a @p face that @p body does not have; a rigid body has none
+     * and the name must be empty. */
+    void require_face(const BodyParameters &body,
+                      const std::string    &face,
+                      const std::string    &section,
+                      const std::string    &entry);
+
+    /** Refuses a file that is named but is not there; the empty name is
+     * refused too if @p is_needed. */
+    void require_file(const std::string &file,
+                      const std::string &section,
+                      const std::string &entry,
+                      bool               is_needed);
+    //@}
+  } // namespace prm
+} // namespace squeal
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_parameters_parameters_h
+#define squeal_parameters_parameters_h
+
+#include <squeal/parameters/analysis_parameters.h>
+#include <squeal/parameters/scene_parameters.h>
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * Everything a run needs to know, read once from a parameter file, checked,
+   * printed, then constant. Nothing below this layer sees a ParameterHandler.
+   */
+  struct Parameters
+  {
+    enum class Analysis
+    {
+      modes,
+      cea,
+      work_precision
+    };
+    Analysis                           analysis = Analysis::cea;
+    SceneParameters                    scene;
+    DiscretizationParameters           discretization;
+    EigenParameters                    eigen;
+    WorkPrecisionParameters            work_precision;
+    OutputParameters                   output;
+    std::vector<ResultCheckParameters> result_checks;
+
+    /** Name of the file it was read from. */
+    std::string file;
+    /** Every entry as used, "Section/Sub/Entry" and value, in declared order:
+     * for the printed table, run.json and the parameters_used.prm. */
+    std::vector<std::pair<std::string, std::string>> used;
+
+    /** One line for each entry that was given by its former name. */
+    std::vector<std::string> notes;
+
+    /** Checks that span several entries (names that must exist, faces of a
+     * shape, radii in order, ...). Throws InputError naming the entry. */
+    void check() const;
+  };
+
+  /**
+   * Reads @p file (with its includes), applies @p overrides of the form
+   * "Section/Sub/Entry = value", checks every entry against its declaration
+   * and returns the structs. Throws InputError with file, line, entry, what is
+   * allowed and the nearest valid name before anything else is done.
+   *
+   * Entries that only make sense together are left to Parameters::check().
+   * Relative names of mesh, matrix and table files start from the folder of
+   * the parameter file that sets them, in overrides from the working
+   * directory; the structs hold absolute ones.
+   */
+  Parameters read_parameters(const std::string              &file,
+                             const std::vector<std::string> &overrides = {});
+
+  /**
+   * The number in the entry @p path ("Scene/Body pad/Young modulus"), or in one
+   * component of a list ("Scene/Body pad/Young moduli[2]", from 1). Throws
+   * InputError for an unknown entry (with the nearest name) and for one that
+   * is not a number.
+   */
+  double get_number(const Parameters &parameters, const std::string &path);
+
+  /**
+   * The same parameters with another @p value of the number that
+   * get_number() reads, consistent as if it had been written in the file, and
+   * checked by Parameters::check(). The file is not read again. Throws
+   * InputError if the value is not allowed.
+   */
+  Parameters with_value(const Parameters  &parameters,
+                        const std::string &path,
+                        double             value);
+
+  /** Prints the entries that differ from the defaults as an aligned table. */
+  void print_parameters(const Parameters &parameters, std::ostream &out);
+
+  /** Writes the used parameters as a .prm file that reproduces the run; names
+   * of input files are relative to it. Throws InputError if it cannot be
+   * written. */
+  void write_used_parameters(const Parameters  &parameters,
+                             const std::string &file);
+
+  /** Prints every entry with its default, unit and a sentence: a parameter
+   * file that can be read back. The sections of families like "Body <name>"
+   * are in comments, ready for a name. */
+  void print_defaults(std::ostream &out);
+
+  /** Prints doc/parameters.md: one table a section, one for all members of a
+   * family like "Body <name>". */
+  void print_parameter_documentation(std::ostream &out);
+} // namespace squeal
+
+#endif

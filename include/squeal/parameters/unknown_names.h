@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_parameters_unknown_names_h
+#define squeal_parameters_unknown_names_h
+
+#include <squeal/parameters/prm_tree.h>
+#include <squeal/parameters/schema.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    /**
+     * Throws InputError for the first section or entry of @p tree that is not
+     * declared: location, what is unknown, the nearest name, and what is
+     * allowed there, in one line.
+     */
+    void check_names_are_known(const PrmTree &tree, const Schema &schema);
+  } // namespace prm
+} // namespace squeal
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_results_compare_h
+#define squeal_results_compare_h
+
+#include <squeal/results/table.h>
+
+#include <complex>
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * signature.csv: for every pair of a run its displacement at sampled points,
+   * by which two runs on different meshes recognise each other's shapes. Each
+   * row is `index,c1,c2,...` with real and imaginary part of one sample after
+   * the other. The phase and size of a shape do not matter.
+   */
+  Table make_signature_table(
+    const std::vector<long long>                         &indices,
+    const std::vector<std::vector<std::complex<double>>> &samples);
+
+  /** |a^H b|^2 / (a^H a b^H b) of two signatures; 0 if one vanishes. */
+  double modal_assurance(const std::vector<std::complex<double>> &a,
+                         const std::vector<std::complex<double>> &b);
+
+  /** One eigenpair of a run as the comparison sees it. */
+  struct ComparedPair
+  {
+    long long                         index     = 0;
+    double                            frequency = 0.; /**< Hz */
+    double                            sigma     = 0.; /**< 1/s */
+    std::string                       name;
+    bool                              is_unstable = false;
+    std::vector<std::complex<double>> signature; /**< may be empty */
+  };
+
+  /**
+   * Pairs of run A and run B that are the same mode, (position in @p a,
+   * position in @p b): by the modal assurance criterion if all signatures are
+   * there and of one length, else by name and nearest eigenvalue. Pairs that do
+   * not fit (MAC below 0.3; another name and more than 10 % apart) are left
+   * alone.
+   */
+  std::vector<std::pair<std::size_t, std::size_t>> match_pairs(
+    const std::vector<ComparedPair> &a,
+    const std::vector<ComparedPair> &b);
+
+  /** What changed from run A to run B. */
+  struct RunComparison
+  {
+    Table                    table; /**< matched pairs, then those alone */
+    std::vector<std::string> new_instabilities;
+    std::vector<std::string> vanished_instabilities;
+    bool                     by_shape = false; /**< matched by MAC */
+  };
+
+  /**
+   * Reads the results of two runs from their output directories
+   * (eigenvalues.csv, or modes.csv if one of them has none), matches the pairs
+   * of equal `point` and prints the table of frequency and sigma changes, the
+   * parameters that differ, and new and vanished instabilities. A pair counts
+   * as unstable if sigma exceeds its own error estimate. Throws InputError for
+   * what is missing or cannot be read.
+   */
+  RunComparison compare_runs(const std::string &directory_a,
+                             const std::string &directory_b,
+                             std::ostream      &out);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_results_shape_plot_h
+#define squeal_results_shape_plot_h
+
+#include <squeal/results/plotter.h>
+#include <squeal/results/shape_view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** A mode shape to be drawn without a display. */
+  struct ShapePicture
+  {
+    std::string            title;
+    std::string            subtitle;
+    std::vector<ShapeQuad> surface; /**< deformed, all bodies */
+    std::vector<ShapeQuad> face;    /**< undeformed face of the disc */
+    std::vector<ShapeQuad> contact; /**< what stands on it, for its outline */
+    std::string            value_label = "axial displacement over its largest";
+    Viewpoint              viewpoint;
+  };
+
+  /**
+   * Draws two panels: the deformed scene, lit and seen obliquely, and the
+   * disc's face seen from +z with the nodal lines in black and the outline of
+   * the contact dashed. Both are coloured
+   * by the values over the largest of the face (of the surface if there is no
+   * face), blue to red. Without face quads the first panel is alone. Writes
+   * @p path.png and returns whether it is there.
+   */
+  bool plot_shape(const Plotter      &plotter,
+                  const ShapePicture &picture,
+                  const std::string  &path);
+
+  /**
+   * Makes the quads of a picture from quads that know their undeformed corners
+   * (`corners[i][d]`, m), `displacements[i][d]` and `body`. The largest drawn
+   * displacement is @p drawn_largest (m); the values are the displacements
+   * along z. The face is what lies on top (largest z) of the body
+   * @p disc_body, the contact what other bodies have in that plane.
+   */
+  template <typename Quad>
+  ShapePicture make_shape_picture(const std::vector<Quad> &quads,
+                                  const unsigned int       disc_body,
+                                  const double             drawn_largest);
+
+
+
+  template <typename Quad>
+  ShapePicture
+  make_shape_picture(const std::vector<Quad> &quads,
+                     const unsigned int       disc_body,
+                     const double             drawn_largest)
+  {
+    double largest = 0., top = -1e300, bottom = 1e300;
+    for (const Quad &quad : quads)
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const auto &u = quad.displacements[i];
+          largest       = std::max(
+            largest, std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
+          if (quad.body != disc_body)
+            continue;
+          top    = std::max(top, double(quad.corners[i][2]));
+          bottom = std::min(bottom, double(quad.corners[i][2]));
+        }
+    const double scale = largest > 0. ? drawn_largest / largest : 0.;
+
+    ShapePicture picture;
+    for (const Quad &quad : quads)
+      {
+        ShapeQuad flat, deformed;
+        bool      on_top = true;
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                flat.corners[i][d] = quad.corners[i][d];
+                deformed.corners[i][d] =
+                  quad.corners[i][d] + scale * quad.displacements[i][d];
+              }
+            flat.values[i] = deformed.values[i] = quad.displacements[i][2];
+            on_top = on_top && std::abs(top - quad.corners[i][2]) <=
+                                 1e-6 * (top - bottom);
+          }
+        picture.surface.push_back(deformed);
+        if (on_top && quad.body == disc_body)
+          picture.face.push_back(flat);
+        else if (on_top)
+          picture.contact.push_back(flat);
+      }
+    return picture;
+  }
+} // namespace squeal
+
+#endif

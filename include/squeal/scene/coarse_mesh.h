@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_scene_coarse_mesh_h
+#define squeal_scene_coarse_mesh_h
+
+#include <squeal/parameters/scene_parameters.h>
+
+#include <deal.II/base/point.h>
+
+#include <deal.II/grid/tria_description.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The coarse hexahedral mesh of all meshed bodies of a scene. Bodies share
+   * vertices only across conforming ties; coincident vertices of a contact
+   * pair stay apart. Cells carry their body's number as material id, boundary
+   * faces the id of face_id().
+   */
+  struct CoarseMesh
+  {
+    std::vector<dealii::Point<3>>    vertices;
+    std::vector<dealii::CellData<3>> cells;
+    dealii::SubCellData              boundary;
+    /** Names of the faces of each body; the position is the face number. */
+    std::vector<std::vector<std::string>> face_names;
+    /** True for the ties whose face meshes match and were joined. */
+    std::vector<bool> tie_is_conforming;
+  };
+
+  /** Faces with names a body can have at most. */
+  constexpr unsigned int max_faces_per_body = 64;
+
+  /** Names of the faces of @p shape in the order of their numbers (empty for
+   * gmsh, whose names come from the file, and for rigid bodies). */
+  std::vector<std::string>
+  face_names(const BodyParameters::Shape shape);
+
+  /** Boundary id of a face in the mesh of the scene. */
+  unsigned int
+  face_id(const unsigned int body, const unsigned int face);
+
+  /** Number of the body of this name. Throws InputError. */
+  unsigned int
+  body_index(const SceneParameters &scene, const std::string &name);
+
+  /** Boundary id by names. Throws InputError naming the faces there are. */
+  unsigned int
+  face_id(const CoarseMesh      &mesh,
+          const SceneParameters &scene,
+          const std::string     &body,
+          const std::string     &face);
+
+  /**
+   * Meshes every body and joins conforming ties. Throws InputError where a
+   * mesh file is unusable (not hexahedral, inverted cells, unknown physical
+   * name) or a conforming tie does not match.
+   */
+  CoarseMesh
+  make_coarse_mesh(const SceneParameters &scene);
+
+  /** The mesh of one body; boundary ids are face numbers. */
+  struct BodyMesh
+  {
+    std::vector<dealii::Point<3>>    vertices;
+    std::vector<dealii::CellData<3>> cells;
+    std::vector<dealii::CellData<2>> boundary;
+    std::vector<std::string>         face_names;
+  };
+  BodyMesh
+  make_body_mesh(const BodyParameters &body);
+
+  /** Reads a hexahedral Gmsh mesh with physical names. */
+  BodyMesh
+  read_gmsh_body(const BodyParameters &body);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/base64.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace squeal
+{
+  std::string
+  base64(const std::string &bytes)
+  {
+    static const char letters[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3)
+      {
+        const std::size_t n     = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t     group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+          group = (group << 8) |
+                  (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+          text += k <= n ? letters[(group >> (18 - 6 * k)) & 63] : '=';
+      }
+    return text;
+  }
+} // namespace squeal

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <streambuf>
+#include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace squeal
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    const std::string manifest_name = ".squeal_files";
+    const std::string manifest_head =
+      "# squeal manifest 1: results of earlier runs, removed with Overwrite";
+
+    std::string
+    reason(const int error_number)
+    {
+      return error_number == 0 ? "unknown error" : std::strerror(error_number);
+    }
+
+    /** Output buffer on a file descriptor that remembers why it failed: the
+     * standard file stream loses the reason. */
+    class DescriptorBuffer : public std::streambuf
+    {
+    public:
+      explicit DescriptorBuffer(const int descriptor)
+        : descriptor(descriptor)
+      {
+        setp(buffer.data(), buffer.data() + buffer.size());
+      }
+
+      int
+      error() const
+      {
+        return error_number;
+      }
+
+    protected:
+      int_type
+      overflow(const int_type c) override
+      {
+        if (sync() != 0)
+          return traits_type::eof();
+        if (!traits_type::eq_int_type(c, traits_type::eof()))
+          sputc(traits_type::to_char_type(c));
+        return traits_type::not_eof(c);
+      }
+
+      int
+      sync() override
+      {
+        const char *next = pbase();
+        while (next < pptr() && error_number == 0)
+          {
+            const ssize_t n = ::write(descriptor, next, pptr() - next);
+            if (n >= 0)
+              next += n;
+            else if (errno != EINTR)
+              error_number = errno;
+          }
+        setp(buffer.data(), buffer.data() + buffer.size());
+        return error_number == 0 ? 0 : -1;
+      }
+
+    private:
+      int                         descriptor;
+      int                         error_number = 0;
+      std::array<char, (1 << 16)> buffer;
+    };
+
+    /** Writes through @p writer into @p path; errors name @p shown. */
+    void
+    write_directly(const std::string                         &path,
+                   const std::string                         &shown,
+                   const std::function<void(std::ostream &)> &writer)
+    {
+      const int descriptor =
+        ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+      if (descriptor < 0)
+        throw InputError("cannot write '" + shown + "': " + reason(errno));
+
+      DescriptorBuffer buffer(descriptor);
+      std::ostream     stream(&buffer);
+      try
+        {
+          writer(stream);
+        }
+      catch (...)
+        {
+          ::close(descriptor);
+          throw;
+        }
+      stream.flush();
+      const int close_error = ::close(descriptor) == 0 ? 0 : errno;
+      const int error = buffer.error() != 0 ? buffer.error() : close_error;
+      if (error != 0)
+        throw InputError("cannot write '" + shown + "': " + reason(error));
+    }
+
+    /** Where the bytes of @p path live: links are followed, so that a rename
+     * replaces the file and not the link. */
+    std::string
+    resolved(const std::string &path)
+    {
+      std::error_code error;
+      if (!fs::is_symlink(path, error))
+        return path;
+      const fs::path real = fs::weakly_canonical(path, error);
+      return error ? path : real.string();
+    }
+
+    std::string
+    partial_name(const fs::path &path)
+    {
+      return (path.parent_path() / (".part." + path.filename().string()))
+        .string();
+    }
+
+    /** Names in the manifest of @p directory that stay inside it; a file
+     * edited by hand must not make us delete elsewhere. */
+    std::vector<std::string>
+    listed_files(const fs::path &directory)
+    {
+      std::vector<std::string> names;
+      std::ifstream            in(directory / manifest_name);
+      for (std::string line; std::getline(in, line);)
+        {
+          const fs::path name = fs::path(line).lexically_normal();
+          if (line.empty() || line[0] == '#' || name.is_absolute() ||
+              name.begin() == name.end() || *name.begin() == "..")
+            continue;
+          names.push_back(name.string());
+        }
+      return names;
+    }
+
+    void
+    remove_earlier_results(const fs::path &directory)
+    {
+      std::error_code    ignored;
+      std::set<fs::path> folders;
+      for (const std::string &name : listed_files(directory))
+        {
+          const fs::path path = directory / name;
+          if (!fs::is_directory(path, ignored))
+            fs::remove(path, ignored);
+          fs::remove(partial_name(path), ignored);
+          for (fs::path folder = fs::path(name).parent_path(); !folder.empty();
+               folder          = folder.parent_path())
+            folders.insert(folder);
+        }
+      // deepest first; a folder that still holds something stays
+      for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+        fs::remove(directory / *folder, ignored);
+      fs::remove(directory / manifest_name, ignored);
+    }
+
+    /** Whether a run left nothing but its log. */
+    bool
+    holds_no_results(const fs::path &directory)
+    {
+      bool log_is_ours = false;
+      for (const std::string &name : listed_files(directory))
+        log_is_ours = log_is_ours || name == "run.log";
+      for (const auto &entry : fs::directory_iterator(directory))
+        {
+          const std::string name = entry.path().filename().string();
+          if (name != manifest_name && !(name == "run.log" && log_is_ours))
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
+  AtomicFile::AtomicFile(const std::string &path)
+    : target(resolved(path))
+    , temporary_name(partial_name(target))
+  {
+  }
+
+
+
+  AtomicFile::~AtomicFile()
+  {
+    std::error_code ignored;
+    if (!committed)
+      fs::remove(temporary_name, ignored);
+  }
+
+
+
+  const std::string &
+  AtomicFile::temporary() const
+  {
+    return temporary_name;
+  }
+
+
+
+  void
+  AtomicFile::commit()
+  {
+    std::error_code error;
+    fs::rename(temporary_name, target, error);
+    if (error)
+      throw InputError("cannot write '" + target + "': " + error.message());
+    committed = true;
+  }
+
+
+
+  void
+  write_atomically(const std::string                         &path,
+                   const std::function<void(std::ostream &)> &writer)
+  {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+      throw InputError("cannot write '" + path + "': Is a directory");
+    // renaming onto a device would replace the device
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+      {
+        write_directly(path, path, writer);
+        return;
+      }
+    AtomicFile file(path);
+    write_directly(file.temporary(), path, writer);
+    file.commit();
+  }
+
+
+
+  std::string
+  read_file(const std::string &path)
+  {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+      throw InputError("cannot read '" + path + "': Is a directory");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+      throw InputError("cannot read '" + path + "': " + reason(errno));
+    std::ostringstream content;
+    content << in.rdbuf();
+    if (in.bad())
+      throw InputError("cannot read '" + path + "': " + reason(errno));
+    return content.str();
+  }
+
+
+
+  void
+  prepare_output_directory(const std::string &directory, const bool overwrite)
+  {
+    const std::string name = "output directory '" + directory + "'";
+    if (directory.empty())
+      throw InputError("the entry 'Output directory' is empty: name a folder");
+
+    std::error_code error;
+    if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+      throw InputError(name + " is a file: choose another Output directory");
+    fs::create_directories(directory, error);
+    if (error)
+      throw InputError("cannot create " + name + ": " + error.message());
+
+    bool may_start = overwrite;
+    try
+      {
+        may_start = may_start || holds_no_results(directory);
+      }
+    catch (const fs::filesystem_error &e)
+      {
+        throw InputError("cannot read " + name + ": " + e.code().message());
+      }
+    if (!may_start)
+      throw InputError(name + " is not empty: set Overwrite = true or choose "
+                              "another Output directory");
+
+    remove_earlier_results(directory);
+    write_atomically((fs::path(directory) / manifest_name).string(),
+                     [](std::ostream &out) { out << manifest_head << '\n'; });
+  }
+
+
+
+  OutputDirectory::OutputDirectory(const std::string &directory,
+                                   const bool         overwrite,
+                                   const bool         is_root)
+    : directory(directory)
+    , is_root(is_root)
+  {
+    if (is_root)
+      prepare_output_directory(directory, overwrite);
+  }
+
+
+
+  const std::string &
+  OutputDirectory::path() const
+  {
+    return directory;
+  }
+
+
+
+  std::string
+  OutputDirectory::file(const std::string &name)
+  {
+    const fs::path path = fs::path(directory) / name;
+    if (!is_root || names.count(name) > 0)
+      return path.string();
+
+    std::error_code error;
+    if (fs::exists(path, error))
+      throw InputError("'" + path.string() +
+                       "' was not written by squeal: move it away or choose "
+                       "another Output directory");
+    fs::create_directories(path.parent_path(), error);
+    if (error)
+      throw InputError("cannot create folder '" + path.parent_path().string() +
+                       "': " + error.message());
+
+    // listed before it is written: a run that is killed leaves no orphan
+    const std::string manifest = (fs::path(directory) / manifest_name).string();
+    std::ofstream     out(manifest, std::ios::app);
+    if (!(out << name << std::endl))
+      throw InputError("cannot write '" + manifest + "': " + reason(errno));
+    names.insert(name);
+    return path.string();
+  }
+
+
+
+  const std::set<std::string> &
+  OutputDirectory::files() const
+  {
+    return names;
+  }
+} // namespace squeal

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/mumps.h>
+
+#include <dmumps_c.h>
+#include <zmumps_c.h>
+
+namespace squeal
+{
+  namespace
+  {
+    /** The two C interfaces behind one set of names. */
+    template <typename Number>
+    struct Interface;
+
+    template <>
+    struct Interface<double>
+    {
+      using Structure = DMUMPS_STRUC_C;
+      using Scalar    = double;
+      static void
+      call(Structure &s)
+      {
+        dmumps_c(&s);
+      }
+    };
+
+    template <>
+    struct Interface<std::complex<double>>
+    {
+      using Structure = ZMUMPS_STRUC_C;
+      using Scalar    = ZMUMPS_COMPLEX;
+      static void
+      call(Structure &s)
+      {
+        zmumps_c(&s);
+      }
+    };
+
+    constexpr int job_initialize = -1, job_terminate = -2, job_analyze = 1,
+                  job_factorize = 2, job_solve = 3;
+  } // namespace
+
+
+
+  template <typename Number>
+  struct MumpsFactorization<Number>::Implementation
+  {
+    std::shared_ptr<const RowSpace>                space;
+    mutable typename Interface<Number>::Structure  mumps{};
+    std::vector<int>                               rows, columns;
+    std::vector<Number>                            values;
+
+    int &
+    icntl(const int i) const
+    {
+      return mumps.icntl[i - 1];
+    }
+
+    void
+    call(const int job) const
+    {
+      mumps.job = job;
+      Interface<Number>::call(mumps);
+    }
+
+    /** Runs analysis or factorisation; enlarges the workspace where MUMPS asks
+     * for more (errors -8, -9, -17, -20). */
+    void
+    run(const int job) const
+    {
+      for (int attempt = 0; attempt < 5; ++attempt)
+        {
+          call(job);
+          const int error = mumps.infog[0];
+          if (error >= 0)
+            return;
+          if (error == -8 || error == -9 || error == -17 || error == -20)
+            {
+              icntl(14) *= 2;
+              continue;
+            }
+          if (error == -10)
+            throw ComputationError(
+              "the matrix is numerically singular: a body without support, or "
+              "a shift on an eigenvalue");
+          if (error == -13 || error == -19)
+            throw ComputationError(
+              "not enough memory to factorise: use a coarser mesh or more "
+              "ranks");
+          break;
+        }
+      throw ComputationError("MUMPS failed with INFOG(1) = " +
+                             std::to_string(mumps.infog[0]) + ", INFOG(2) = " +
+                             std::to_string(mumps.infog[1]));
+    }
+
+    Matrix
+    solve(const Matrix &b, const bool transposed) const;
+  };
+
+
+
+  template <typename Number>
+  MumpsFactorization<Number>::MumpsFactorization(
+    std::shared_ptr<const RowSpace> space,
+    const Symmetry                  symmetry)
+    : impl(std::make_unique<Implementation>())
+  {
+    auto &m           = impl->mumps;
+    impl->space       = std::move(space);
+    m.comm_fortran    = MPI_Comm_c2f(impl->space->communicator());
+    m.par             = 1;
+    m.sym             = symmetry == Symmetry::symmetric ? 2 : 0;
+    impl->call(job_initialize);
+    impl->icntl(1) = impl->icntl(2) = impl->icntl(3) = -1;
+    impl->icntl(4)                                   = 0;
+    impl->icntl(7)                                   = 5; // METIS
+    // No ScaLAPACK root: it would hide pivots from the inertia count.
+    impl->icntl(13) = 1;
+    impl->icntl(14) = 40;
+    impl->icntl(18) = 3; // entries distributed over the ranks
+    impl->icntl(10) = 0;
+  }
+
+  template <typename Number>
+  MumpsFactorization<Number>::~MumpsFactorization()
+  {
+    impl->call(job_terminate);
+  }
+
+
+
+  template <typename Number>
+  void
+  MumpsFactorization<Number>::factorize(std::vector<int>    rows,
+                                        std::vector<int>    columns,
+                                        std::vector<Number> values)
+  {
+    impl->rows    = std::move(rows);
+    impl->columns = std::move(columns);
+    impl->values  = std::move(values);
+    for (auto &i : impl->rows)
+      ++i;
+    for (auto &j : impl->columns)
+      ++j;
+    auto &m   = impl->mumps;
+    m.n       = static_cast<int>(impl->space->n_global());
+    m.nnz_loc = static_cast<MUMPS_INT8>(impl->values.size());
+    m.irn_loc = impl->rows.data();
+    m.jcn_loc = impl->columns.data();
+    m.a_loc =
+      reinterpret_cast<typename Interface<Number>::Scalar *>(impl->values.data());
+    impl->run(job_analyze);
+    impl->run(job_factorize);
+    // The pattern stays for a further factorisation; the values are not
+    // needed any more.
+    std::vector<Number>().swap(impl->values);
+  }
+
+  template <typename Number>
+  void
+  MumpsFactorization<Number>::refactorize(std::vector<Number> values)
+  {
+    impl->values = std::move(values);
+    impl->mumps.a_loc =
+      reinterpret_cast<typename Interface<Number>::Scalar *>(impl->values.data());
+    impl->run(job_factorize);
+    std::vector<Number>().swap(impl->values);
+  }
+
+
+
+  namespace
+  {
+    Eigen::MatrixXd
+    to_root(const RowSpace &space, const Eigen::MatrixXd &b)
+    {
+      return space.to_root(b);
+    }
+
+    Eigen::MatrixXcd
+    to_root(const RowSpace &space, const Eigen::MatrixXcd &b)
+    {
+      const Eigen::MatrixXd re = space.to_root(Block(b.real()));
+      const Eigen::MatrixXd im = space.to_root(Block(b.imag()));
+      Eigen::MatrixXcd      all(re.rows(), re.cols());
+      all.real() = re;
+      all.imag() = im;
+      return all;
+    }
+
+    Eigen::MatrixXd
+    from_root(const RowSpace &space, const Eigen::MatrixXd &x, const int n)
+    {
+      return space.from_root(x, n);
+    }
+
+    Eigen::MatrixXcd
+    from_root(const RowSpace &space, const Eigen::MatrixXcd &x, const int n)
+    {
+      Eigen::MatrixXcd result(space.n_owned(), n);
+      result.real() = space.from_root(Eigen::MatrixXd(x.real()), n);
+      result.imag() = space.from_root(Eigen::MatrixXd(x.imag()), n);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  typename MumpsFactorization<Number>::Matrix
+  MumpsFactorization<Number>::Implementation::solve(const Matrix &b,
+                                                    const bool transposed) const
+  {
+    if (b.cols() == 0)
+      return b;
+    Matrix    all = to_root(*space, b);
+    const int n   = static_cast<int>(b.cols());
+    mumps.rhs =
+      reinterpret_cast<typename Interface<Number>::Scalar *>(all.data());
+    mumps.nrhs = n;
+    mumps.lrhs = mumps.n;
+    icntl(9)   = transposed ? 0 : 1;
+    icntl(27)  = n < 64 ? n : 64;
+    run(job_solve);
+    return from_root(*space, all, n);
+  }
+
+  template <typename Number>
+  typename MumpsFactorization<Number>::Matrix
+  MumpsFactorization<Number>::solve(const Matrix &b) const
+  {
+    return impl->solve(b, false);
+  }
+
+  template <typename Number>
+  typename MumpsFactorization<Number>::Matrix
+  MumpsFactorization<Number>::solve_transposed(const Matrix &b) const
+  {
+    return impl->solve(b, true);
+  }
+
+  template <typename Number>
+  unsigned int
+  MumpsFactorization<Number>::n_negative_pivots() const
+  {
+    return static_cast<unsigned int>(impl->mumps.infog[11]);
+  }
+
+  template <typename Number>
+  double
+  MumpsFactorization<Number>::n_factor_entries() const
+  {
+    const int n = impl->mumps.infog[28];
+    return n < 0 ? -1e6 * n : n;
+  }
+
+  template class MumpsFactorization<double>;
+  template class MumpsFactorization<std::complex<double>>;
+} // namespace squeal

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/contact/contact_terms.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    bool
+    per_area(const ContactParameters &contact)
+    {
+      return contact.layout == ContactParameters::SpringLayout::quadrature;
+    }
+
+    double
+    normal_stiffness(const ContactParameters &contact)
+    {
+      return per_area(contact) ? contact.normal_stiffness_per_area :
+                                 contact.normal_stiffness;
+    }
+
+    double
+    tangential_stiffness(const ContactParameters &contact)
+    {
+      return contact.tangential_stiffness >= 0. ?
+               contact.tangential_stiffness :
+               normal_stiffness(contact);
+    }
+
+    Eigen::VectorXd
+    selected_weights(const ContactGeometry    &geometry,
+                     const ContactState       &state,
+                     const ContactParameters  &contact,
+                     const bool                slip,
+                     const bool                stick)
+    {
+      Eigen::VectorXd w = Eigen::VectorXd::Zero(geometry.points.size());
+      for (Eigen::Index i = 0; i < w.size(); ++i)
+        if ((slip && state.status[i] == ContactStatus::slip) ||
+            (stick && state.status[i] == ContactStatus::stick))
+          w[i] = per_area(contact) ? geometry.areas[i] : 1.;
+      return w;
+    }
+  } // namespace
+
+
+
+  void
+  add_slip_rate_terms(const Discretization  &d,
+                      const unsigned int     number,
+                      const ContactGeometry &geometry,
+                      const ContactState    &state,
+                      AffineSystem          &system)
+  {
+    const auto &contact = d.scene().contacts[number];
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(geometry.points.size());
+    for (Eigen::Index i = 0; i < force.size(); ++i)
+      if (state.status[i] == ContactStatus::slip)
+        force[i] = state.force_share[i];
+    if (force.isZero())
+      return;
+    if (contact.transverse_slip_term)
+      {
+        Eigen::VectorXd w = force;
+        for (Eigen::Index i = 0; i < w.size(); ++i)
+          w[i] /= geometry.speed_ratio[i];
+        system.terms.push_back(
+          {"transverse slip of " + contact.name,
+           std::make_shared<LowRankMatrix>(geometry.transverse,
+                                           w,
+                                           geometry.transverse),
+           [number](const SceneParameters &s) {
+             const auto &c = s.contacts[number];
+             return TermCoefficients{0.,
+                                     std::abs(c.friction_coefficient) *
+                                       c.normal_force / c.sliding_speed,
+                                     0.};
+           }});
+      }
+    if (contact.friction_slope != 0.)
+      system.terms.push_back(
+        {"friction slope of " + contact.name,
+         std::make_shared<LowRankMatrix>(geometry.tangential,
+                                         force,
+                                         geometry.tangential),
+         [number](const SceneParameters &s) {
+           const auto &c = s.contacts[number];
+           return TermCoefficients{0., c.normal_force * c.friction_slope, 0.};
+         }});
+  }
+
+
+
+  void
+  add_spring_contact(const Discretization  &d,
+                     const unsigned int     number,
+                     const ContactGeometry &geometry,
+                     const ContactState    &state,
+                     AffineSystem          &system)
+  {
+    const auto &contact = d.scene().contacts[number];
+    const auto  elastic = [number](const SceneParameters &s, const double k) {
+      const auto &c = s.contacts[number];
+      return elastic_coefficients(s, k, c.stiffness_damping, c.structural_damping);
+    };
+    system.terms.push_back(
+      {"normal contact of " + contact.name,
+       std::make_shared<LowRankMatrix>(
+         geometry.normal,
+         selected_weights(geometry, state, contact, true, true),
+         geometry.normal),
+       [number, elastic](const SceneParameters &s) {
+         return elastic(s, normal_stiffness(s.contacts[number]));
+       }});
+
+    const Eigen::VectorXd slip =
+      selected_weights(geometry, state, contact, true, false);
+    if (!slip.isZero())
+      system.terms.push_back(
+        {"friction of " + contact.name,
+         std::make_shared<LowRankMatrix>(geometry.tangential,
+                                         slip,
+                                         geometry.normal),
+         [number, elastic](const SceneParameters &s) {
+           const auto &c = s.contacts[number];
+           // Friction follows the whole normal force, its damping included.
+           return elastic(s, c.friction_coefficient * normal_stiffness(c));
+         }});
+
+    const Eigen::VectorXd stick =
+      selected_weights(geometry, state, contact, false, true);
+    if (!stick.isZero())
+      for (const auto &rows : {geometry.tangential, geometry.transverse})
+        system.terms.push_back(
+          {"sticking contact of " + contact.name,
+           std::make_shared<LowRankMatrix>(rows, stick, rows),
+           [number, elastic](const SceneParameters &s) {
+             return elastic(s, tangential_stiffness(s.contacts[number]));
+           }});
+    add_slip_rate_terms(d, number, geometry, state, system);
+  }
+} // namespace squeal

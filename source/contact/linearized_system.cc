@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Puts the bodies and every contact pair of a scene together.
+
+#include <squeal/base/exceptions.h>
+#include <squeal/contact/contact_terms.h>
+#include <squeal/contact/elimination.h>
+#include <squeal/contact/mortar.h>
+
+#include <numeric>
+
+namespace squeal
+{
+  namespace
+  {
+    bool
+    slips(const ContactParameters &contact)
+    {
+      return contact.state == ContactParameters::State::full;
+    }
+
+    /** Mortar pair of a contact, and which functional of the relative sliding
+     * belongs to each dependent unknown. */
+    struct MortarContact
+    {
+      unsigned int                  number;
+      std::vector<unsigned int>     dependent; /**< numbers in the list */
+      std::vector<Functionals::Row> tangential;
+    };
+
+    /** Appends the dependent unknowns of a coupling: the given components of
+     * every source node follow the target. */
+    std::vector<unsigned int>
+    append_dependent(const MortarCoupling      &coupling,
+                     const std::array<bool, 3> &components,
+                     DependentUnknowns         &dependent)
+    {
+      std::vector<unsigned int> numbers;
+      for (std::size_t j = 0; j < coupling.nodes.size(); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          if (components[c] && coupling.source_rows[j][c] != -1u)
+            {
+              numbers.push_back(dependent.rows.size());
+              dependent.rows.push_back(coupling.source_rows[j][c]);
+              dependent.combinations.push_back(coupling.target_rows[j][c]);
+            }
+      return numbers;
+    }
+
+    /** Contact geometry of a mortar pair: its nodes. */
+    ContactGeometry
+    nodal_geometry(const Discretization    &d,
+                   const ContactParameters &contact,
+                   const MortarCoupling    &coupling)
+    {
+      ContactGeometry g;
+      g.points = coupling.nodes;
+      g.areas  = coupling.weights;
+      slip_directions(
+        d.scene(), contact, g.points, g.slip_direction, g.speed_ratio);
+      std::vector<Functionals::Row> normal, tangential, transverse;
+      for (std::size_t j = 0; j < g.points.size(); ++j)
+        {
+          std::array<Functionals::Row, 3> source;
+          for (unsigned int c = 0; c < 3; ++c)
+            if (coupling.source_rows[j][c] != -1u)
+              source[c] = {{coupling.source_rows[j][c], 1.}};
+          const auto &t        = coupling.target_rows[j];
+          const auto &[tx, ty] = g.slip_direction[j];
+          normal.push_back(combine({{1., &t[2]}, {-1., &source[2]}}));
+          tangential.push_back(combine({{tx, &t[0]},
+                                        {ty, &t[1]},
+                                        {-tx, &source[0]},
+                                        {-ty, &source[1]}}));
+          transverse.push_back(combine({{ty, &t[0]},
+                                        {-tx, &t[1]},
+                                        {-ty, &source[0]},
+                                        {tx, &source[1]}}));
+          g.source_rows.push_back(source);
+          g.target_rows.push_back(t);
+        }
+      g.normal     = std::make_shared<Functionals>(d.space(), std::move(normal));
+      g.tangential = std::make_shared<Functionals>(d.space(), std::move(tangential));
+      g.transverse = std::make_shared<Functionals>(d.space(), std::move(transverse));
+      return g;
+    }
+
+    /** Shares proportional to the tributary areas: an even pressure. */
+    ContactState
+    even_pressure(const ContactGeometry &g, const ContactStatus status)
+    {
+      ContactState state = uniform_state(g, status);
+      const double total = std::accumulate(g.areas.begin(), g.areas.end(), 0.);
+      for (std::size_t j = 0; j < g.areas.size(); ++j)
+        state.force_share[j] = g.areas[j] / total;
+      return state;
+    }
+
+    unsigned int
+    target_of(const SceneParameters &scene, const ContactParameters &contact)
+    {
+      return contact.target_body == "ground" ?
+               -1u :
+               body_index(scene, contact.target_body);
+    }
+
+
+
+    void
+    eliminate(LinearizedSystem                 &result,
+              const DependentUnknowns          &dependent,
+              const std::vector<MortarContact> &mortar_contacts)
+    {
+      const auto   elimination = std::make_shared<const Elimination>(
+        result.system.space, dependent);
+      AffineSystem reduced;
+      reduced.space = elimination->reduced_space();
+      for (const auto &term : result.system.terms)
+        reduced.terms.push_back(
+          {term.name,
+           std::make_shared<EliminatedOperator>(term.matrix, elimination),
+           term.coefficients});
+      for (const auto &contact : mortar_contacts)
+        {
+          // One functional for every dependent unknown: those of other pairs
+          // carry none.
+          std::vector<Functionals::Row> rows(dependent.rows.size());
+          for (std::size_t k = 0; k < contact.dependent.size(); ++k)
+            rows[contact.dependent[k]] = contact.tangential[k];
+          const auto tangential =
+            std::make_shared<const Functionals>(result.system.space,
+                                                std::move(rows));
+          const unsigned int number = contact.number;
+          for (const auto &term : result.system.terms)
+            reduced.terms.push_back(
+              {"friction by " + term.name,
+               std::make_shared<MultiplierFriction>(term.matrix,
+                                                    elimination,
+                                                    tangential),
+               [number, c = term.coefficients](const SceneParameters &s) {
+                 const double     mu = s.contacts[number].friction_coefficient;
+                 TermCoefficients value = c(s);
+                 value.mass *= mu;
+                 value.damping *= mu;
+                 value.stiffness *= mu;
+                 return value;
+               }});
+        }
+      result.system = std::move(reduced);
+      result.expand = [elimination](const Block &v) {
+        return elimination->expand(v);
+      };
+    }
+  } // namespace
+
+
+
+  LinearizedSystem
+  linearized_system(const Discretization            &d,
+                    const std::vector<BodyMatrices> &bodies)
+  {
+    const auto          &scene = d.scene();
+    const PointEvaluator evaluator(d);
+    LinearizedSystem     result;
+    result.system = body_system(d, bodies);
+    result.expand = [](const Block &v) { return v; };
+
+    DependentUnknowns          dependent;
+    std::vector<MortarContact> mortar_contacts;
+    for (unsigned int i = 0; i < scene.ties.size(); ++i)
+      if (!d.coarse_mesh().tie_is_conforming[i])
+        {
+          const auto &tie = scene.ties[i];
+          append_dependent(
+            make_mortar_coupling(d,
+                                 evaluator,
+                                 face_id(d.coarse_mesh(),
+                                         scene,
+                                         tie.source_body,
+                                         tie.source_face),
+                                 body_index(scene, tie.target_body),
+                                 "Scene/Tie " + tie.name),
+            {{true, true, true}},
+            dependent);
+        }
+
+    for (unsigned int i = 0; i < scene.contacts.size(); ++i)
+      {
+        const auto         &contact = scene.contacts[i];
+        const ContactStatus status =
+          slips(contact) ? ContactStatus::slip : ContactStatus::stick;
+        if (contact.formulation == ContactParameters::Formulation::springs)
+          {
+            ContactGeometry g = make_contact_geometry(d, evaluator, contact);
+            ContactState    state = uniform_state(g, status);
+            add_spring_contact(d, i, g, state, result.system);
+            result.contacts.push_back(std::move(g));
+            result.states.push_back(std::move(state));
+            continue;
+          }
+        const MortarCoupling coupling = make_mortar_coupling(
+          d,
+          evaluator,
+          face_id(d.coarse_mesh(), scene, contact.source_body, contact.source_face),
+          target_of(scene, contact),
+          "Scene/Contact " + contact.name);
+        const auto numbers = append_dependent(
+          coupling, {{!slips(contact), !slips(contact), true}}, dependent);
+        ContactGeometry g     = nodal_geometry(d, contact, coupling);
+        ContactState    state = even_pressure(g, status);
+        if (slips(contact))
+          {
+            mortar_contacts.push_back({i, numbers, g.tangential->rows()});
+            add_slip_rate_terms(d, i, g, state, result.system);
+          }
+        result.contacts.push_back(std::move(g));
+        result.states.push_back(std::move(state));
+      }
+    if (!dependent.rows.empty())
+      eliminate(result, dependent, mortar_contacts);
+    return result;
+  }
+} // namespace squeal

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/discretization/affine_system.h>
+#include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/point_evaluator.h>
+
+namespace squeal
+{
+  namespace
+  {
+    using Row = Functionals::Row;
+
+    double
+    mass_damping(const SceneParameters &scene, const unsigned int body)
+    {
+      switch (scene.damping.model)
+        {
+          case DampingParameters::Model::whole_model:
+            return scene.damping.mass_damping;
+          case DampingParameters::Model::per_part:
+            return scene.bodies[body].mass_damping;
+          case DampingParameters::Model::none:
+            break;
+        }
+      return 0.;
+    }
+
+
+
+    void
+    add_body_terms(const SceneParameters &scene,
+                   const unsigned int     b,
+                   const BodyMatrices    &matrices,
+                   AffineSystem          &system)
+    {
+      const auto &body  = scene.bodies[b];
+      const bool  rigid = body.shape == BodyParameters::Shape::rigid;
+      const auto  density = [b, rigid](const SceneParameters &s) {
+        return rigid ? 1. : s.bodies[b].density;
+      };
+      system.terms.push_back(
+        {"mass of " + body.name,
+         matrices.mass,
+         [b, density](const SceneParameters &s) {
+           const double m = density(s);
+           return TermCoefficients{m, mass_damping(s, b) * m, 0.};
+         }});
+      if (matrices.stiffness)
+        system.terms.push_back(
+          {"stiffness of " + body.name,
+           matrices.stiffness,
+           [b](const SceneParameters &s) {
+             const auto &p = s.bodies[b];
+             return elastic_coefficients(
+               s,
+               p.material_model == BodyParameters::MaterialModel::isotropic ?
+                 p.young_modulus :
+                 1.,
+               p.stiffness_damping,
+               p.structural_damping);
+           }});
+      if (matrices.gyroscopic)
+        {
+          system.terms.push_back(
+            {"gyroscopic of " + body.name,
+             matrices.gyroscopic,
+             [b, density](const SceneParameters &s) {
+               return TermCoefficients{
+                 0., density(s) * s.bodies[b].rotation_speed, 0.};
+             }});
+          system.terms.push_back(
+            {"convective of " + body.name,
+             matrices.convective,
+             [b, density](const SceneParameters &s) {
+               const double speed = s.bodies[b].rotation_speed;
+               return TermCoefficients{0., 0., density(s) * speed * speed};
+             }});
+        }
+    }
+
+
+
+    /** u . direction at evenly spaced points of a body. */
+    std::vector<Row>
+    point_rows(const PointEvaluator   &evaluator,
+               const SceneParameters  &scene,
+               const SpringParameters &spring,
+               const std::string      &body)
+    {
+      std::vector<dealii::Point<3>> points;
+      for (unsigned int i = 0; i < spring.number; ++i)
+        {
+          const double s = spring.number > 1 ? double(i) / (spring.number - 1) : 0.;
+          dealii::Point<3> x;
+          for (unsigned int c = 0; c < 3; ++c)
+            x[c] = (1. - s) * spring.first_point[c] + s * spring.last_point[c];
+          points.push_back(x);
+        }
+      const auto found =
+        evaluator.displacements(body_index(scene, body), points);
+      std::vector<Row> rows;
+      for (unsigned int i = 0; i < points.size(); ++i)
+        {
+          if (!found.found[i])
+            throw InputError("Scene/Spring " + spring.name +
+                             ": a point of it lies outside body '" + body +
+                             "': change First point or Last point");
+          rows.push_back(combine({{spring.direction[0], &found.rows[i][0]},
+                                  {spring.direction[1], &found.rows[i][1]},
+                                  {spring.direction[2], &found.rows[i][2]}}));
+        }
+      return rows;
+    }
+
+
+
+    void
+    subtract(std::vector<Row> &rows, const std::vector<Row> &other)
+    {
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        rows[i] = combine({{1., &rows[i]}, {-1., &other[i]}});
+    }
+
+
+
+    void
+    add_spring_term(const Discretization &d,
+                    const PointEvaluator &evaluator,
+                    const unsigned int    number,
+                    AffineSystem         &system)
+    {
+      const auto      &scene  = d.scene();
+      const auto      &spring = scene.springs[number];
+      std::vector<Row> rows;
+      Eigen::VectorXd  weights;
+      if (spring.kind == SpringParameters::Kind::points)
+        {
+          rows = point_rows(evaluator, scene, spring, spring.body);
+          if (spring.other_body != "ground")
+            subtract(rows,
+                     point_rows(evaluator, scene, spring, spring.other_body));
+          weights = Eigen::VectorXd::Ones(rows.size());
+        }
+      else
+        {
+          const FaceQuadrature face = face_quadrature(
+            d, face_id(d.coarse_mesh(), scene, spring.body, spring.face));
+          const auto found =
+            evaluator.displacements(body_index(scene, spring.body),
+                                    face.points);
+          for (const auto &row : found.rows)
+            rows.push_back(combine({{spring.direction[0], &row[0]},
+                                    {spring.direction[1], &row[1]},
+                                    {spring.direction[2], &row[2]}}));
+          weights = Eigen::Map<const Eigen::VectorXd>(face.areas.data(),
+                                                      face.areas.size());
+        }
+      const auto functionals =
+        std::make_shared<const Functionals>(d.space(), std::move(rows));
+      system.terms.push_back(
+        {"spring " + spring.name,
+         std::make_shared<LowRankMatrix>(functionals, weights, functionals),
+         [number](const SceneParameters &s) {
+           const auto      &p = s.springs[number];
+           TermCoefficients c = elastic_coefficients(
+             s, p.stiffness, p.stiffness_damping, p.structural_damping);
+           c.damping += p.dashpot;
+           return c;
+         }});
+    }
+
+
+
+    void
+    add_lumped_mass(const Discretization &d,
+                    const PointEvaluator &evaluator,
+                    const unsigned int    number,
+                    AffineSystem         &system)
+    {
+      const auto            &scene = d.scene();
+      const auto            &mass  = scene.lumped_masses[number];
+      const unsigned int     body  = body_index(scene, mass.body);
+      const dealii::Point<3> point(mass.point[0], mass.point[1], mass.point[2]);
+      const auto             found = evaluator.displacements(body, {point});
+      if (!found.found[0])
+        throw InputError("Scene/Lumped mass " + mass.name +
+                         "/Point lies outside body '" + mass.body + "'");
+      const auto functionals = std::make_shared<const Functionals>(
+        d.space(),
+        std::vector<Row>(found.rows[0].begin(), found.rows[0].end()));
+      system.terms.push_back(
+        {"lumped mass " + mass.name,
+         std::make_shared<LowRankMatrix>(functionals,
+                                         Eigen::VectorXd::Ones(3),
+                                         functionals),
+         [number, body](const SceneParameters &s) {
+           const double m = s.lumped_masses[number].mass;
+           return TermCoefficients{m, mass_damping(s, body) * m, 0.};
+         }});
+    }
+  } // namespace
+
+
+
+  TermCoefficients
+  elastic_coefficients(const SceneParameters &scene,
+                       const double           k,
+                       const double           part_beta,
+                       const double           part_eta)
+  {
+    double beta = 0., eta = 0.;
+    if (scene.damping.model == DampingParameters::Model::whole_model)
+      {
+        beta = scene.damping.stiffness_damping;
+        eta  = scene.damping.structural_damping;
+      }
+    else if (scene.damping.model == DampingParameters::Model::per_part)
+      {
+        beta = part_beta;
+        eta  = part_eta;
+      }
+    return {0., beta * k, {k, eta * k}};
+  }
+
+
+
+  AffineSystem
+  body_system(const Discretization            &d,
+              const std::vector<BodyMatrices> &bodies)
+  {
+    AffineSystem system;
+    system.space      = d.space();
+    const auto &scene = d.scene();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      add_body_terms(scene, b, bodies[b], system);
+    const PointEvaluator evaluator(d);
+    for (unsigned int i = 0; i < scene.springs.size(); ++i)
+      add_spring_term(d, evaluator, i, system);
+    for (unsigned int i = 0; i < scene.lumped_masses.size(); ++i)
+      add_lumped_mass(d, evaluator, i, system);
+    return system;
+  }
+} // namespace squeal

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/discretization/discretization.h>
+
+#include <deal.II/distributed/grid_refinement.h>
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/grid/manifold_lib.h>
+
+namespace squeal
+{
+  Discretization::Discretization(const SceneParameters          &scene,
+                                 const DiscretizationParameters &p,
+                                 const unsigned int              degree,
+                                 const MPI_Comm                  communicator)
+    : scene_parameters(&scene)
+    , parameters(p)
+    , comm(communicator)
+    , coarse(make_coarse_mesh(scene))
+    , fe(std::make_unique<dealii::FESystem<3>>(dealii::FE_Q<3>(degree), 3))
+    , curved_mapping(std::make_unique<dealii::MappingQ<3>>(degree))
+  {
+    if (!coarse.cells.empty())
+      {
+        create_mesh();
+        mesh->refine_global(p.refinements);
+      }
+    distribute();
+  }
+
+  Discretization::~Discretization()
+  {
+    dofs.reset();
+  }
+
+
+
+  void
+  Discretization::create_mesh()
+  {
+    mesh = std::make_shared<Triangulation>(
+      comm,
+      dealii::Triangulation<3>::MeshSmoothing(
+        dealii::Triangulation<3>::none));
+    try
+      {
+        mesh->create_triangulation(coarse.vertices,
+                                   coarse.cells,
+                                   coarse.boundary);
+      }
+    catch (const dealii::ExceptionBase &e)
+      {
+        throw InputError(
+          "the scene '" + scene_parameters->name +
+          "' cannot be meshed: inverted cells, or two bodies that share "
+          "vertices by accident");
+      }
+    attach_manifolds();
+  }
+
+
+
+  void
+  Discretization::attach_manifolds()
+  {
+    // Cells inherit manifold ids when refined: set once on the coarse mesh.
+    for (unsigned int b = 0; b < scene_parameters->bodies.size(); ++b)
+      {
+        const auto &body = scene_parameters->bodies[b];
+        const bool  annulus  = body.shape == BodyParameters::Shape::annulus;
+        const bool  cylinder = body.shape == BodyParameters::Shape::cylinder;
+        if (!annulus && !cylinder)
+          continue;
+        const dealii::types::manifold_id id = b + 1;
+        for (const auto &cell : mesh->cell_iterators_on_level(0))
+          if (cell->material_id() == b)
+            {
+              if (annulus)
+                cell->set_all_manifold_ids(id);
+              for (const unsigned int f : cell->face_indices())
+                if (cell->face(f)->at_boundary() &&
+                    cell->face(f)->boundary_id() == face_id(b, 0) && cylinder)
+                  cell->face(f)->set_all_manifold_ids(id);
+            }
+        mesh->set_manifold(id,
+                           dealii::CylindricalManifold<3>(
+                             dealii::Tensor<1, 3>({0., 0., 1.}),
+                             dealii::Point<3>(body.position[0],
+                                              body.position[1],
+                                              body.position[2])));
+      }
+  }
+
+
+
+  void
+  Discretization::refine(const std::vector<double> &indicators,
+                         const double               share)
+  {
+    dealii::Vector<float> criteria(mesh->n_active_cells());
+    for (unsigned int i = 0; i < criteria.size(); ++i)
+      criteria[i] = static_cast<float>(indicators[i]);
+    dealii::parallel::distributed::GridRefinement::
+      refine_and_coarsen_fixed_fraction(*mesh, criteria, share, 0.);
+    mesh->execute_coarsening_and_refinement();
+    distribute();
+  }
+
+
+
+  std::unique_ptr<Discretization>
+  Discretization::with_degree(const unsigned int degree) const
+  {
+    auto other =
+      std::unique_ptr<Discretization>(new Discretization(*this, degree));
+    return other;
+  }
+
+  Discretization::Discretization(const Discretization &other,
+                                 const unsigned int    degree)
+    : scene_parameters(other.scene_parameters)
+    , parameters(other.parameters)
+    , comm(other.comm)
+    , coarse(other.coarse)
+    , mesh(other.mesh)
+    , fe(std::make_unique<dealii::FESystem<3>>(dealii::FE_Q<3>(degree), 3))
+    , curved_mapping(std::make_unique<dealii::MappingQ<3>>(degree))
+  {
+    distribute();
+  }
+
+
+
+  const SceneParameters &
+  Discretization::scene() const
+  {
+    return *scene_parameters;
+  }
+
+  const CoarseMesh &
+  Discretization::coarse_mesh() const
+  {
+    return coarse;
+  }
+
+  bool
+  Discretization::has_mesh() const
+  {
+    return mesh != nullptr;
+  }
+
+  unsigned int
+  Discretization::degree() const
+  {
+    return fe->degree;
+  }
+
+  const Discretization::Triangulation &
+  Discretization::triangulation() const
+  {
+    return *mesh;
+  }
+
+  const dealii::DoFHandler<3> &
+  Discretization::dof_handler() const
+  {
+    return *dofs;
+  }
+
+  const dealii::Mapping<3, 3> &
+  Discretization::mapping() const
+  {
+    return *curved_mapping;
+  }
+
+  std::shared_ptr<const RowSpace>
+  Discretization::space() const
+  {
+    return row_space;
+  }
+
+  unsigned int
+  Discretization::n_dofs() const
+  {
+    return has_mesh() ? dofs->n_dofs() : 0;
+  }
+
+  const std::vector<unsigned int> &
+  Discretization::n_free_of_body() const
+  {
+    return body_free;
+  }
+
+  const Combination &
+  Discretization::expansion(const dealii::types::global_dof_index dof) const
+  {
+    return expansions[relevant.index_within_set(dof)];
+  }
+
+  unsigned int
+  Discretization::rigid_row(const unsigned int body,
+                            const unsigned int motion) const
+  {
+    return rigid_rows[body][motion];
+  }
+
+  const dealii::IndexSet &
+  Discretization::relevant_dofs() const
+  {
+    return relevant;
+  }
+} // namespace squeal

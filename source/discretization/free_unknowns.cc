@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Which degrees of freedom of a Discretization are free, and how they are
+// numbered over the ranks.
+
+#include <squeal/base/exceptions.h>
+#include <squeal/discretization/discretization.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/base/partitioner.templates.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <algorithm>
+
+namespace squeal
+{
+  namespace
+  {
+    using dealii::IndexSet;
+
+    std::array<bool, 6>
+    held_components(const SupportParameters &support)
+    {
+      static const std::array<const char *, 6> names{
+        {"x", "y", "z", "rx", "ry", "rz"}};
+      std::array<bool, 6> held{};
+      for (unsigned int c = 0; c < 6; ++c)
+        held[c] = support.kind == SupportParameters::Kind::clamped ||
+                  std::find(support.components.begin(),
+                            support.components.end(),
+                            names[c]) != support.components.end();
+      return held;
+    }
+
+    IndexSet
+    dofs_of_face(const dealii::DoFHandler<3> &dofs,
+                 const unsigned int           id,
+                 const std::array<bool, 6>   &components)
+    {
+      dealii::ComponentMask mask(3, false);
+      for (unsigned int c = 0; c < 3; ++c)
+        mask.set(c, components[c]);
+      IndexSet result = dealii::DoFTools::extract_boundary_dofs(
+        dofs, mask, std::set<dealii::types::boundary_id>{
+                      static_cast<dealii::types::boundary_id>(id)});
+      return result;
+    }
+
+    /** The smallest index any rank knows on the face: the master that a guided
+     * face follows. */
+    unsigned int
+    smallest_on_any_rank(const IndexSet &set, const MPI_Comm comm)
+    {
+      unsigned int mine = -1u, smallest;
+      for (const auto i : set)
+        {
+          mine = i;
+          break;
+        }
+      MPI_Allreduce(&mine, &smallest, 1, MPI_UNSIGNED, MPI_MIN, comm);
+      return smallest;
+    }
+
+    void
+    add_supports(const SceneParameters             &scene,
+                 const CoarseMesh                  &mesh,
+                 const dealii::DoFHandler<3>       &dofs,
+                 const MPI_Comm                     comm,
+                 dealii::AffineConstraints<double> &constraints)
+    {
+      for (const auto &support : scene.supports)
+        {
+          const unsigned int b = body_index(scene, support.body);
+          if (scene.bodies[b].shape == BodyParameters::Shape::rigid)
+            continue;
+          const unsigned int id =
+            face_id(mesh, scene, support.body, support.face);
+          if (support.kind == SupportParameters::Kind::guided)
+            {
+              const IndexSet set =
+                dofs_of_face(dofs, id, {{false, false, true}});
+              const unsigned int master = smallest_on_any_rank(set, comm);
+              for (const auto i : set)
+                if (i != master && !constraints.is_constrained(i))
+                  {
+                    constraints.add_line(i);
+                    constraints.add_entry(i, master, 1.);
+                  }
+            }
+          else
+            for (const auto i : dofs_of_face(dofs, id, held_components(support)))
+              if (!constraints.is_constrained(i))
+                constraints.add_line(i);
+        }
+    }
+  } // namespace
+
+
+
+  void
+  Discretization::distribute()
+  {
+    const auto &scene = *scene_parameters;
+    rigid_rows.assign(scene.bodies.size(),
+                      {{-1u, -1u, -1u, -1u, -1u, -1u}});
+    std::vector<Combination> masters;
+    IndexSet                 free_owned(0);
+    relevant = IndexSet(0);
+    if (has_mesh())
+      {
+        dofs = std::make_unique<dealii::DoFHandler<3>>(*mesh);
+        dofs->distribute_dofs(*fe);
+        dealii::DoFTools::extract_locally_relevant_dofs(*dofs, relevant);
+
+        dealii::AffineConstraints<double> constraints(relevant);
+        dealii::DoFTools::make_hanging_node_constraints(*dofs, constraints);
+        add_supports(scene, coarse, *dofs, comm, constraints);
+        constraints.close();
+
+        const IndexSet &owned = dofs->locally_owned_dofs();
+        free_owned            = IndexSet(dofs->n_dofs());
+        std::vector<IndexSet::value_type> free_list;
+        for (const auto i : owned)
+          if (!constraints.is_constrained(i))
+            free_list.push_back(i);
+        free_owned.add_indices(free_list.begin(), free_list.end());
+        free_owned.compress();
+
+        masters.resize(relevant.n_elements());
+        unsigned int k = 0;
+        for (const auto i : relevant)
+          {
+            if (!constraints.is_constrained(i))
+              masters[k] = {{i, 1.}};
+            else if (const auto *entries =
+                       constraints.get_constraint_entries(i))
+              for (const auto &[j, w] : *entries)
+                masters[k].emplace_back(j, w);
+            ++k;
+          }
+      }
+    number_free_unknowns(masters, free_owned);
+  }
+
+
+
+  void
+  Discretization::number_free_unknowns(const std::vector<Combination> &masters,
+                                       const IndexSet &free_owned)
+  {
+    const auto &scene = *scene_parameters;
+    int         rank;
+    MPI_Comm_rank(comm, &rank);
+
+    // Rigid bodies come first, on rank 0.
+    unsigned int n_rigid = 0;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      if (scene.bodies[b].shape == BodyParameters::Shape::rigid)
+        {
+          std::array<bool, 6> held{};
+          for (const auto &support : scene.supports)
+            if (support.body == scene.bodies[b].name)
+              for (unsigned int c = 0; c < 6; ++c)
+                held[c] = held[c] || held_components(support)[c];
+          for (unsigned int c = 0; c < 6; ++c)
+            if (!held[c])
+              rigid_rows[b][c] = n_rigid++;
+        }
+
+    const unsigned int n_mine =
+      free_owned.n_elements() + (rank == 0 ? n_rigid : 0);
+    unsigned int first = 0, n_total = 0;
+    MPI_Exscan(&n_mine, &first, 1, MPI_UNSIGNED, MPI_SUM, comm);
+    if (rank == 0)
+      first = 0;
+    MPI_Allreduce(&n_mine, &n_total, 1, MPI_UNSIGNED, MPI_SUM, comm);
+    if (n_total == 0)
+      throw InputError("scene '" + scene.name +
+                       "': every displacement is held by Scene/Supports; "
+                       "nothing can move");
+
+    // Free number of every master dof this rank refers to.
+    std::vector<double> numbers;
+    std::shared_ptr<dealii::Utilities::MPI::Partitioner> dof_partitioner;
+    if (has_mesh())
+      {
+        std::vector<IndexSet::value_type> needed;
+        for (const auto &combination : masters)
+          for (const auto &[dof, weight] : combination)
+            needed.push_back(dof);
+        std::sort(needed.begin(), needed.end());
+        needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+        IndexSet needed_set(dofs->n_dofs());
+        needed_set.add_indices(needed.begin(), needed.end());
+        dof_partitioner =
+          std::make_shared<dealii::Utilities::MPI::Partitioner>(
+            dofs->locally_owned_dofs(), needed_set, comm);
+        const unsigned int n_owned = dof_partitioner->locally_owned_size();
+        numbers.assign(n_owned + dof_partitioner->n_ghost_indices(), -1.);
+        unsigned int next = first + (rank == 0 ? n_rigid : 0);
+        for (const auto i : free_owned)
+          numbers[dof_partitioner->global_to_local(i)] = next++;
+        std::vector<double> buffer(dof_partitioner->n_import_indices());
+        std::vector<MPI_Request> requests;
+        const dealii::ArrayView<double> ghosts(
+          numbers.data() + n_owned, dof_partitioner->n_ghost_indices());
+        dof_partitioner->export_to_ghosted_array_start<double>(
+          0,
+          dealii::ArrayView<const double>(numbers.data(), n_owned),
+          dealii::ArrayView<double>(buffer.data(), buffer.size()),
+          ghosts,
+          requests);
+        dof_partitioner->export_to_ghosted_array_finish<double>(ghosts,
+                                                                requests);
+      }
+
+    expansions.assign(masters.size(), {});
+    std::vector<IndexSet::value_type> touched;
+    for (unsigned int k = 0; k < masters.size(); ++k)
+      for (const auto &[dof, weight] : masters[k])
+        {
+          const double number = numbers[dof_partitioner->global_to_local(dof)];
+          if (number < 0.)
+            continue;
+          expansions[k].emplace_back(static_cast<unsigned int>(number), weight);
+          touched.push_back(static_cast<unsigned int>(number));
+        }
+
+    IndexSet owned_rows(n_total), relevant_rows(n_total);
+    owned_rows.add_range(first, first + n_mine);
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    relevant_rows.add_indices(touched.begin(), touched.end());
+    row_space = std::make_shared<RowSpace>(owned_rows, relevant_rows, comm);
+
+    // Free unknowns per body, for the summary.
+    body_free.assign(scene.bodies.size(), 0);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      if (rank == 0)
+        for (const unsigned int row : rigid_rows[b])
+          body_free[b] += row != -1u ? 1 : 0;
+    if (has_mesh())
+      {
+        std::vector<bool> counted(row_space->n_owned(), false);
+        std::vector<dealii::types::global_dof_index> indices(
+          fe->n_dofs_per_cell());
+        for (const auto &cell : dofs->active_cell_iterators())
+          if (!cell->is_artificial())
+            {
+              cell->get_dof_indices(indices);
+              for (const auto i : indices)
+                for (const auto &[row, weight] : expansion(i))
+                  if (row >= first && row < first + n_mine &&
+                      !counted[row - first])
+                    {
+                      counted[row - first] = true;
+                      ++body_free[cell->material_id()];
+                    }
+            }
+      }
+    MPI_Allreduce(MPI_IN_PLACE,
+                  body_free.data(),
+                  static_cast<int>(body_free.size()),
+                  MPI_UNSIGNED,
+                  MPI_SUM,
+                  comm);
+  }
+
+
+
+  std::vector<double>
+  Discretization::expand(const Eigen::VectorXd &free_with_ghosts) const
+  {
+    std::vector<double> result(expansions.size(), 0.);
+    for (unsigned int k = 0; k < expansions.size(); ++k)
+      for (const auto &[row, weight] : expansions[k])
+        result[k] += weight * free_with_ghosts[row_space->local(row)];
+    return result;
+  }
+} // namespace squeal

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/eigen/certified_solver.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace squeal
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** Number of the value in @p values nearest to @p lambda. */
+    int
+    nearest(const Eigen::VectorXcd &values,
+            const Complex           lambda,
+            const int               except = -1)
+    {
+      int    best     = -1;
+      double distance = 1e300;
+      for (Eigen::Index i = 0; i < values.size(); ++i)
+        if (const double d = std::abs(values[i] - lambda);
+            d < distance && i != except)
+          {
+            distance = d;
+            best     = i;
+          }
+      return best;
+    }
+
+    /** Directions of the columns of @p Z (scaled so that 1 is the tolerance),
+     * real and imaginary parts, with singular values above 0.3 and above
+     * 1e-4 of the largest: one enrichment does not contract by more. */
+    Block
+    compress(const RowSpace &space, const ComplexBlock &Z)
+    {
+      Block R(Z.rows(), 2 * Z.cols());
+      R << Z.real(), Z.imag();
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(space.dot(R, R));
+      const Eigen::VectorXd &values = gram.eigenvalues();
+      const double limit = std::max(0.3, 1e-4 * std::sqrt(values.maxCoeff()));
+      Eigen::Index first = 0;
+      while (first < values.size() && values[first] < limit * limit)
+        ++first;
+      const Eigen::Index n = values.size() - first;
+      return R * gram.eigenvectors().rightCols(n) *
+             values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
+    }
+  } // namespace
+
+
+
+  void
+  estimate_errors(ComplexPairs &pairs, const Eigen::VectorXcd &better)
+  {
+    const unsigned int n = pairs.size();
+    pairs.error_estimate.resize(n);
+    pairs.pair_partner.assign(n, -1);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const Complex a = pairs.lambda[i];
+        const int     k = nearest(better, a);
+        if (pairs.condition[i] < coalescence_condition)
+          {
+            pairs.error_estimate[i] = std::abs(better[k] - a) / std::abs(a);
+            continue;
+          }
+        // A nearly defective pair: mean and squared half-difference.
+        const int     j    = nearest(pairs.lambda, a, i);
+        const Complex b    = pairs.lambda[j];
+        const int     l    = nearest(better, b, k);
+        const Complex mean = 0.5 * (a + b), mean_2 = 0.5 * (better[k] + better[l]);
+        const Complex d2   = 0.25 * (a - b) * (a - b);
+        const Complex d2_2 =
+          0.25 * (better[k] - better[l]) * (better[k] - better[l]);
+        pairs.pair_partner[i] = j;
+        pairs.error_estimate[i] =
+          (std::abs(mean - mean_2) +
+           std::abs(d2 - d2_2) /
+             std::max(std::sqrt(std::abs(d2 - d2_2)),
+                      std::sqrt(std::abs(d2)) + std::sqrt(std::abs(d2_2)))) /
+          std::abs(a);
+        if (d2 == d2_2)
+          pairs.error_estimate[i] = std::abs(mean - mean_2) / std::abs(a);
+      }
+  }
+
+
+
+  CertifiedSolver::CertifiedSolver(const Pencil         &p,
+                                   const ShiftedInverse &s,
+                                   const UndampedModes  &modes)
+    : pencil(p)
+    , inverse(s)
+    , reduced(p)
+  {
+    Block start(modes.shapes.rows(),
+                modes.shapes.cols() + modes.supplement.cols());
+    start << modes.shapes, modes.supplement;
+    reduced.extend(start);
+  }
+
+  const std::vector<EnrichmentStep> &
+  CertifiedSolver::history() const
+  {
+    return steps;
+  }
+
+  const ReducedBasis &
+  CertifiedSolver::basis() const
+  {
+    return reduced;
+  }
+
+
+
+  CertifiedSolver::Candidates
+  CertifiedSolver::candidates(const DensePairs       &dense,
+                              const CertifiedOptions &options) const
+  {
+    std::vector<int> kept;
+    for (Eigen::Index i = 0; i < dense.lambda.size(); ++i)
+      {
+        // Overdamped motions (|sigma| far beyond the band) pass through any
+        // frequency band as the basis grows; no mesh resolves them.
+        const double f = dense.lambda[i].imag() / (2. * M_PI);
+        if (f >= options.lowest_frequency && f <= options.highest_frequency &&
+            std::abs(dense.lambda[i]) <=
+              4. * M_PI * options.highest_frequency)
+          kept.push_back(i);
+      }
+    const Eigen::Index n = kept.size();
+    Candidates         result;
+    ComplexPairs      &pairs = result.pairs;
+    pairs.lambda.resize(n);
+    pairs.condition.resize(n);
+    pairs.residual  = pairs.left_residual = Eigen::VectorXd::Zero(n);
+    pairs.error_estimate = Eigen::VectorXd::Zero(n);
+    pairs.pair_partner.assign(n, -1);
+    Eigen::MatrixXcd &right = result.right, &left = result.left;
+    right.resize(dense.right.rows(), n);
+    left.resize(dense.left.rows(), n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        pairs.lambda[k] = dense.lambda[kept[k]];
+        right.col(k)    = dense.right.col(kept[k]);
+        left.col(k)     = dense.left.col(kept[k]);
+      }
+    // Basis coordinates are mass-orthonormal: their 2-norm is the mass norm.
+    Eigen::MatrixXcd Mx = Eigen::MatrixXcd::Zero(right.rows(), n), Cx = Mx;
+    for (const auto &part : reduced.parts())
+      {
+        if (part.coefficients.mass != 0.)
+          Mx += part.coefficients.mass * (part.matrix * right);
+        if (part.coefficients.damping != 0.)
+          Cx += part.coefficients.damping * (part.matrix * right);
+      }
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        const Complex d =
+          (left.col(k).transpose() *
+           (2. * pairs.lambda[k] * Mx.col(k) + Cx.col(k)))(0);
+        pairs.condition[k] = 2. * std::abs(pairs.lambda[k]) *
+                             right.col(k).norm() * left.col(k).norm() /
+                             std::max(std::abs(d), 1e-300);
+      }
+    return result;
+  }
+
+
+
+  Block
+  CertifiedSolver::residual_directions(Candidates             &c,
+                                       const CertifiedOptions &options) const
+  {
+    ComplexPairs      &pairs = c.pairs;
+    const Eigen::Index n     = pairs.size();
+    ComplexBlock       R, L;
+    Eigen::VectorXd    scale_r, scale_l;
+    pairs.residual = relative_residuals(
+      pencil, pairs.lambda, reduced.apply(c.right, false), R, scale_r);
+    pairs.left_residual = relative_residuals(
+      pencil, pairs.lambda, reduced.apply(c.left, true), L, scale_l);
+    pairs.noise_floor =
+      4. * std::numeric_limits<double>::epsilon() *
+      pencil.stiffness_rounding_size(reduced.lift(c.right)).array() /
+      scale_r.array();
+
+    // Left residuals enter the eigenvalue's error only as a product with the
+    // right ones: the square root of the tolerance is enough for them.
+    const double left_tolerance = std::sqrt(options.residual_tolerance);
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        R.col(j) /= options.residual_tolerance * scale_r[j];
+        L.col(j) /= left_tolerance * scale_l[j];
+      }
+    const Block right = compress(*pencil.space(), R);
+    const Block left  = compress(*pencil.space(), L);
+    Block       all(right.rows(), right.cols() + left.cols());
+    all << right, left;
+    return all;
+  }
+
+
+
+  bool
+  CertifiedSolver::converged(const ComplexPairs     &pairs,
+                             const CertifiedOptions &options) const
+  {
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      if (pairs.residual[i] >
+            std::max(options.residual_tolerance, pairs.noise_floor[i]) ||
+          pairs.error_estimate[i] >
+            std::max(options.error_tolerance, pairs.noise_floor[i]))
+        return false;
+    return true;
+  }
+
+
+
+  ComplexPairs
+  CertifiedSolver::solve(
+    const CertifiedOptions                            &options,
+    const std::function<void(const EnrichmentStep &)> &report)
+  {
+    DensePairs dense = reduced.solve();
+    for (unsigned int step = 0;; ++step)
+      {
+        Candidates    current = candidates(dense, options);
+        ComplexPairs &pairs   = current.pairs;
+        if (pairs.size() == 0)
+          {
+            pairs.right = pairs.left = ComplexBlock(reduced.vectors().rows(), 0);
+            return pairs;
+          }
+        const unsigned int size       = reduced.size();
+        const Block        directions = residual_directions(current, options);
+        const unsigned int added = reduced.extend(inverse.solve(directions));
+        dense                    = reduced.solve();
+        estimate_errors(pairs, dense.lambda);
+        steps.push_back({size,
+                         pairs.residual.maxCoeff(),
+                         pairs.error_estimate.maxCoeff()});
+        if (report)
+          report(steps.back());
+        const bool done = converged(pairs, options);
+        if (!done && (added == 0 || step >= options.maximum_enrichments))
+          throw ComputationError(
+            "the certified basis stalls at a residual of " +
+            std::to_string(pairs.residual.maxCoeff()) +
+            ": raise Eigenvalues/Maximum enrichments or Eigenvalues/Residual "
+            "tolerance");
+        if (done)
+          {
+            // Coordinates of the old basis are the first ones of the new.
+            const auto extended = [&](const Eigen::MatrixXcd &z) {
+              Eigen::MatrixXcd all =
+                Eigen::MatrixXcd::Zero(reduced.size(), z.cols());
+              all.topRows(z.rows()) = z;
+              return all;
+            };
+            pairs.right = reduced.lift(extended(current.right));
+            pairs.left  = reduced.lift(extended(current.left));
+            return pairs;
+          }
+      }
+  }
+} // namespace squeal

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/mass_basis.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace squeal
+{
+  GrowingBlock::GrowingBlock(const unsigned int rows)
+    : n_rows(rows)
+  {}
+
+  void
+  GrowingBlock::append(const Block &columns)
+  {
+    AssertDimension(columns.rows(), n_rows);
+    data.insert(data.end(), columns.data(), columns.data() + columns.size());
+    n_used += columns.cols();
+  }
+
+  unsigned int
+  GrowingBlock::n_columns() const
+  {
+    return n_used;
+  }
+
+  Eigen::Map<const Block>
+  GrowingBlock::view() const
+  {
+    return Eigen::Map<const Block>(data.data(), n_rows, n_used);
+  }
+
+
+
+  MassBasis::MassBasis(const Pencil &p)
+    : pencil(p)
+    , Q(p.space()->n_owned())
+    , MQ(p.space()->n_owned())
+  {}
+
+  unsigned int
+  MassBasis::size() const
+  {
+    return Q.n_columns();
+  }
+
+  Eigen::Map<const Block>
+  MassBasis::vectors() const
+  {
+    return Q.view();
+  }
+
+  Eigen::Map<const Block>
+  MassBasis::mass_products() const
+  {
+    return MQ.view();
+  }
+
+
+
+  Block
+  MassBasis::extend(Block W, const double drop, Eigen::MatrixXd *coefficients)
+  {
+    const RowSpace &space = *pencil.space();
+    Block           MW    = pencil.multiply_mass(W);
+    for (unsigned int pass = 0; pass < 2 && W.cols() > 0; ++pass)
+      {
+        // To unit size first: columns may differ by orders of magnitude, and
+        // what counts is how much of each is new.
+        Eigen::MatrixXd squares = W.cwiseProduct(MW).colwise().sum();
+        space.sum(squares);
+        const Eigen::VectorXd sizes =
+          squares.row(0).cwiseMax(1e-300).cwiseSqrt();
+        W  = (W * sizes.cwiseInverse().asDiagonal()).eval();
+        MW = (MW * sizes.cwiseInverse().asDiagonal()).eval();
+        if (size() > 0)
+          {
+            // Twice is enough against rounding.
+            for (unsigned int i = 0; i < 2; ++i)
+              {
+                const Eigen::MatrixXd h = inner_products(space, MQ.view(), W);
+                W.noalias() -= Q.view() * h;
+                if (coefficients && pass == 0)
+                  {
+                    const Eigen::MatrixXd unscaled = h * sizes.asDiagonal();
+                    *coefficients =
+                      i == 0 ? unscaled : Eigen::MatrixXd(*coefficients + unscaled);
+                  }
+              }
+            MW = pencil.multiply_mass(W);
+          }
+        Eigen::MatrixXd gram = inner_products(space, W, MW);
+        gram                 = 0.5 * (gram + gram.transpose()).eval();
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+        const Eigen::VectorXd &values    = solver.eigenvalues();
+        const double           threshold = pass == 0 ? drop * drop : 0.1;
+        Eigen::Index           first     = 0;
+        while (first < values.size() && values[first] <= threshold)
+          ++first;
+        const Eigen::Index    n = values.size() - first;
+        const Eigen::MatrixXd T =
+          solver.eigenvectors().rightCols(n) *
+          values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
+        W  = (W * T).eval();
+        MW = (MW * T).eval();
+      }
+    Q.append(W);
+    MQ.append(MW);
+    return W;
+  }
+} // namespace squeal

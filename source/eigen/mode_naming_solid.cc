@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/mode_naming_profile.h>
+#include <squeal/eigen/mode_naming_solid.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <algorithm>
+
+namespace squeal
+{
+  namespace
+  {
+    using Point  = dealii::Point<3>;
+    using Slices = std::vector<std::vector<Point>>;
+
+    constexpr unsigned int n_slices_slender = 15;
+    constexpr unsigned int n_slices_compact = 5;
+    /** Slices that move less than this share of the most moving one make no
+     * node. */
+    constexpr double lobe_threshold = 0.1;
+    /** Points taken of a body without a known cross section. */
+    constexpr unsigned int max_points = 300;
+
+    struct Box
+    {
+      Point lower{1e300, 1e300, 1e300};
+      Point upper{-1e300, -1e300, -1e300};
+    };
+
+    Box
+    bounding_box(const Discretization &d, const unsigned int body)
+    {
+      Box         box;
+      const auto &mesh = d.coarse_mesh();
+      for (const auto &cell : mesh.cells)
+        if (cell.material_id == body)
+          for (const unsigned int v : cell.vertices)
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                box.lower[c] = std::min(box.lower[c], mesh.vertices[v][c]);
+                box.upper[c] = std::max(box.upper[c], mesh.vertices[v][c]);
+              }
+      return box;
+    }
+
+    double
+    volume(const Discretization &d, const unsigned int body)
+    {
+      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(1, 1);
+      for (const auto &cell : d.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() == body)
+          sum(0, 0) += cell->measure();
+      d.space()->sum(sum);
+      return sum(0, 0);
+    }
+
+    /** The longest side if it is at least twice the others, else z. */
+    unsigned int
+    long_axis(const dealii::Tensor<1, 3> &size)
+    {
+      for (unsigned int a = 0; a < 3; ++a)
+        if (size[a] >= 2. * std::max(size[(a + 1) % 3], size[(a + 2) % 3]))
+          return a;
+      return 2;
+    }
+
+    /** Four points on the cross of the axes of every cross section, at 0.4 of
+     * the sides: the radius of gyration of a rectangle within 2 %. */
+    Slices
+    regular_slices(const Box         &box,
+                   const unsigned int axis,
+                   const unsigned int n_slices)
+    {
+      const dealii::Tensor<1, 3> size   = box.upper - box.lower;
+      const Point                centre = box.lower + 0.5 * size;
+      Slices                     slices(n_slices);
+      for (unsigned int s = 0; s < n_slices; ++s)
+        for (const unsigned int side : {(axis + 1) % 3, (axis + 2) % 3})
+          for (const double sign : {-1., 1.})
+            {
+              Point p = centre;
+              p[axis] = box.lower[axis] + size[axis] * (s + 0.5) / n_slices;
+              p[side] += sign * 0.4 * size[side];
+              slices[s].push_back(p);
+            }
+      return slices;
+    }
+
+    /** Centres of coarse cells, which lie inside whatever the shape is. Empty
+     * slices are left out. */
+    Slices
+    cell_slices(const Discretization &d,
+                const unsigned int    body,
+                const Box            &box,
+                const unsigned int    axis,
+                const unsigned int    n_slices)
+    {
+      const auto        &mesh = d.coarse_mesh();
+      std::vector<Point> centres;
+      for (const auto &cell : mesh.cells)
+        if (cell.material_id == body)
+          {
+            Point sum;
+            for (const unsigned int v : cell.vertices)
+              sum += mesh.vertices[v];
+            centres.push_back(sum / double(cell.vertices.size()));
+          }
+      const std::size_t stride = (centres.size() - 1) / max_points + 1;
+      Slices            slices(n_slices);
+      for (std::size_t i = 0; i < centres.size(); i += stride)
+        {
+          const double s = (centres[i][axis] - box.lower[axis]) /
+                           (box.upper[axis] - box.lower[axis]);
+          slices[std::min<unsigned int>(n_slices - 1, s * n_slices)].push_back(
+            centres[i]);
+        }
+      slices.erase(std::remove_if(slices.begin(),
+                                  slices.end(),
+                                  [](const auto &s) { return s.empty(); }),
+                   slices.end());
+      return slices;
+    }
+
+    /** Sign of a rotation about @p axis under the mirror at the plane through
+     * z and the radial direction at @p angle: a rotation about an axis across
+     * that plane is kept, others are turned round. */
+    double
+    rotation_mirror(const unsigned int axis, const double angle)
+    {
+      const double across = axis == 0   ? -std::sin(angle)
+                            : axis == 1 ? std::cos(angle)
+                                        : 0.;
+      return std::abs(across) > std::sqrt(0.5) ? 1. : -1.;
+    }
+
+    Functionals::Row
+    scaled(const double factor, const Functionals::Row &row)
+    {
+      return combine({{factor, &row}});
+    }
+
+    /** Three rows of displacements along radial, tangential, normal. */
+    void
+    add_displacements(const std::array<Functionals::Row, 3> &xyz,
+                      const double                           angle,
+                      const double                           factor,
+                      std::vector<Functionals::Row>         &rows)
+    {
+      const double c = factor * std::cos(angle), s = factor * std::sin(angle);
+      rows.push_back(combine({{c, &xyz[0]}, {s, &xyz[1]}}));
+      rows.push_back(combine({{-s, &xyz[0]}, {c, &xyz[1]}}));
+      rows.push_back(scaled(factor, xyz[2]));
+    }
+  } // namespace
+
+
+
+  Point
+  body_centre(const Discretization &d, const unsigned int body)
+  {
+    const auto &b = d.scene().bodies[body];
+    if (b.shape == BodyParameters::Shape::rigid)
+      return Point(b.position[0], b.position[1], b.position[2]);
+    const Box box = bounding_box(d, body);
+    return box.lower + 0.5 * (box.upper - box.lower);
+  }
+
+
+
+  SolidShapes::SolidShapes(const Discretization          &d,
+                           const PointEvaluator          &evaluator,
+                           const unsigned int             body,
+                           const unsigned int             annulus,
+                           std::vector<Functionals::Row> &rows)
+    : families({"x", "y", "z"})
+    , mirror({1., -1., 1.})
+  {
+    using Shape            = BodyParameters::Shape;
+    const auto &parameters = d.scene().bodies[body];
+    if (annulus != -1u)
+      {
+        const auto &origin = d.scene().bodies[annulus].position;
+        const Point centre = body_centre(d, body);
+        families           = {"radial", "tangential", "normal"};
+        angle = std::atan2(centre[1] - origin[1], centre[0] - origin[0]);
+      }
+
+    if (parameters.shape == Shape::rigid)
+      {
+        n_slices = 1;
+        families.insert(families.end(),
+                        {"rotation x", "rotation y", "rotation z"});
+        for (unsigned int c = 0; c < 3; ++c)
+          mirror.push_back(rotation_mirror(c, angle));
+        add_rigid_rows(d, body, rows);
+        return;
+      }
+
+    const Box                  box  = bounding_box(d, body);
+    const dealii::Tensor<1, 3> size = box.upper - box.lower;
+    axis                            = long_axis(size);
+    const bool slender =
+      size[axis] >= 2. * std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+    const unsigned int n    = slender ? n_slices_slender : n_slices_compact;
+    const bool         free = parameters.shape == Shape::gmsh;
+    const Slices       slices =
+      free ? cell_slices(d, body, box, axis, n) : regular_slices(box, axis, n);
+    n_slices = slices.size();
+    families.push_back("torsion");
+    mirror.push_back(rotation_mirror(axis, angle));
+    add_slice_rows(
+      evaluator, body, slices, parameters.density * volume(d, body), rows);
+  }
+
+
+
+  void
+  SolidShapes::add_rigid_rows(const Discretization          &d,
+                              const unsigned int             body,
+                              std::vector<Functionals::Row> &rows) const
+  {
+    const auto                     &b = d.scene().bodies[body];
+    std::array<Functionals::Row, 6> motions;
+    for (unsigned int i = 0; i < 6; ++i)
+      if (const unsigned int row = d.rigid_row(body, i); row != -1u)
+        motions[i].emplace_back(row, 1.);
+    add_displacements(
+      {{motions[0], motions[1], motions[2]}}, angle, std::sqrt(b.mass), rows);
+    for (unsigned int c = 0; c < 3; ++c)
+      rows.push_back(scaled(std::sqrt(b.inertia[c]), motions[3 + c]));
+  }
+
+
+
+  void
+  SolidShapes::add_slice_rows(const PointEvaluator          &evaluator,
+                              const unsigned int             body,
+                              const Slices                  &slices,
+                              const double                   mass,
+                              std::vector<Functionals::Row> &rows) const
+  {
+    std::vector<Point> points;
+    for (const auto &slice : slices)
+      points.insert(points.end(), slice.begin(), slice.end());
+    const auto result = evaluator.displacements(body, points, 1e-2);
+
+    const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    const double       factor = std::sqrt(mass / slices.size());
+    unsigned int       first  = 0;
+    for (const auto &slice : slices)
+      {
+        const double n = slice.size();
+        Point        centre;
+        for (const auto &p : slice)
+          centre += p / n;
+        using Parts = std::vector<std::pair<double, const Functionals::Row *>>;
+        std::array<Parts, 3> mean;
+        Parts                rotation;
+        double               radius_squared = 0.; /* of gyration */
+        for (unsigned int i = 0; i < slice.size(); ++i)
+          {
+            const auto &u = result.rows[first + i];
+            const auto  x = slice[i] - centre;
+            for (unsigned int c = 0; c < 3; ++c)
+              mean[c].emplace_back(1. / n, &u[c]);
+            rotation.emplace_back(x[a] / n, &u[b]);
+            rotation.emplace_back(-x[b] / n, &u[a]);
+            radius_squared += (x[a] * x[a] + x[b] * x[b]) / n;
+          }
+        first += slice.size();
+
+        add_displacements(
+          {{combine(mean[0]), combine(mean[1]), combine(mean[2])}},
+          angle,
+          factor,
+          rows);
+        // sum x_a u_b - x_b u_a = n r^2 omega; the coordinate is r omega.
+        rows.push_back(
+          radius_squared > 0.
+            ? scaled(factor / std::sqrt(radius_squared), combine(rotation))
+            : Functionals::Row());
+      }
+  }
+
+
+
+  unsigned int
+  SolidShapes::n_coordinates() const
+  {
+    return n_slices * families.size();
+  }
+
+
+
+  SolidShape
+  SolidShapes::classify(
+    const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const
+  {
+    AssertDimension(coordinates.size(), n_coordinates());
+    SolidShape shape;
+    if (coordinates.isZero(0.))
+      return shape;
+    const Eigen::Map<const Eigen::MatrixXcd> motions(
+      coordinates.data(), families.size(), n_slices);
+    unsigned int dominant;
+    motions.rowwise().squaredNorm().maxCoeff(&dominant);
+    shape.family  = families[dominant];
+    shape.n_nodes = n_sign_changes(
+      most_real_part(motions.row(dominant).transpose()), lobe_threshold);
+    return shape;
+  }
+
+
+
+  Eigen::VectorXd
+  SolidShapes::mirror_weights() const
+  {
+    return Eigen::Map<const Eigen::VectorXd>(mirror.data(), mirror.size())
+      .replicate(n_slices, 1);
+  }
+} // namespace squeal

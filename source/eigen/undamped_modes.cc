@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/eigen/mass_basis.h>
+#include <squeal/eigen/undamped_modes.h>
+
+#include "arpack_modes.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace squeal
+{
+  ShiftedInverse::ShiftedInverse(const Pencil &pencil, const double shift)
+    : shift_value(shift)
+  {
+    factor = std::make_unique<MumpsFactorization<double>>(
+      pencil.space(), MumpsFactorization<double>::Symmetry::symmetric);
+    for (unsigned int attempt = 0;; ++attempt)
+      try
+        {
+          Triplets entries = pencil.undamped_entries(shift_value);
+          factor->factorize(std::move(entries.rows),
+                            std::move(entries.columns),
+                            std::move(entries.values));
+          return;
+        }
+      catch (const ComputationError &)
+        {
+          if (attempt == 3)
+            throw;
+          shift_value = shift * (1. + 1e-6 * std::pow(10., attempt)) +
+                        (shift == 0. ? 1. : 0.);
+        }
+  }
+
+  Block
+  ShiftedInverse::solve(const Block &right_hand_sides) const
+  {
+    return factor->solve(right_hand_sides);
+  }
+
+  double
+  ShiftedInverse::shift() const
+  {
+    return shift_value;
+  }
+
+  unsigned int
+  ShiftedInverse::n_modes_below() const
+  {
+    return factor->n_negative_pivots();
+  }
+
+  double
+  ShiftedInverse::n_factor_entries() const
+  {
+    return factor->n_factor_entries();
+  }
+
+
+
+  double
+  UndampedModes::frequency(const unsigned int i) const
+  {
+    return std::sqrt(std::max(0., omega_squared[i])) / (2. * M_PI);
+  }
+
+
+
+  namespace
+  {
+    /** Random numbers that depend on the global row only, so that any number
+     * of ranks starts alike. */
+    Block
+    random_block(const RowSpace &space, const unsigned int n_columns)
+    {
+      Block result(space.n_owned(), n_columns);
+      for (unsigned int i = 0; i < space.n_owned(); ++i)
+        {
+          std::minstd_rand generator(12345 + space.first_owned() + i);
+          generator.discard(3);
+          for (unsigned int j = 0; j < n_columns; ++j)
+            result(i, j) =
+              2. * double(generator()) / double(generator.max()) - 1.;
+        }
+      return result;
+    }
+
+
+
+    /** The Krylov space of S M (S the shifted inverse) in mass-orthonormal
+     * blocks, and the projection T = Q^T M S M Q. */
+    struct BlockKrylov
+    {
+      BlockKrylov(const Pencil         &pencil,
+                  const ShiftedInverse &inverse,
+                  const ModeOptions    &options)
+        : inverse(inverse)
+        , space(pencil.space())
+        , basis(pencil)
+      {
+        if (options.deflated.cols() > 0)
+          n_deflated = basis.extend(options.deflated, 1e-8).cols();
+        // One solve filters rigid noise out of the random start.
+        n_last = basis
+                   .extend(inverse.solve(pencil.multiply_mass(
+                             random_block(*pencil.space(), options.block_size))),
+                           1e-10)
+                   .cols();
+      }
+
+      /** One block step with full reorthogonalisation. */
+      void
+      extend()
+      {
+        const Eigen::Index n = basis.size() - n_deflated, b = n_last;
+        Eigen::MatrixXd    h;
+        const Block        W =
+          inverse.solve(Block(basis.mass_products().rightCols(b)));
+        const Block next = basis.extend(W, 1e-13, &h);
+
+        Eigen::MatrixXd grown = Eigen::MatrixXd::Zero(n, n);
+        grown.topLeftCorner(T.rows(), T.cols()) = T;
+        grown.rightCols(b) = h.bottomRows(n);
+        grown.bottomRows(b) = h.bottomRows(n).transpose();
+        T        = 0.5 * (grown + grown.transpose());
+        coupling = inner_products(*space,
+                                  basis.mass_products().rightCols(next.cols()),
+                                  W);
+        n_last   = next.cols();
+      }
+
+      const ShiftedInverse           &inverse;
+      std::shared_ptr<const RowSpace> space;
+      MassBasis                       basis;
+      Eigen::MatrixXd                 T;
+      Eigen::MatrixXd coupling; /**< of the last block to what is left out */
+      unsigned int    n_last = 0, n_deflated = 0;
+    };
+
+
+
+    UndampedModes
+    ritz_modes(const Pencil                                         &pencil,
+               const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> &ritz,
+               const Eigen::VectorXd                                &errors,
+               const Eigen::Ref<const Block>                        &Q,
+               const double                                          shift,
+               const double                                          tolerance)
+    {
+      const Eigen::VectorXd &theta = ritz.eigenvalues();
+      std::vector<int>       kept, rest;
+      for (Eigen::Index i = 0; i < theta.size(); ++i)
+        if (theta[i] < 0. && errors[i] <= tolerance * std::abs(theta[i]))
+          kept.push_back(i);
+      // Above the shift: theta descending is omega^2 ascending.
+      for (Eigen::Index i = theta.size() - 1; i >= 0 && theta[i] > 0.; --i)
+        if (errors[i] <= tolerance * theta[i])
+          kept.push_back(i);
+        else if (theta[i] * shift > 0.25)
+          rest.push_back(i);
+      std::sort(kept.begin(), kept.end(), [&](const int a, const int b) {
+        return shift + 1. / theta[a] < shift + 1. / theta[b];
+      });
+
+      Eigen::MatrixXd Y(theta.size(), kept.size()), Z(theta.size(), rest.size());
+      UndampedModes   modes;
+      modes.omega_squared.resize(kept.size());
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        {
+          Y.col(k)               = ritz.eigenvectors().col(kept[k]);
+          modes.omega_squared[k] = shift + 1. / theta[kept[k]];
+        }
+      for (std::size_t k = 0; k < rest.size(); ++k)
+        Z.col(k) = ritz.eigenvectors().col(rest[k]);
+      modes.shapes     = Q * Y;
+      modes.supplement = Q * Z;
+      const Block  MX  = pencil.multiply_mass(modes.shapes);
+      const Block  KX  = pencil.multiply_undamped_stiffness(modes.shapes);
+      const auto   norms_K = pencil.space()->norms(KX);
+      const auto   norms_M = pencil.space()->norms(MX);
+      const Block  R       = KX - MX * modes.omega_squared.asDiagonal();
+      modes.residual =
+        pencil.space()->norms(R).array() /
+        (norms_K.array() +
+         modes.omega_squared.array().abs() * norms_M.array());
+      return modes;
+    }
+
+
+
+    UndampedModes
+    block_lanczos(const Pencil         &pencil,
+                  const ShiftedInverse &inverse,
+                  const ModeOptions    &options)
+    {
+      const unsigned int n_wanted = inverse.n_modes_below();
+      const unsigned int n_total  = pencil.space()->n_global();
+      BlockKrylov        krylov(pencil, inverse, options);
+      while (true)
+        {
+          krylov.extend();
+          const Eigen::Index n     = krylov.T.rows();
+          const bool         whole = krylov.n_last == 0 || n >= n_total;
+          // A dense eigenproblem at every step would cost more than the steps.
+          if (!whole && n < n_wanted + options.block_size)
+            continue;
+          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(krylov.T);
+          Eigen::VectorXd errors = Eigen::VectorXd::Zero(n);
+          if (!whole)
+            errors = (krylov.coupling *
+                      ritz.eigenvectors().bottomRows(krylov.coupling.cols()))
+                       .colwise()
+                       .norm();
+          unsigned int n_converged = 0;
+          for (Eigen::Index i = 0; i < n; ++i)
+            if (ritz.eigenvalues()[i] < 0. &&
+                errors[i] <= options.tolerance * -ritz.eigenvalues()[i])
+              ++n_converged;
+          // Nothing may remain that has not converged below the shift, and a
+          // hidden mode must not keep the iteration going for ever.
+          unsigned int n_negative = 0;
+          for (Eigen::Index i = 0; i < n; ++i)
+            if (ritz.eigenvalues()[i] < -1e-9 / std::abs(inverse.shift()))
+              ++n_negative;
+          const bool stagnant =
+            n_converged == n_negative && n > 3 * n_wanted + 200;
+          if (n_converged >= n_wanted || whole || stagnant)
+            return ritz_modes(pencil,
+                              ritz,
+                              errors,
+                              krylov.basis.vectors().middleCols(
+                                krylov.n_deflated, n),
+                              inverse.shift(),
+                              options.tolerance);
+        }
+    }
+  } // namespace
+
+
+
+  UndampedModes
+  undamped_modes(const Pencil         &pencil,
+                 const ShiftedInverse &inverse,
+                 const ModeOptions    &options)
+  {
+    UndampedModes modes =
+      options.algorithm == ModeAlgorithm::arpack ?
+        arpack_modes(pencil, inverse, options) :
+        block_lanczos(pencil, inverse, options);
+    unsigned int n_below = 0;
+    while (n_below < modes.omega_squared.size() &&
+           modes.omega_squared[n_below] < inverse.shift())
+      ++n_below;
+    if (n_below != inverse.n_modes_below())
+      throw ComputationError(
+        "the inertia of the factor proves " +
+        std::to_string(inverse.n_modes_below()) + " modes below " +
+        std::to_string(std::sqrt(inverse.shift()) / (2. * M_PI)) +
+        " Hz, but the Lanczos iteration found " + std::to_string(n_below) +
+        ": tighten Eigenvalues/Mode tolerance");
+    modes.n_certified = n_below;
+    return modes;
+  }
+} // namespace squeal

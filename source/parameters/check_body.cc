@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/numbers.h>
+
+#include <array>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      using Shape = BodyParameters::Shape;
+
+      void
+      require_positive(const double       value,
+                       const std::string &section,
+                       const std::string &entry)
+      {
+        if (!(value > 0.))
+          refuse_entry(section,
+                       entry,
+                       "= " + format_number(value) + " must be greater than 0");
+      }
+
+
+
+      void
+      require_positive(const Vector3     &values,
+                       const std::string &section,
+                       const std::string &entry)
+      {
+        for (const double value : values)
+          require_positive(value, section, entry);
+      }
+
+
+
+      void
+      check_radii(const BodyParameters &body, const std::string &section)
+      {
+        require_positive(body.outer_radius, section, "Outer radius");
+        require_positive(body.height, section, "Height");
+        if (body.shape != Shape::annulus)
+          return;
+        require_positive(body.inner_radius, section, "Inner radius");
+        if (!(body.outer_radius > body.inner_radius))
+          refuse_entry(section,
+                       "Outer radius",
+                       "= " + format_number(body.outer_radius) +
+                         " m must be greater than 'Inner radius' = " +
+                         format_number(body.inner_radius) + " m");
+        if (body.cells[0] < 3)
+          refuse_entry(section,
+                       "Cells",
+                       "= " + std::to_string(body.cells[0]) +
+                         ", ...: an annulus needs at least 3 cells round its "
+                         "circumference");
+      }
+
+
+
+      void
+      check_shape(const BodyParameters &body, const std::string &section)
+      {
+        switch (body.shape)
+          {
+          case Shape::annulus:
+          case Shape::cylinder:
+            check_radii(body, section);
+            break;
+          case Shape::block:
+            require_positive(body.size, section, "Size");
+            break;
+          case Shape::gmsh:
+            require_file(body.mesh_file, section, "Mesh file", true);
+            break;
+          case Shape::rigid:
+            require_positive(body.mass, section, "Mass");
+            require_positive(body.inertia, section, "Inertia");
+            break;
+          }
+        for (const unsigned int n : body.cells)
+          if (n == 0)
+            refuse_entry(section, "Cells", "must be at least 1 each");
+        // a block that turns is not at rest in the fixed frame
+        if (body.rotation_speed != 0. && body.shape == Shape::block)
+          refuse_entry(section,
+                       "Rotation speed",
+                       "= " + format_number(body.rotation_speed) +
+                         " rad/s is for bodies of revolution; a block needs 0");
+      }
+
+
+
+      /** The flexibility matrix of the normal strains must be positive
+       * definite: its leading minors, made free of units, are positive. */
+      void
+      check_orthotropic(const BodyParameters &body, const std::string &section)
+      {
+        require_positive(body.young_moduli, section, "Young moduli");
+        require_positive(body.shear_moduli, section, "Shear moduli");
+        const auto [e1, e2, e3]       = body.young_moduli;
+        const auto [nu23, nu13, nu12] = body.poisson_ratios;
+        const double a                = nu12 * nu12 * e2 / e1;
+        const double b                = nu13 * nu13 * e3 / e1;
+        const double c                = nu23 * nu23 * e3 / e2;
+        // as close to 0 as an isotropic material with nu = 0.4999 comes
+        const double                                         smallest = 1e-4;
+        const std::array<std::pair<double, const char *>, 3> pairs    = {
+             {{a, "nu12^2 E2/E1"}, {b, "nu13^2 E3/E1"}, {c, "nu23^2 E3/E2"}}};
+        for (const auto &[product, name] : pairs)
+          if (!(1. - product > smallest))
+            refuse_entry(section,
+                         "Poisson ratios",
+                         std::string(": ") + name + " = " +
+                           format_number(product) +
+                           " must be below 1, or the material gives energy");
+        const double minor = 1. - a - b - c - 2. * nu12 * nu23 * nu13 * e3 / e1;
+        if (!(minor > smallest))
+          refuse_entry(section,
+                       "Poisson ratios",
+                       ": 1 - nu12^2 E2/E1 - nu13^2 E3/E1 - nu23^2 E3/E2 - 2 "
+                       "nu12 nu23 nu13 E3/E1 = " +
+                         format_number(minor) +
+                         " must be positive, or the material gives energy; "
+                         "make the ratios smaller");
+      }
+    } // namespace
+
+
+
+    void
+    check_body(const BodyParameters &body)
+    {
+      const std::string section = "Scene/Body " + body.name;
+      if (body.name == "ground")
+        refuse_entry("Scene",
+                     "Bodies",
+                     "may not contain 'ground', which is the fixed "
+                     "surroundings");
+      check_shape(body, section);
+      if (body.shape == Shape::rigid)
+        return;
+      require_positive(body.density, section, "Density");
+      if (body.material_model == BodyParameters::MaterialModel::orthotropic)
+        {
+          check_orthotropic(body, section);
+          return;
+        }
+      require_positive(body.young_modulus, section, "Young modulus");
+      if (!(body.poisson_ratio > -1. && body.poisson_ratio < 0.5))
+        refuse_entry(section,
+                     "Poisson ratio",
+                     "= " + format_number(body.poisson_ratio) +
+                       " must be below 0.5");
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/face_geometry.h>
+#include <squeal/parameters/numbers.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      using Shape = BodyParameters::Shape;
+
+      [[noreturn]] void
+      refuse_pair(const ContactParameters &contact, const std::string &reason)
+      {
+        throw InputError("contact " + contact.name +
+                         ": faces do not meet: " + reason + "; change 'Scene/" +
+                         "Body " + contact.source_body +
+                         "/Position' or the sizes of the bodies");
+      }
+
+
+
+      void
+      check_faces(const SceneParameters   &scene,
+                  const ContactParameters &contact,
+                  const std::string       &section)
+      {
+        const BodyParameters &source =
+          require_body(scene, contact.source_body, section, "Source body");
+        require_face(source, contact.source_face, section, "Source face");
+        if (contact.target_body == "ground")
+          {
+            if (source.shape != Shape::rigid)
+              refuse_entry(section,
+                           "Target body",
+                           "= 'ground' is for rigid source bodies; a meshed "
+                           "one needs a meshed target");
+            if (!contact.target_face.empty())
+              refuse_entry(section,
+                           "Target face",
+                           "must be empty: the ground has no faces");
+            return;
+          }
+
+        const BodyParameters &target =
+          require_body(scene, contact.target_body, section, "Target body");
+        require_face(target, contact.target_face, section, "Target face");
+        if (&source == &target)
+          refuse_entry(section, "Target body", "is the source body itself");
+        if ((source.shape == Shape::rigid) != (target.shape == Shape::rigid))
+          refuse_entry(section,
+                       "Target body",
+                       "must be " +
+                         std::string(source.shape == Shape::rigid
+                                       ? "rigid or 'ground'"
+                                       : "meshed") +
+                         " like the source body");
+
+        const auto source_face = flat_face(source, contact.source_face);
+        const auto target_face = flat_face(target, contact.target_face);
+        if (!source_face || !target_face)
+          return;
+        std::string fault = fault_of_touching(*source_face, *target_face);
+        if (fault.empty())
+          fault = fault_of_footprint(*source_face, *target_face);
+        if (!fault.empty())
+          refuse_pair(contact, fault);
+      }
+
+
+
+      void
+      check_law(const ContactParameters &contact, const std::string &section)
+      {
+        if (contact.state == ContactParameters::State::preload)
+          refuse_entry(section,
+                       "Contact state",
+                       "= preload needs a steady-sliding solution (Analysis = "
+                       "preload), which this version does not compute; use "
+                       "full or stick");
+        if (contact.transverse_slip_term && !(contact.sliding_speed > 0.))
+          refuse_entry(section,
+                       "Sliding speed",
+                       "must be greater than 0 with the 'Transverse slip "
+                       "term', which divides by it");
+        if (contact.formulation != ContactParameters::Formulation::springs)
+          return;
+        const bool is_grid =
+          contact.layout == ContactParameters::SpringLayout::grid;
+        const double stiffness = is_grid ? contact.normal_stiffness
+                                         : contact.normal_stiffness_per_area;
+        if (!(stiffness > 0.))
+          refuse_entry(
+            section,
+            is_grid ? "Normal stiffness" : "Normal stiffness per area",
+            "= " + format_number(stiffness) + " must be greater than 0");
+      }
+    } // namespace
+
+
+
+    void
+    check_contacts(const SceneParameters &scene)
+    {
+      for (const ContactParameters &contact : scene.contacts)
+        {
+          const std::string section = "Scene/Contact " + contact.name;
+          check_faces(scene, contact, section);
+          check_law(contact, section);
+        }
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/face_geometry.h>
+#include <squeal/parameters/names.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace squeal
+{
+  namespace prm
+  {
+    void
+    refuse_entry(const std::string &section,
+                 const std::string &entry,
+                 const std::string &reason)
+    {
+      throw InputError(quoted(path_of(section, entry)) +
+                       (starts_with(reason, ":") ? "" : " ") + reason);
+    }
+
+
+
+    const BodyParameters &
+    require_body(const SceneParameters &scene,
+                 const std::string     &name,
+                 const std::string     &section,
+                 const std::string     &entry)
+    {
+      std::vector<std::string> names;
+      for (const BodyParameters &body : scene.bodies)
+        {
+          if (body.name == name)
+            return body;
+          names.push_back(body.name);
+        }
+      if (name.empty())
+        refuse_entry(section,
+                     entry,
+                     "is empty: give one of the bodies " + join(names, ", "));
+      refuse_entry(section,
+                   entry,
+                   "= " + quoted(name) + " is not one of the bodies " +
+                     join(names, ", ") + did_you_mean(name, names));
+    }
+
+
+
+    void
+    require_face(const BodyParameters &body,
+                 const std::string    &face,
+                 const std::string    &section,
+                 const std::string    &entry)
+    {
+      if (body.shape == BodyParameters::Shape::rigid)
+        {
+          if (!face.empty())
+            refuse_entry(section,
+                         entry,
+                         "= " + quoted(face) + ": the rigid body " +
+                           quoted(body.name) +
+                           " has no faces; leave the entry empty");
+          return;
+        }
+      const std::vector<std::string> faces = faces_of(body.shape);
+      if (body.shape == BodyParameters::Shape::gmsh && face.empty())
+        refuse_entry(section,
+                     entry,
+                     "is empty: give a physical surface of the mesh file of "
+                     "body " +
+                       quoted(body.name));
+      if (body.shape == BodyParameters::Shape::gmsh ||
+          std::find(faces.begin(), faces.end(), face) != faces.end())
+        return;
+      refuse_entry(section,
+                   entry,
+                   (face.empty() ? "is empty" : "= " + quoted(face)) +
+                     ": body " + quoted(body.name) + " has the faces " +
+                     join(faces, ", ") + did_you_mean(face, faces));
+    }
+
+
+
+    void
+    require_file(const std::string &file,
+                 const std::string &section,
+                 const std::string &entry,
+                 const bool         is_needed)
+    {
+      if (file.empty() && is_needed)
+        refuse_entry(section, entry, "is empty: give the name of a file");
+      if (file.empty())
+        return;
+      std::error_code ignored;
+      if (!std::filesystem::exists(file, ignored))
+        refuse_entry(section, entry, "= '" + file + "': no such file");
+      if (std::filesystem::is_directory(file, ignored))
+        refuse_entry(section, entry, "= '" + file + "' is a directory");
+    }
+  } // namespace prm
+} // namespace squeal

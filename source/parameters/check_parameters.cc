@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/choices.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      using Refinement = DiscretizationParameters::Refinement;
+      using Ladder     = WorkPrecisionParameters::Ladder;
+
+      void
+      check_refinement(const DiscretizationParameters &d)
+      {
+        if (d.refinement == Refinement::none && d.refinements > 0)
+          refuse_entry("Discretization",
+                       "Refinements",
+                       "= " + std::to_string(d.refinements) +
+                         " would be ignored: set 'Discretization/Refinement' "
+                         "to 'uniform' or 'eigenvalue error', or remove it");
+      }
+
+
+
+      void
+      check_band(const EigenParameters &e)
+      {
+        if (!(e.lowest_frequency < e.highest_frequency))
+          refuse_entry("Eigenvalues",
+                       "Lowest frequency",
+                       "= " + format_number(e.lowest_frequency) +
+                         " Hz must be below 'Highest frequency' = " +
+                         format_number(e.highest_frequency) + " Hz");
+      }
+
+
+
+      /** What a rung of @p ladder must be; empty if @p value is that. */
+      std::string
+      fault_of_rung(const Ladder ladder, const double value)
+      {
+        const bool is_whole = value == std::floor(value);
+        switch (ladder)
+          {
+          case Ladder::degree:
+            return is_whole && value >= 1. && value <= 8.
+                     ? ""
+                     : "a whole number from 1 to 8";
+          case Ladder::refinement:
+            return is_whole && value >= 0. && value <= 10.
+                     ? ""
+                     : "a whole number from 0 to 10";
+          case Ladder::adaptive:
+          case Ladder::basis:
+            return value > 0. && value <= 1.
+                     ? ""
+                     : "a number greater than 0 and at most 1";
+          }
+        return "";
+      }
+
+
+
+      void
+      check_ladders(const Parameters &parameters)
+      {
+        const WorkPrecisionParameters &w       = parameters.work_precision;
+        const std::string              section = "Work precision";
+        if (parameters.analysis != Parameters::Analysis::work_precision)
+          return;
+        if (w.ladders.empty())
+          refuse_entry(section,
+                       "Ladders",
+                       "is empty: list at least one of degree, refinement, "
+                       "adaptive, basis");
+        if (w.values.empty())
+          refuse_entry(section,
+                       "Values",
+                       "is empty: the ladder '" + choice_name(w.ladders[0]) +
+                         "' needs its rungs");
+        for (const Ladder ladder : w.ladders)
+          {
+            if (parameters.scene.kind == SceneParameters::Kind::matrices &&
+                ladder != Ladder::basis)
+              refuse_entry(section,
+                           "Ladders",
+                           "contains '" + choice_name(ladder) +
+                             "', but imported matrices have no mesh; use "
+                             "basis");
+            for (const double value : w.values)
+              {
+                const std::string fault = fault_of_rung(ladder, value);
+                if (!fault.empty())
+                  refuse_entry(section,
+                               "Values",
+                               "contains " + format_number(value) +
+                                 ": a rung of the ladder '" +
+                                 choice_name(ladder) + "' is " + fault);
+              }
+          }
+      }
+
+
+
+      void
+      check_result_check(const ResultCheckParameters &c)
+      {
+        const std::string section = "Result checks/Check " + c.name;
+        if (c.table.empty())
+          refuse_entry(section,
+                       "Table",
+                       "is empty: name a result table such as 'modes.csv'");
+        if (c.column.empty())
+          refuse_entry(section,
+                       "Column",
+                       "is empty: name a column of the table, or 'count'");
+        if (!c.where.empty() &&
+            c.where.find_first_of("=<>") == std::string::npos)
+          refuse_entry(section,
+                       "Where",
+                       "= " + quoted(c.where) +
+                         ": write it as 'column = value'");
+        const std::size_t equals = c.nearest.find('=');
+        if (!c.nearest.empty() && (equals == std::string::npos || equals == 0 ||
+                                   !parse_number(c.nearest.substr(equals + 1))))
+          refuse_entry(section,
+                       "Nearest",
+                       "= " + quoted(c.nearest) +
+                         ": write it as 'column = number'");
+        if (c.relative_tolerance == 0. && c.absolute_tolerance == 0. &&
+            c.column != "count")
+          refuse_entry(section,
+                       "Relative tolerance",
+                       "and 'Absolute tolerance' are both 0: no computed "
+                       "number is exact");
+      }
+    } // namespace
+
+
+
+    void
+    check_analysis(const Parameters &parameters)
+    {
+      if (parameters.output.directory.empty())
+        refuse_entry("", "Output directory", "is empty: name a folder");
+      check_refinement(parameters.discretization);
+      check_band(parameters.eigen);
+      check_ladders(parameters);
+      for (const ResultCheckParameters &check : parameters.result_checks)
+        check_result_check(check);
+    }
+  } // namespace prm
+
+
+
+  void
+  Parameters::check() const
+  {
+    try
+      {
+        prm::check_analysis(*this);
+        prm::check_scene(scene);
+      }
+    catch (const InputError &e)
+      {
+        if (file.empty())
+          throw;
+        throw InputError(file + ": " + e.what());
+      }
+  }
+} // namespace squeal

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/face_geometry.h>
+#include <squeal/parameters/names.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <set>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      using Shape = BodyParameters::Shape;
+      using Model = DampingParameters::Model;
+
+      std::string
+      point_text(const Vector3 &p)
+      {
+        return "(" + format_number(p[0]) + ", " + format_number(p[1]) + ", " +
+               format_number(p[2]) + ")";
+      }
+
+
+
+      /** Refuses a point beside the box around a body. */
+      void
+      require_point_on_body(const BodyParameters &body,
+                            const Vector3        &point,
+                            const std::string    &section,
+                            const std::string    &entry)
+      {
+        const std::optional<Box> box = box_of(body);
+        if (!box)
+          return;
+        const double slack = 1e-6 * box->size();
+        for (unsigned int i = 0; i < 3; ++i)
+          if (point[i] < box->lower[i] - slack ||
+              point[i] > box->upper[i] + slack)
+            refuse_entry(section,
+                         entry,
+                         "= " + point_text(point) + " m lies outside body " +
+                           quoted(body.name) + ", which reaches from " +
+                           point_text(box->lower) + " to " +
+                           point_text(box->upper) + " m");
+      }
+
+
+
+      void
+      check_tie(const SceneParameters &scene, const TieParameters &tie)
+      {
+        const std::string     section = "Scene/Tie " + tie.name;
+        const BodyParameters &source =
+          require_body(scene, tie.source_body, section, "Source body");
+        const BodyParameters &target =
+          require_body(scene, tie.target_body, section, "Target body");
+        if (&source == &target)
+          refuse_entry(section, "Target body", "is the source body itself");
+        if (source.shape == Shape::rigid || target.shape == Shape::rigid)
+          refuse_entry(section,
+                       source.shape == Shape::rigid ? "Source body"
+                                                    : "Target body",
+                       "is a rigid body; ties join the faces of meshed bodies");
+        require_face(source, tie.source_face, section, "Source face");
+        require_face(target, tie.target_face, section, "Target face");
+        const auto source_face = flat_face(source, tie.source_face);
+        const auto target_face = flat_face(target, tie.target_face);
+        if (!source_face || !target_face)
+          return;
+        const std::string fault = fault_of_touching(*source_face, *target_face);
+        if (!fault.empty())
+          throw InputError("tie " + tie.name + ": faces do not meet: " + fault +
+                           "; change the 'Position' of one of the bodies");
+      }
+
+
+
+      void
+      check_point_springs(const SceneParameters  &scene,
+                          const SpringParameters &spring,
+                          const BodyParameters   &body,
+                          const std::string      &section)
+      {
+        if (!spring.face.empty())
+          refuse_entry(
+            section, "Face", "is for 'Kind = area'; leave it empty for points");
+        require_point_on_body(body, spring.first_point, section, "First point");
+        require_point_on_body(body, spring.last_point, section, "Last point");
+        if (spring.other_body != "ground")
+          {
+            const BodyParameters &other =
+              require_body(scene, spring.other_body, section, "Other body");
+            if (&other == &body)
+              refuse_entry(section, "Other body", "is the body itself");
+            require_point_on_body(
+              other, spring.first_point, section, "First point");
+            require_point_on_body(
+              other, spring.last_point, section, "Last point");
+          }
+        const bool is_row = spring.first_point != spring.last_point;
+        if (spring.number > 1 && !is_row)
+          refuse_entry(section,
+                       "Last point",
+                       "must differ from 'First point' for a row of " +
+                         std::to_string(spring.number) + " springs");
+        if (spring.number == 1 && is_row)
+          refuse_entry(section,
+                       "Number",
+                       "= 1: the row from 'First point' to 'Last point' has "
+                       "at least 2 springs");
+      }
+
+
+
+      void
+      check_spring(const SceneParameters &scene, const SpringParameters &spring)
+      {
+        const std::string     section = "Scene/Spring " + spring.name;
+        const BodyParameters &body =
+          require_body(scene, spring.body, section, "Body");
+        if (spring.kind == SpringParameters::Kind::points)
+          check_point_springs(scene, spring, body, section);
+        else
+          {
+            if (body.shape == Shape::rigid)
+              refuse_entry(section,
+                           "Body",
+                           "is a rigid body, which has no face; use 'Kind = "
+                           "points'");
+            require_face(body, spring.face, section, "Face");
+            if (spring.other_body != "ground")
+              refuse_entry(
+                section, "Other body", "must be 'ground' for 'Kind = area'");
+          }
+        const Vector3 zero{{0., 0., 0.}};
+        if (spring.direction == zero)
+          refuse_entry(section, "Direction", "must not be 0");
+        if (spring.stiffness == 0. && spring.dashpot == 0.)
+          refuse_entry(section,
+                       "Stiffness",
+                       "and 'Dashpot' are both 0: the springs do nothing");
+      }
+
+
+
+      void
+      check_support(const SceneParameters   &scene,
+                    const SupportParameters &support)
+      {
+        using Kind                    = SupportParameters::Kind;
+        const std::string     section = "Scene/Support " + support.name;
+        const BodyParameters &body =
+          require_body(scene, support.body, section, "Body");
+        require_face(body, support.face, section, "Face");
+        if (support.kind != Kind::components)
+          {
+            if (!support.components.empty())
+              refuse_entry(section,
+                           "Components",
+                           "is for 'Kind = components'; leave it empty "
+                           "otherwise");
+            return;
+          }
+        if (support.components.empty())
+          refuse_entry(section,
+                       "Components",
+                       "is empty: list what is held, for example 'x, y'");
+        std::set<std::string> seen;
+        for (const std::string &component : support.components)
+          {
+            if (!seen.insert(component).second)
+              refuse_entry(
+                section, "Components", "lists " + quoted(component) + " twice");
+            if (component.size() == 2 && body.shape != Shape::rigid)
+              refuse_entry(section,
+                           "Components",
+                           ": " + quoted(component) +
+                             " is a rotation, which only rigid bodies have");
+          }
+      }
+
+
+
+      void
+      check_lumped_mass(const SceneParameters      &scene,
+                        const LumpedMassParameters &mass)
+      {
+        const std::string     section = "Scene/Lumped mass " + mass.name;
+        const BodyParameters &body =
+          require_body(scene, mass.body, section, "Body");
+        require_point_on_body(body, mass.point, section, "Point");
+        if (!(mass.mass > 0.))
+          refuse_entry(section, "Mass", "must be greater than 0");
+      }
+
+
+
+      void
+      check_load(const SceneParameters &scene, const LoadParameters &load)
+      {
+        const std::string section = "Scene/Load " + load.name;
+        require_face(require_body(scene, load.body, section, "Body"),
+                     load.face,
+                     section,
+                     "Face");
+      }
+
+
+
+      /** Refuses a damping entry that the damping model would not use. */
+      void
+      require_unused(const double       value,
+                     const std::string &section,
+                     const std::string &entry,
+                     const std::string &needed_model)
+      {
+        if (value != 0.)
+          refuse_entry(section,
+                       entry,
+                       "= " + format_number(value) +
+                         " would be ignored: set 'Scene/Damping/Model = " +
+                         needed_model + "' or remove it");
+      }
+
+
+
+      void
+      check_damping(const SceneParameters &scene)
+      {
+        const DampingParameters &d = scene.damping;
+        if (d.model != Model::whole_model)
+          {
+            const std::string section = "Scene/Damping", model = "whole model";
+            require_unused(d.mass_damping, section, "Mass damping", model);
+            require_unused(
+              d.stiffness_damping, section, "Stiffness damping", model);
+            require_unused(
+              d.structural_damping, section, "Structural damping", model);
+          }
+        if (d.model == Model::per_part)
+          return;
+        const auto check_part = [](const std::string &section,
+                                   const auto        &part) {
+          require_unused(
+            part.stiffness_damping, section, "Stiffness damping", "per part");
+          require_unused(
+            part.structural_damping, section, "Structural damping", "per part");
+        };
+        for (const BodyParameters &body : scene.bodies)
+          {
+            const std::string section = "Scene/Body " + body.name;
+            require_unused(
+              body.mass_damping, section, "Mass damping", "per part");
+            check_part(section, body);
+          }
+        for (const SpringParameters &spring : scene.springs)
+          check_part("Scene/Spring " + spring.name, spring);
+        for (const ContactParameters &contact : scene.contacts)
+          check_part("Scene/Contact " + contact.name, contact);
+      }
+
+
+
+      void
+      check_bodies(const SceneParameters &scene)
+      {
+        if (scene.bodies.empty())
+          refuse_entry("Scene",
+                       "Bodies",
+                       "is empty: name at least one body and describe it in a "
+                       "section 'Body <name>'");
+        if (!scene.matrix_parts.empty())
+          refuse_entry("Scene",
+                       "Matrix parts",
+                       "is for 'Kind = matrices'; leave it empty with bodies");
+        for (const BodyParameters &body : scene.bodies)
+          check_body(body);
+        for (const TieParameters &tie : scene.ties)
+          check_tie(scene, tie);
+        for (const SpringParameters &spring : scene.springs)
+          check_spring(scene, spring);
+        for (const SupportParameters &support : scene.supports)
+          check_support(scene, support);
+        for (const LumpedMassParameters &mass : scene.lumped_masses)
+          check_lumped_mass(scene, mass);
+        for (const LoadParameters &load : scene.loads)
+          check_load(scene, load);
+        check_contacts(scene);
+      }
+
+
+
+      void
+      check_matrices(const SceneParameters &scene)
+      {
+        using Role = MatrixPartParameters::Role;
+        const std::vector<std::pair<const char *, bool>> lists = {
+          {"Bodies", scene.bodies.empty()},
+          {"Ties", scene.ties.empty()},
+          {"Springs", scene.springs.empty()},
+          {"Supports", scene.supports.empty()},
+          {"Lumped masses", scene.lumped_masses.empty()},
+          {"Loads", scene.loads.empty()},
+          {"Contacts", scene.contacts.empty()}};
+        for (const auto &[list, is_empty] : lists)
+          if (!is_empty)
+            refuse_entry("Scene",
+                         list,
+                         "is for 'Kind = bodies'; leave it empty with "
+                         "matrices");
+
+        const auto has = [&scene](const Role role) {
+          return std::any_of(scene.matrix_parts.begin(),
+                             scene.matrix_parts.end(),
+                             [role](const MatrixPartParameters &part) {
+                               return part.role == role;
+                             });
+        };
+        if (!has(Role::mass) || !has(Role::stiffness))
+          refuse_entry("Scene",
+                       "Matrix parts",
+                       std::string("has no part with 'Role = ") +
+                         (has(Role::mass) ? "stiffness'" : "mass'"));
+        for (const MatrixPartParameters &part : scene.matrix_parts)
+          require_file(
+            part.file, "Scene/Matrix part " + part.name, "File", true);
+        require_file(
+          scene.contact_pattern_file, "Scene", "Contact pattern file", false);
+        require_file(scene.node_table_file, "Scene", "Node table file", false);
+        if (!scene.contact_pattern_file.empty() &&
+            !(scene.contact_normal_stiffness > 0.))
+          refuse_entry("Scene",
+                       "Contact normal stiffness",
+                       "must be greater than 0 with a 'Contact pattern file'");
+      }
+    } // namespace
+
+
+
+    void
+    check_scene(const SceneParameters &scene)
+    {
+      if (scene.kind == SceneParameters::Kind::bodies)
+        check_bodies(scene);
+      else
+        check_matrices(scene);
+      check_damping(scene);
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/choices.h>
+
+namespace squeal
+{
+  Choices<Parameters::Analysis>
+  choices(const Parameters::Analysis)
+  {
+    using A = Parameters::Analysis;
+    return {{"modes", A::modes},
+            {"cea", A::cea},
+            {"work precision", A::work_precision}};
+  }
+
+
+
+  Choices<SceneParameters::Kind>
+  choices(const SceneParameters::Kind)
+  {
+    using K = SceneParameters::Kind;
+    return {{"bodies", K::bodies}, {"matrices", K::matrices}};
+  }
+
+
+
+  Choices<BodyParameters::Shape>
+  choices(const BodyParameters::Shape)
+  {
+    using S = BodyParameters::Shape;
+    return {{"annulus", S::annulus},
+            {"block", S::block},
+            {"cylinder", S::cylinder},
+            {"gmsh", S::gmsh},
+            {"rigid", S::rigid}};
+  }
+
+
+
+  Choices<BodyParameters::MaterialModel>
+  choices(const BodyParameters::MaterialModel)
+  {
+    using M = BodyParameters::MaterialModel;
+    return {{"isotropic", M::isotropic}, {"orthotropic", M::orthotropic}};
+  }
+
+
+
+  Choices<TieParameters::Kind>
+  choices(const TieParameters::Kind)
+  {
+    using K = TieParameters::Kind;
+    return {{"automatic", K::automatic},
+            {"conforming", K::conforming},
+            {"mortar", K::mortar}};
+  }
+
+
+
+  Choices<SpringParameters::Kind>
+  choices(const SpringParameters::Kind)
+  {
+    using K = SpringParameters::Kind;
+    return {{"points", K::points}, {"area", K::area}};
+  }
+
+
+
+  Choices<SupportParameters::Kind>
+  choices(const SupportParameters::Kind)
+  {
+    using K = SupportParameters::Kind;
+    return {{"clamped", K::clamped},
+            {"components", K::components},
+            {"guided", K::guided}};
+  }
+
+
+
+  Choices<ContactParameters::Formulation>
+  choices(const ContactParameters::Formulation)
+  {
+    using F = ContactParameters::Formulation;
+    return {{"springs", F::springs}, {"mortar", F::mortar}};
+  }
+
+
+
+  Choices<ContactParameters::SpringLayout>
+  choices(const ContactParameters::SpringLayout)
+  {
+    using L = ContactParameters::SpringLayout;
+    return {{"grid", L::grid}, {"quadrature", L::quadrature}};
+  }
+
+
+
+  Choices<ContactParameters::State>
+  choices(const ContactParameters::State)
+  {
+    using S = ContactParameters::State;
+    return {{"full", S::full}, {"stick", S::stick}, {"preload", S::preload}};
+  }
+
+
+
+  Choices<ContactParameters::FrictionDirection>
+  choices(const ContactParameters::FrictionDirection)
+  {
+    using D = ContactParameters::FrictionDirection;
+    return {{"fixed y", D::fixed_y}, {"slip", D::slip}};
+  }
+
+
+
+  Choices<DampingParameters::Model>
+  choices(const DampingParameters::Model)
+  {
+    using M = DampingParameters::Model;
+    return {{"none", M::none},
+            {"whole model", M::whole_model},
+            {"per part", M::per_part}};
+  }
+
+
+
+  Choices<MatrixPartParameters::Role>
+  choices(const MatrixPartParameters::Role)
+  {
+    using R = MatrixPartParameters::Role;
+    return {{"mass", R::mass},
+            {"damping", R::damping},
+            {"stiffness", R::stiffness},
+            {"normal contact", R::normal_contact},
+            {"friction", R::friction}};
+  }
+
+
+
+  Choices<MatrixPartParameters::Format>
+  choices(const MatrixPartParameters::Format)
+  {
+    using F = MatrixPartParameters::Format;
+    return {{"automatic", F::automatic},
+            {"MatrixMarket", F::matrix_market},
+            {"Abaqus", F::abaqus},
+            {"Nastran", F::nastran}};
+  }
+
+
+
+  Choices<DiscretizationParameters::Refinement>
+  choices(const DiscretizationParameters::Refinement)
+  {
+    using R = DiscretizationParameters::Refinement;
+    return {{"none", R::none},
+            {"uniform", R::uniform},
+            {"eigenvalue error", R::eigenvalue_error}};
+  }
+
+
+
+  Choices<EigenParameters::Solver>
+  choices(const EigenParameters::Solver)
+  {
+    using S = EigenParameters::Solver;
+    return {{"certified", S::certified}, {"direct", S::direct}};
+  }
+
+
+
+  Choices<WorkPrecisionParameters::Ladder>
+  choices(const WorkPrecisionParameters::Ladder)
+  {
+    using L = WorkPrecisionParameters::Ladder;
+    return {{"degree", L::degree},
+            {"refinement", L::refinement},
+            {"adaptive", L::adaptive},
+            {"basis", L::basis}};
+  }
+
+
+
+  Choices<OutputParameters::Shapes>
+  choices(const OutputParameters::Shapes)
+  {
+    using S = OutputParameters::Shapes;
+    return {{"none", S::none}, {"unstable", S::unstable}, {"all", S::all}};
+  }
+} // namespace squeal

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/declarations.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      void
+      declare_discretization(Schema &schema, DiscretizationParameters &d)
+      {
+        schema.enter_section("Discretization",
+                             "Finite element space and mesh refinement.");
+        schema.add("Degree",
+                   d.degree,
+                   Allowed::integer(1, 8),
+                   "Polynomial degree of the hexahedral elements and of their "
+                   "curved geometry.");
+        schema.add("Refinement",
+                   d.refinement,
+                   "How the coarse mesh is refined: not at all, 'Refinements' "
+                   "times everywhere, or adaptively where the modes of the "
+                   "band need it.");
+        schema.add("Refinements",
+                   d.refinements,
+                   Allowed::integer(0, 10),
+                   "Uniform refinements; each divides a cell into eight. With "
+                   "'Refinement = eigenvalue error' they come first.");
+        schema.add("Tolerance",
+                   d.tolerance,
+                   Allowed::positive(1.),
+                   "Adaptive refinement stops when the estimated relative "
+                   "error of every frequency in the band is below.");
+        schema.add("Maximum cycles",
+                   d.maximum_cycles,
+                   Allowed::integer(1, 100),
+                   "Adaptive cycles after which refinement stops in any case.");
+        schema.add("Maximum dofs",
+                   d.maximum_dofs,
+                   Allowed::integer(1),
+                   "Number of unknowns beyond which no adaptive cycle "
+                   "starts.");
+        schema.add("Estimate error",
+                   d.estimate_error,
+                   "Estimate the discretisation error of every mode; costs a "
+                   "solution of one degree less where no adaptive cycle gives "
+                   "it.");
+        schema.leave_section();
+      }
+
+
+
+      void
+      declare_eigenvalues(Schema &schema, EigenParameters &e)
+      {
+        schema.enter_section("Eigenvalues",
+                             "Frequency band and eigenvalue solvers.");
+        schema.add("Lowest frequency",
+                   e.lowest_frequency,
+                   Allowed::number(0.),
+                   "Lower edge of the band.",
+                   "Hz");
+        schema.add("Highest frequency",
+                   e.highest_frequency,
+                   Allowed::positive(),
+                   "Upper edge of the band.",
+                   "Hz");
+        schema.add("Mode tolerance",
+                   e.mode_tolerance,
+                   Allowed::positive(1e-2),
+                   "Relative residual of the undamped modes.");
+        schema.add("Solver",
+                   e.solver,
+                   "Complex eigenvalues from a reduced basis that is enriched "
+                   "until every pair is certified, or from a direct "
+                   "shift-invert solution of the full problem.");
+        schema.add("Residual tolerance",
+                   e.residual_tolerance,
+                   Allowed::positive(1.),
+                   "Largest relative residual of a certified pair.");
+        schema.add("Error tolerance",
+                   e.error_tolerance,
+                   Allowed::positive(1.),
+                   "Largest estimated error of a certified eigenvalue, "
+                   "relative to its modulus.");
+        schema.add("Maximum enrichments",
+                   e.maximum_enrichments,
+                   Allowed::integer(0, 1000),
+                   "Enrichment rounds of the reduced basis after which the "
+                   "run ends with an error.");
+        schema.add("Direct shift frequency",
+                   e.direct_shift_frequency,
+                   Allowed::number(),
+                   "Frequency the direct solver searches around; negative: "
+                   "the centre of the band.",
+                   "Hz");
+        schema.add("Number of pairs",
+                   e.number_of_pairs,
+                   Allowed::integer(0, 10000),
+                   "Eigenvalues the direct solver looks for; 0: all of the "
+                   "band.");
+        schema.add("Damping threshold",
+                   e.damping_threshold_percent,
+                   Allowed::number(0., 100.),
+                   "Line in the damping chart below which a mode counts as "
+                   "weakly damped.",
+                   "percent of critical damping");
+        schema.add("Compare with direct",
+                   e.compare_direct,
+                   "Run the direct solver as well and report the largest "
+                   "difference.");
+        schema.leave_section();
+      }
+
+
+
+      void
+      declare_work_precision(Schema &schema, WorkPrecisionParameters &w)
+      {
+        schema.enter_section("Work precision",
+                             "Ladder of settings of 'Analysis = work "
+                             "precision'.");
+        schema.add("Ladders",
+                   w.ladders,
+                   Allowed::list(Schema::allowed_choices(
+                     WorkPrecisionParameters::Ladder::degree)),
+                   "Settings that are varied, one after the other: element "
+                   "degree, uniform refinements, tolerance of the adaptive "
+                   "refinement, residual tolerance of the reduced basis.");
+        schema.add("Values",
+                   w.values,
+                   Allowed::list(Allowed::number(0.)),
+                   "Rungs of the ladders: degrees, refinements or "
+                   "tolerances.");
+        schema.add("Quantity",
+                   w.quantity,
+                   Allowed::one_of({"frequency", "sigma"}),
+                   "What is compared with the reference: the frequencies or "
+                   "the real parts of the eigenvalues.");
+        schema.add("Reference",
+                   w.reference,
+                   Allowed::list(Allowed::number()),
+                   "Exact values in ascending order of frequency; empty: the "
+                   "finest rung is the reference.",
+                   "Hz or 1/s");
+        schema.leave_section();
+      }
+
+
+
+      void
+      declare_output(Schema &schema, OutputParameters &o)
+      {
+        schema.enter_section("Output", "What is written.");
+        schema.add("Shapes",
+                   o.shapes,
+                   "Mode shapes written for ParaView: none, those of unstable "
+                   "modes, or all.");
+        schema.add("Animation frames",
+                   o.animation_frames,
+                   Allowed::integer(0, 360),
+                   "Frames over one period of each mode; 0: real and "
+                   "imaginary part only.");
+        schema.add("Plots", o.plots, "Write diagrams as PNG files.");
+        schema.add("Report", o.report, "Write report.html.");
+        schema.add("Export matrices",
+                   o.export_matrices,
+                   "Write the parts of M, C and K as MatrixMarket files.");
+        schema.add("Display scale",
+                   o.slip_display_scale,
+                   Allowed::positive(1.),
+                   "Largest drawn displacement relative to the size of the "
+                   "scene.");
+        schema.leave_section();
+      }
+
+
+
+      void
+      declare_check(Schema &schema, ResultCheckParameters &c)
+      {
+        schema.add("Table",
+                   c.table,
+                   Allowed::text(),
+                   "Result table, for example 'modes.csv'.");
+        schema.add("Where",
+                   c.where,
+                   Allowed::text(),
+                   "Rows of the table, as 'column = value', also with !=, <, "
+                   "<=, >, >= and several joined by ' and '; empty: all "
+                   "rows.");
+        schema.add("Nearest",
+                   c.nearest,
+                   Allowed::text(),
+                   "Of those the row whose value is nearest, as 'column = "
+                   "number'; empty: every row is compared.");
+        schema.add("Column",
+                   c.column,
+                   Allowed::text(),
+                   "Column that is compared; 'count' is the number of rows.");
+        schema.add("Expected",
+                   c.expected,
+                   Allowed::number(),
+                   "Expected value.",
+                   "those of the column");
+        schema.add("Relative tolerance",
+                   c.relative_tolerance,
+                   Allowed::number(0.),
+                   "Difference that is accepted, relative to the expected "
+                   "value.");
+        schema.add("Absolute tolerance",
+                   c.absolute_tolerance,
+                   Allowed::number(0.),
+                   "Difference that is accepted; of the two tolerances the "
+                   "larger counts.",
+                   "those of the column");
+      }
+    } // namespace
+
+
+
+    void
+    declare_analysis(Schema &schema, Parameters &parameters)
+    {
+      declare_discretization(schema, parameters.discretization);
+      declare_eigenvalues(schema, parameters.eigen);
+      declare_work_precision(schema, parameters.work_precision);
+      declare_output(schema, parameters.output);
+
+      schema.enter_section("Result checks",
+                           "Expected values; a run whose results miss one "
+                           "ends with exit code 4.");
+      declare_list(schema, family_named("Checks"));
+      declare_members(schema,
+                      family_named("Checks"),
+                      parameters.result_checks,
+                      &declare_check);
+      schema.leave_section();
+    }
+
+
+
+    void
+    declare_parameters(Schema &schema, Parameters &parameters)
+    {
+      schema.add("Analysis",
+                 parameters.analysis,
+                 "What is computed: undamped modes, complex eigenvalues with "
+                 "friction, or error against time over a ladder of "
+                 "settings.");
+      schema.add("Output directory",
+                 parameters.output.directory,
+                 Allowed::text(),
+                 "Folder of all results, relative to the working directory.");
+      schema.add("Overwrite",
+                 parameters.output.overwrite,
+                 "Replace the results of an earlier run in that folder.");
+      declare_scene(schema, parameters.scene);
+      declare_analysis(schema, parameters);
+    }
+  } // namespace prm
+} // namespace squeal

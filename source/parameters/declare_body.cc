@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/declarations.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      void
+      declare_geometry(Schema &schema, BodyParameters &b)
+      {
+        schema.add("Shape",
+                   b.shape,
+                   "What the body is. Faces: annulus inner, outer, bottom, "
+                   "top; block x_min, x_max, y_min, y_max, z_min, z_max; "
+                   "cylinder side, bottom, top; gmsh: the physical surfaces "
+                   "of the file; rigid: none.");
+        schema.add("Position",
+                   b.position,
+                   Allowed::vector(),
+                   "Centre of the bottom face (annulus, block, cylinder), "
+                   "centre of gravity (rigid), or offset added to the mesh "
+                   "file (gmsh).",
+                   "m");
+        schema.add("Size",
+                   b.size,
+                   Allowed::list(Allowed::positive(), 3, 3),
+                   "Edge lengths of a block along x, y and z.",
+                   "m");
+        schema.add("Inner radius",
+                   b.inner_radius,
+                   Allowed::positive(),
+                   "Inner radius of an annulus.",
+                   "m");
+        schema.add("Outer radius",
+                   b.outer_radius,
+                   Allowed::positive(),
+                   "Outer radius of an annulus or radius of a cylinder.",
+                   "m");
+        schema.add("Height",
+                   b.height,
+                   Allowed::positive(),
+                   "Height of an annulus or cylinder along z.",
+                   "m");
+        schema.add("Cells",
+                   b.cells,
+                   Allowed::list(Allowed::integer(1, 10000), 3, 3),
+                   "Cells of the coarse mesh: along x, y, z of a block; round "
+                   "the circumference, along radius and height of an annulus; "
+                   "a cylinder takes the first (raised to 4, 8, 16, ...) and "
+                   "the last.");
+        schema.add("Mesh file",
+                   b.mesh_file,
+                   Allowed::file(),
+                   "Gmsh file with hexahedra of a gmsh body, relative to the "
+                   "parameter file; lengths in metres.");
+        schema.add("Physical volume",
+                   b.physical_volume,
+                   Allowed::text(),
+                   "Physical volume of the mesh file that is the body; empty: "
+                   "all cells.");
+      }
+
+
+
+      void
+      declare_material(Schema &schema, BodyParameters &b)
+      {
+        const Allowed three_positive = Allowed::list(Allowed::positive(), 3, 3);
+        schema.add("Material model",
+                   b.material_model,
+                   "Elastic law: 'Young modulus' and 'Poisson ratio', or "
+                   "'Young moduli', 'Shear moduli' and 'Poisson ratios'.");
+        schema.add("Young modulus",
+                   b.young_modulus,
+                   Allowed::positive(),
+                   "Young's modulus of an isotropic material.",
+                   "Pa");
+        schema.add("Poisson ratio",
+                   b.poisson_ratio,
+                   Allowed::number(0., 0.4999),
+                   "Poisson's ratio of an isotropic material; at 0.5 the "
+                   "stiffness would be infinite.");
+        schema.add("Density",
+                   b.density,
+                   Allowed::positive(),
+                   "Mass density of a meshed body.",
+                   "kg/m^3");
+        schema.add("Young moduli",
+                   b.young_moduli,
+                   three_positive,
+                   "E1, E2, E3 of an orthotropic material; axes 1, 2, 3 are "
+                   "x, y, z.",
+                   "Pa");
+        schema.add("Shear moduli",
+                   b.shear_moduli,
+                   three_positive,
+                   "G23, G13, G12 of an orthotropic material.",
+                   "Pa");
+        schema.add("Poisson ratios",
+                   b.poisson_ratios,
+                   Allowed::list(Allowed::number(-10., 10.), 3, 3),
+                   "nu23, nu13, nu12 of an orthotropic material; nu12 is the "
+                   "contraction along 2 under tension along 1.");
+        schema.add(
+          "Mass", b.mass, Allowed::positive(), "Mass of a rigid body.", "kg");
+        schema.add("Inertia",
+                   b.inertia,
+                   three_positive,
+                   "Moments of inertia of a rigid body about x, y and z "
+                   "through its centre of gravity.",
+                   "kg m^2");
+      }
+    } // namespace
+
+
+
+    void
+    declare_body(Schema &schema, BodyParameters &b)
+    {
+      declare_geometry(schema, b);
+      declare_material(schema, b);
+      schema.add("Mass damping",
+                 b.mass_damping,
+                 Allowed::number(0.),
+                 "Damping matrix over mass matrix of the body; with "
+                 "'Scene/Damping/Model = per part' only.",
+                 "1/s");
+      schema.add("Stiffness damping",
+                 b.stiffness_damping,
+                 Allowed::number(0.),
+                 "Damping matrix over stiffness matrix of the body; with "
+                 "'Scene/Damping/Model = per part' only.",
+                 "s");
+      schema.add("Structural damping",
+                 b.structural_damping,
+                 Allowed::number(0., 2.),
+                 "Loss factor of the material; with 'Scene/Damping/Model = "
+                 "per part' only.");
+      schema.add("Rotation speed",
+                 b.rotation_speed,
+                 Allowed::number(),
+                 "Speed about the z axis for the gyroscopic and convective "
+                 "terms of a body that turns through the fixed frame; 0 "
+                 "leaves them out.",
+                 "rad/s");
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/declarations.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      void
+      declare_faces(Schema &schema, ContactParameters &c)
+      {
+        schema.add("Source body",
+                   c.source_body,
+                   Allowed::text(),
+                   "Body on the pad's side; contact points or multipliers "
+                   "are on its face.");
+        schema.add("Source face",
+                   c.source_face,
+                   Allowed::text(),
+                   "Its face; empty for a rigid body.");
+        schema.add("Target body",
+                   c.target_body,
+                   Allowed::text(),
+                   "Body on the disc's side, or 'ground' under a rigid "
+                   "source body.");
+        schema.add("Target face",
+                   c.target_face,
+                   Allowed::text(),
+                   "Its face; empty for a rigid body or the ground.");
+      }
+
+
+
+      void
+      declare_normal_contact(Schema &schema, ContactParameters &c)
+      {
+        schema.add("Formulation",
+                   c.formulation,
+                   "Springs between the faces, or no penetration in the dual "
+                   "mortar sense.");
+        schema.add("Spring layout",
+                   c.layout,
+                   "Where the springs are: a grid over the source face or "
+                   "the quadrature points of its cells.");
+        schema.add("Grid",
+                   c.grid,
+                   Allowed::list(Allowed::integer(1, 1000), 2, 2),
+                   "Point pairs along the two edges of the source face, edges "
+                   "included.");
+        schema.add("Normal stiffness",
+                   c.normal_stiffness,
+                   Allowed::positive(),
+                   "Normal stiffness of each point pair of a grid.",
+                   "N/m");
+        schema.add("Tangential stiffness",
+                   c.tangential_stiffness,
+                   Allowed::number(),
+                   "Tangential stiffness of each point pair that sticks; "
+                   "negative: equal to the normal stiffness.",
+                   "N/m");
+        schema.add("Normal stiffness per area",
+                   c.normal_stiffness_per_area,
+                   Allowed::positive(),
+                   "Normal stiffness of the layout 'quadrature'.",
+                   "N/m^3");
+        schema.add("Contact state",
+                   c.state,
+                   "The whole face slips (full) or sticks (stick); 'preload': "
+                   "the open, sticking and slipping parts of the steady "
+                   "sliding.");
+      }
+    } // namespace
+
+
+
+    void
+    declare_contact(Schema &schema, ContactParameters &c)
+    {
+      declare_faces(schema, c);
+      declare_normal_contact(schema, c);
+      schema.add("Friction coefficient",
+                 c.friction_coefficient,
+                 Allowed::number(-5., 5.),
+                 "Coefficient of friction; negative: the target turns "
+                 "backwards.");
+      schema.add("Friction direction",
+                 c.friction_direction,
+                 "Friction along +y everywhere, or along the local velocity "
+                 "of the target's surface that turns about z.");
+      schema.add("Transverse slip term",
+                 c.transverse_slip_term,
+                 "Add the friction force that turns with the slip direction: "
+                 "mu p0/|V| times the slip rate across the sliding "
+                 "direction.");
+      schema.add("Sliding speed",
+                 c.sliding_speed,
+                 Allowed::number(0.),
+                 "Speed |V| of the target's surface at the centre of the "
+                 "source face.",
+                 "m/s");
+      schema.add("Normal force",
+                 c.normal_force,
+                 Allowed::number(0.),
+                 "Resultant of the contact pressure p0 in steady sliding.",
+                 "N");
+      schema.add("Friction slope",
+                 c.friction_slope,
+                 Allowed::number(),
+                 "Slope of the coefficient of friction over the sliding "
+                 "speed; negative values feed energy into vibrations.",
+                 "s/m");
+      schema.add("Stiffness damping",
+                 c.stiffness_damping,
+                 Allowed::number(0.),
+                 "Damping over stiffness of the contact; with "
+                 "'Scene/Damping/Model = per part' only.",
+                 "s");
+      schema.add("Structural damping",
+                 c.structural_damping,
+                 Allowed::number(0., 2.),
+                 "Loss factor of the contact; with 'Scene/Damping/Model = per "
+                 "part' only.");
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/declarations.h>
+#include <squeal/parameters/names.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/parameters.h>
+#include <squeal/parameters/prm_tree.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+
+namespace squeal
+{
+  namespace
+  {
+    /** An entry and what is in it: one number, or several of which one is
+     * meant. */
+    struct NumberEntry
+    {
+      std::string              path;
+      std::vector<std::string> values;
+      std::size_t              component = 0;
+    };
+
+
+
+    [[noreturn]] void
+    refuse_unknown(const Parameters &parameters, const std::string &path)
+    {
+      std::vector<std::string> paths, same_section;
+      for (const auto &entry : parameters.used)
+        {
+          paths.push_back(entry.first);
+          if (prm::section_of(entry.first) == prm::section_of(path))
+            same_section.push_back(entry.first);
+        }
+      throw InputError(
+        "unknown entry " + prm::quoted(path) +
+        prm::did_you_mean(path, same_section.empty() ? paths : same_section));
+    }
+
+
+
+    /** Splits "Entry[2]" into the entry and the position from 1; 0 if there is
+     * none. */
+    std::pair<std::string, std::size_t>
+    split_component(const std::string &path)
+    {
+      const std::size_t open = path.rfind('[');
+      if (open == std::string::npos || path.back() != ']')
+        return {path, 0};
+      const std::optional<double> number =
+        prm::parse_number(path.substr(open + 1, path.size() - open - 2));
+      if (!number || *number < 1. || *number > 1e6 ||
+          *number != static_cast<double>(static_cast<std::size_t>(*number)))
+        throw InputError(prm::quoted(path) +
+                         ": the components of a list are counted from [1]");
+      return {prm::trim(path.substr(0, open)),
+              static_cast<std::size_t>(*number)};
+    }
+
+
+
+    NumberEntry
+    find_number(const Parameters &parameters, const std::string &text)
+    {
+      NumberEntry entry;
+      std::size_t position           = 0;
+      std::tie(entry.path, position) = split_component(prm::normal_path(text));
+
+      const auto used = std::find_if(parameters.used.begin(),
+                                     parameters.used.end(),
+                                     [&entry](const auto &candidate) {
+                                       return candidate.first == entry.path;
+                                     });
+      if (used == parameters.used.end())
+        refuse_unknown(parameters, entry.path);
+
+      entry.values = prm::split(used->second, ',');
+      const bool is_numbers =
+        !entry.values.empty() &&
+        std::all_of(entry.values.begin(),
+                    entry.values.end(),
+                    [](const std::string &value) {
+                      return prm::parse_number(value).has_value();
+                    });
+      const std::string shown = "'" + entry.path + " = " + used->second + "'";
+      if (!is_numbers)
+        throw InputError(shown + " is not a number");
+      if (entry.values.size() > 1 && position == 0)
+        throw InputError(shown + " is a list: choose one number, for example " +
+                         prm::quoted(entry.path + "[1]"));
+      if (position > entry.values.size())
+        throw InputError(shown + " has no component [" +
+                         std::to_string(position) + "]");
+      entry.component = position == 0 ? 0 : position - 1;
+      return entry;
+    }
+  } // namespace
+
+
+
+  double
+  get_number(const Parameters &parameters, const std::string &path)
+  {
+    const NumberEntry entry = find_number(parameters, path);
+    return prm::parse_number(entry.values[entry.component]).value();
+  }
+
+
+
+  Parameters
+  with_value(const Parameters  &parameters,
+             const std::string &path,
+             const double       value)
+  {
+    NumberEntry entry             = find_number(parameters, path);
+    entry.values[entry.component] = prm::format_number(value);
+
+    prm::PrmTree tree;
+    for (const auto &used : parameters.used)
+      {
+        const bool is_changed = used.first == entry.path;
+        tree.entries.push_back(
+          {used.first,
+           is_changed ? prm::join(entry.values, ", ") : used.second,
+           {is_changed ? parameters.file + ", changed value" : parameters.file,
+            0},
+           ""});
+      }
+    Parameters changed = prm::parse_tree(std::move(tree), parameters.file);
+    changed.notes      = parameters.notes;
+    changed.check();
+    return changed;
+  }
+} // namespace squeal

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/files.h>
+
+#include <squeal/parameters/declarations.h>
+#include <squeal/parameters/parameters.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /** Opens and closes the sections of a parameter file as entries of other
+     * sections follow. */
+    class SectionWriter
+    {
+    public:
+      explicit SectionWriter(std::ostream &stream)
+        : out(stream)
+      {
+      }
+
+      /** The next entries are in @p section. */
+      void
+      enter(const std::string &section)
+      {
+        const std::vector<std::string> names  = prm::split(section, '/');
+        std::size_t                    common = 0;
+        while (common < std::min(names.size(), open.size()) &&
+               names[common] == open[common])
+          ++common;
+        while (open.size() > common)
+          leave();
+        for (; common < names.size(); ++common)
+          {
+            out << '\n' << indent() << "subsection " << names[common] << '\n';
+            open.push_back(names[common]);
+          }
+      }
+
+      void
+      set(const std::string &name, const std::string &value)
+      {
+        out << indent() << "set " << name << " ="
+            << (value.empty() ? "" : " " + value) << '\n';
+      }
+
+    private:
+      void
+      leave()
+      {
+        open.pop_back();
+        out << indent() << "end\n";
+      }
+
+      std::string
+      indent() const
+      {
+        return std::string(2 * open.size(), ' ');
+      }
+
+      std::ostream            &out;
+      std::vector<std::string> open;
+    };
+
+
+
+    /** An absolute file name as seen from the folder of @p file. */
+    std::string
+    relative_to(const std::string &file, const std::string &name)
+    {
+      if (name.empty())
+        return name;
+      const fs::path folder =
+        fs::absolute(file).lexically_normal().parent_path();
+      return fs::path(name).lexically_proximate(folder).string();
+    }
+  } // namespace
+
+
+
+  void
+  print_parameters(const Parameters &parameters, std::ostream &out)
+  {
+    const prm::GenericSchema                generic;
+    std::vector<std::array<std::string, 3>> rows = {
+      {{"entry", "value", "default"}}};
+    for (const auto &used : parameters.used)
+      {
+        const std::string standard =
+          generic->find(prm::generic_path(used.first))->default_value;
+        if (used.second != standard)
+          rows.push_back({{used.first, used.second, standard}});
+      }
+
+    std::array<std::size_t, 2> width{{0, 0}};
+    for (const auto &row : rows)
+      for (std::size_t i = 0; i < width.size(); ++i)
+        width[i] = std::max(width[i], row[i].size());
+    for (const auto &row : rows)
+      {
+        std::string line;
+        for (std::size_t i = 0; i < width.size(); ++i)
+          line += row[i] + std::string(width[i] - row[i].size() + 2, ' ');
+        line += row[2];
+        line.erase(line.find_last_not_of(' ') + 1);
+        out << line << '\n';
+      }
+  }
+
+
+
+  void
+  write_used_parameters(const Parameters &parameters, const std::string &file)
+  {
+    const prm::GenericSchema generic;
+    write_atomically(file, [&](std::ostream &out) {
+      out << "# Every entry as used.\n\n";
+      SectionWriter writer(out);
+      for (const auto &used : parameters.used)
+        {
+          const prm::Schema::Entry &entry =
+            *generic->find(prm::generic_path(used.first));
+          writer.enter(prm::section_of(used.first));
+          writer.set(entry.name,
+                     entry.allowed.kind() == prm::Allowed::Kind::file
+                       ? relative_to(file, used.second)
+                       : used.second);
+        }
+      writer.enter("");
+    });
+  }
+} // namespace squeal

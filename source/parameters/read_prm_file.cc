@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+
+#include <squeal/parameters/names.h>
+#include <squeal/parameters/prm_tree.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      namespace fs = std::filesystem;
+
+      /** A line without comment, its continuations joined, and the number of
+       * the first of them. */
+      struct LogicalLine
+      {
+        std::string  text;
+        unsigned int number;
+      };
+
+
+
+      [[noreturn]] void
+      refuse(const Location &location, const std::string &reason)
+      {
+        throw InputError(location.text() + ": " + reason);
+      }
+
+
+
+      /** @p line without its comment: a '#' inside a word is none. */
+      std::string
+      without_comment(const std::string &line)
+      {
+        for (std::size_t i = 0; i < line.size(); ++i)
+          if (line[i] == '#' &&
+              (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t'))
+            return trim(line.substr(0, i));
+        return trim(line);
+      }
+
+
+
+      /** Refuses anything but text before it is shown in other messages. */
+      void
+      check_is_text(const std::string &content, const std::string &file)
+      {
+        unsigned int line = 1;
+        for (const char c : content)
+          {
+            const unsigned char code = static_cast<unsigned char>(c);
+            if (c == '\n')
+              ++line;
+            else if ((code < 0x20 && c != '\t' && c != '\r' && c != '\f') ||
+                     code == 0x7f)
+              refuse({file, line},
+                     "holds bytes that are no text: this is not a parameter "
+                     "file");
+          }
+      }
+
+
+
+      std::string
+      read_text(const std::string &file, const std::string &included_from)
+      {
+        const std::string start =
+          included_from.empty() ? "" : included_from + ": include: ";
+        std::error_code ignored;
+        if (file.empty() || !fs::exists(file, ignored))
+          throw InputError(start + quoted(file) + ": no such file");
+        if (fs::is_directory(file, ignored))
+          throw InputError(start + quoted(file) +
+                           " is a directory, not a parameter file");
+        if (fs::is_regular_file(file, ignored) &&
+            fs::file_size(file, ignored) > (1u << 24))
+          throw InputError(start + quoted(file) +
+                           " is too large for a parameter file");
+        try
+          {
+            return read_file(file);
+          }
+        catch (const InputError &e)
+          {
+            throw InputError(start + e.what());
+          }
+      }
+
+
+
+      std::vector<LogicalLine>
+      logical_lines(std::string content, const std::string &file)
+      {
+        if (starts_with(content, "\xef\xbb\xbf")) // byte order mark
+          content.erase(0, 3);
+        check_is_text(content, file);
+
+        std::vector<LogicalLine> lines;
+        bool                     continues = false;
+        unsigned int             number    = 0;
+        for (std::size_t start = 0; start < content.size();)
+          {
+            const std::size_t end =
+              std::min(content.find('\n', start), content.size());
+            std::string line =
+              without_comment(content.substr(start, end - start));
+            start = end + 1;
+            ++number;
+            if (!is_utf8(line))
+              refuse({file, number},
+                     "holds letters in another encoding than UTF-8; save the "
+                     "file as UTF-8");
+
+            const bool continued = continues;
+            continues            = !line.empty() && line.back() == '\\';
+            if (continues)
+              line = trim(line.substr(0, line.size() - 1));
+            if (continued)
+              lines.back().text += " " + line;
+            else
+              lines.push_back({line, number});
+          }
+        if (continues)
+          refuse({file, lines.back().number},
+                 "the backslash at the end promises one more line");
+        return lines;
+      }
+
+
+
+      /** Reads a file and what it includes. */
+      class PrmReader
+      {
+      public:
+        PrmTree read(const std::string &file,
+                     const std::string &section,
+                     const std::string &included_from);
+
+      private:
+        struct File
+        {
+          std::string             name;
+          std::string             directory;
+          std::vector<RawSection> open; /**< sections, the innermost last */
+          PrmTree                 own;
+          PrmTree                 included;
+        };
+
+        void read_line(const std::string &line,
+                       const Location    &location,
+                       File              &file);
+        void read_set(const std::string &rest,
+                      const Location    &location,
+                      File              &file) const;
+        void read_include(const std::string &name,
+                          const Location    &location,
+                          File              &file);
+
+        /** Files being read, outermost first. */
+        std::vector<std::string> active;
+        /** Files read, with the section they were read into. */
+        std::set<std::pair<std::string, std::string>> done;
+      };
+
+
+
+      /** The section a line of the file stands in. */
+      std::string
+      innermost(const std::vector<RawSection> &open)
+      {
+        return open.back().path;
+      }
+
+
+
+      void
+      PrmReader::read_set(const std::string &rest,
+                          const Location    &location,
+                          File              &file) const
+      {
+        const std::size_t equals = rest.find('=');
+        if (equals == std::string::npos)
+          refuse(location,
+                 quoted("set " + rest) +
+                   " has no '='; write 'set Entry = value'");
+        const std::string name = normal_path(rest.substr(0, equals));
+        if (name.empty())
+          refuse(location, "'set' without the name of an entry");
+
+        const std::string path = path_of(innermost(file.open), name);
+        if (const RawEntry *earlier = file.own.find(path))
+          refuse(location,
+                 "entry " + quoted(path) +
+                   " is set a second time; the first "
+                   "is in line " +
+                   std::to_string(earlier->location.line) +
+                   ": remove one of them");
+        file.own.set(
+          {path, trim(rest.substr(equals + 1)), location, file.directory});
+      }
+
+
+
+      void
+      PrmReader::read_include(const std::string &name,
+                              const Location    &location,
+                              File              &file)
+      {
+        if (name.empty())
+          refuse(location, "'include' without the name of a file");
+        const fs::path path =
+          fs::path(name).is_absolute()
+            ? fs::path(name)
+            : (fs::path(file.name).parent_path() / name).lexically_normal();
+        const PrmTree tree =
+          read(path.string(), innermost(file.open), location.text());
+        for (const RawEntry &entry : tree.entries)
+          file.included.set(entry);
+        for (const RawSection &section : tree.sections)
+          file.included.sections.push_back(section);
+      }
+
+
+
+      void
+      PrmReader::read_line(const std::string &line,
+                           const Location    &location,
+                           File              &file)
+      {
+        const std::size_t space   = line.find_first_of(" \t");
+        std::string       keyword = line.substr(0, space);
+        for (char &c : keyword)
+          c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        const std::string rest =
+          space == std::string::npos ? "" : trim(line.substr(space));
+
+        if (keyword == "set")
+          read_set(rest, location, file);
+        else if (keyword == "include")
+          read_include(rest, location, file);
+        else if (keyword == "subsection")
+          {
+            const std::string name = normal_path(rest);
+            if (name.empty())
+              refuse(location, "'subsection' without a name");
+            file.open.push_back(
+              {path_of(innermost(file.open), name), location});
+            file.own.sections.push_back(file.open.back());
+          }
+        else if (keyword == "end" && rest.empty())
+          {
+            if (file.open.size() == 1)
+              refuse(location, "'end' without a 'subsection' that it closes");
+            file.open.pop_back();
+          }
+        else
+          refuse(
+            location,
+            quoted(line) +
+              " is not understood; a line starts with 'set', "
+              "'subsection', 'end', 'include' or '#'" +
+              did_you_mean(keyword, {"set", "subsection", "end", "include"}));
+      }
+
+
+
+      PrmTree
+      PrmReader::read(const std::string &name,
+                      const std::string &section,
+                      const std::string &included_from)
+      {
+        const std::string content = read_text(name, included_from);
+        std::error_code   ignored;
+        const std::string identity =
+          fs::weakly_canonical(name, ignored).string();
+        const bool is_cycle =
+          std::find(active.begin(), active.end(), identity) != active.end();
+        if (is_cycle)
+          throw InputError(included_from + ": include " + quoted(name) +
+                           " leads back to a file that includes this one");
+        if (!done.insert({identity, section}).second)
+          return {};
+
+        active.push_back(identity);
+        File file;
+        file.name      = name;
+        file.directory = fs::absolute(name).parent_path().string();
+        file.open.push_back({section, {}});
+        bool is_empty = true;
+        for (const LogicalLine &line : logical_lines(content, name))
+          if (!line.text.empty())
+            {
+              read_line(line.text, {name, line.number}, file);
+              is_empty = false;
+            }
+        active.pop_back();
+
+        if (file.open.size() > 1)
+          refuse(file.open.back().location,
+                 "subsection " + quoted(entry_of(file.open.back().path)) +
+                   " has no 'end'");
+        if (is_empty)
+          throw InputError(name + ": sets no entry: the file is empty");
+
+        PrmTree tree = std::move(file.included);
+        for (const RawEntry &entry : file.own.entries)
+          tree.set(entry);
+        for (const RawSection &own_section : file.own.sections)
+          tree.sections.push_back(own_section);
+        return tree;
+      }
+    } // namespace
+
+
+
+    PrmTree
+    read_prm_file(const std::string &file)
+    {
+      return PrmReader().read(file, "", "");
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/declarations.h>
+#include <squeal/parameters/names.h>
+#include <squeal/parameters/text.h>
+#include <squeal/parameters/unknown_names.h>
+
+#include <algorithm>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      /** " Allowed here: a, b." or nothing. */
+      std::string
+      allowed_here(const std::vector<std::string> &names)
+      {
+        return names.empty() ? "" : " Allowed here: " + join(names, ", ");
+      }
+
+
+
+      std::string
+      place(const std::string &section)
+      {
+        return section.empty() ? "the top level" : "section " + quoted(section);
+      }
+
+
+
+      /** "; did you mean 'x'?", or the place where the name is known, or just
+       * the end of the sentence. */
+      std::string
+      hint(const std::string              &name,
+           const std::vector<std::string> &candidates,
+           const std::vector<std::string> &places)
+      {
+        const std::string nearest = did_you_mean(name, candidates);
+        if (!nearest.empty() && places.empty())
+          return nearest;
+        if (!places.empty())
+          {
+            std::vector<std::string> texts;
+            for (const std::string &section : places)
+              texts.push_back(place(section));
+            return "; it belongs in " + join(texts, " or ") + ".";
+          }
+        return ".";
+      }
+
+
+
+      /** Says which list has to name a member of a family. */
+      [[noreturn]] void
+      refuse_member(const SectionFamily &family,
+                    const std::string   &section,
+                    const Location      &location,
+                    const PrmTree       &tree)
+      {
+        const std::string name =
+          entry_of(section).substr(family.word.size() + 1);
+        const RawEntry   *list  = tree.find(family.list_path());
+        const std::string value = list == nullptr ? "" : list->value;
+        throw InputError(
+          location.text() + ": section " + quoted(section) + ": " +
+          quoted(name) + " is not in '" + family.list_path() + " = " + value +
+          "'" + (list == nullptr ? "" : " (" + list->location.text() + ")") +
+          did_you_mean(name, split(value, ',')));
+      }
+
+
+
+      [[noreturn]] void
+      refuse_section(const std::string &section,
+                     const Location    &location,
+                     const PrmTree     &tree,
+                     const Schema      &schema)
+      {
+        if (const SectionFamily *family = family_of(section))
+          refuse_member(*family, section, location, tree);
+
+        const std::string        parent  = section_of(section);
+        const std::string        name    = entry_of(section);
+        std::vector<std::string> members = schema.sections_of(parent);
+        std::vector<std::string> allowed, places;
+        for (const std::string &member : members)
+          if (family_of(path_of(parent, member)) == nullptr)
+            allowed.push_back(member);
+        for (const SectionFamily &family : section_families())
+          {
+            if (family.parent == parent)
+              allowed.push_back(family.word + " <name>");
+            if (family_of(path_of(family.parent, name)) == &family)
+              places.push_back(family.parent);
+          }
+        for (const Schema::Section &other : schema.sections())
+          if (entry_of(other.path) == name && family_of(other.path) == nullptr)
+            places.push_back(section_of(other.path));
+        members.insert(members.end(), allowed.begin(), allowed.end());
+        throw InputError(location.text() + ": unknown section " +
+                         quoted(section) + hint(name, members, places) +
+                         allowed_here(allowed));
+      }
+
+
+
+      /** Refuses the outermost part of @p section that is not declared. */
+      void
+      check_section(const std::string &section,
+                    const Location    &location,
+                    const PrmTree     &tree,
+                    const Schema      &schema)
+      {
+        if (schema.has_section(section))
+          return;
+        check_section(section_of(section), location, tree, schema);
+        refuse_section(section, location, tree, schema);
+      }
+
+
+
+      void
+      check_entry(const RawEntry &entry,
+                  const PrmTree  &tree,
+                  const Schema   &schema)
+      {
+        const std::string section = section_of(entry.path);
+        check_section(section, entry.location, tree, schema);
+        if (schema.find(entry.path) != nullptr)
+          return;
+
+        const std::string        name = entry_of(entry.path);
+        std::vector<std::string> places;
+        const GenericSchema      generic;
+        for (const Schema::Entry &other : generic->entries())
+          if (other.name == name)
+            places.push_back(other.section);
+        const std::vector<std::string> names = schema.entries_of(section);
+        throw InputError(entry.location.text() + ": unknown entry " +
+                         quoted(entry.path) + hint(name, names, places) +
+                         allowed_here(names));
+      }
+    } // namespace
+
+
+
+    void
+    check_names_are_known(const PrmTree &tree, const Schema &schema)
+    {
+      for (const RawSection &section : tree.sections)
+        check_section(section.path, section.location, tree, schema);
+      for (const RawEntry &entry : tree.entries)
+        check_entry(entry, tree, schema);
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/results/chart_layout.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    using Style = ChartSeries::Style;
+
+    /** All values that the axis must show. */
+    std::vector<double>
+    values_along(const Chart &chart, const bool horizontal)
+    {
+      std::vector<double> values;
+      for (const ChartSeries &s : chart.series)
+        {
+          const std::vector<double> &own = horizontal ? s.x : s.y;
+          values.insert(values.end(), own.begin(), own.end());
+          for (const ChartSeries::Box &box : s.boxes)
+            {
+              values.push_back(horizontal ? box.x_min : box.y_min);
+              values.push_back(horizontal ? box.x_max : box.y_max);
+            }
+          if (s.style == Style::bars && !horizontal)
+            values.push_back(0.);
+          if (s.style == Style::bars && horizontal)
+            for (const double x : s.x)
+              {
+                values.push_back(x - 0.5 * s.width);
+                values.push_back(x + 0.5 * s.width);
+              }
+        }
+      for (const ReferenceLine &line : chart.lines)
+        if (line.vertical == horizontal)
+          values.push_back(line.value);
+      return values;
+    }
+  } // namespace
+
+
+
+  bool
+  has_markers(const ChartSeries &series)
+  {
+    return series.style == Style::points || series.style == Style::lines_points;
+  }
+
+
+
+  bool
+  has_line(const ChartSeries &series)
+  {
+    return series.style == Style::lines || series.style == Style::steps ||
+           series.style == Style::lines_points;
+  }
+
+
+
+  ChartLayout::ChartLayout(const Chart    &chart,
+                           const PixelBox &outer,
+                           const double    font_size)
+    : outer(outer)
+    , inner(outer)
+    , x_axis(chart.x, values_along(chart, true))
+    , y_axis(chart.y, values_along(chart, false))
+    , chart(chart)
+    , font(font_size)
+  {
+    choose_margins();
+    for (const ReferenceLine &line : chart.lines)
+      {
+        const double x = pixel_x(line.value), y = pixel_y(line.value);
+        if (line.vertical)
+          block({x - 2., inner.y_min, x + 2., inner.y_max});
+        else
+          block({inner.x_min, y - 2., inner.x_max, y + 2.});
+      }
+  }
+
+
+
+  double
+  ChartLayout::pixel_x(const double value) const
+  {
+    return inner.x_min + x_axis.position(value) * (inner.x_max - inner.x_min);
+  }
+
+
+
+  double
+  ChartLayout::pixel_y(const double value) const
+  {
+    return inner.y_min + y_axis.position(value) * (inner.y_max - inner.y_min);
+  }
+
+
+
+  void
+  ChartLayout::block(const PixelBox &box)
+  {
+    obstacles.push_back(box);
+  }
+
+
+
+  /** Rows of entries as wide as the panel, from its left upper corner. */
+  void
+  ChartLayout::place_legend()
+  {
+    legend.clear();
+    const double row   = 1.15 * text_height(font);
+    const bool   above = chart.legend == Chart::Legend::above;
+    double       x = 0., widest = 0.;
+    int          n_rows = 0;
+    for (const ChartSeries &series : chart.series)
+      {
+        if (series.label.empty() || chart.legend == Chart::Legend::none)
+          continue;
+        const double width = 4.2 * font + text_width(series.label, font);
+        if (n_rows == 0 || !above ||
+            x + width > inner.x_max - inner.x_min + 2. * font)
+          {
+            ++n_rows;
+            x = 0.;
+          }
+        legend.push_back({&series, x, (n_rows - 0.5) * row});
+        x += width;
+        widest = std::max(widest, width);
+      }
+    legend_height = n_rows * row;
+
+    const bool right = chart.legend == Chart::Legend::upper_right ||
+                       chart.legend == Chart::Legend::lower_right;
+    const bool low = chart.legend == Chart::Legend::lower_left ||
+                     chart.legend == Chart::Legend::lower_right;
+    const double left = above   ? inner.x_min
+                        : right ? inner.x_max - widest
+                                : inner.x_min + font;
+    const double top  = above ? inner.y_max + legend_height + 0.5 * font
+                        : low ? inner.y_min + legend_height + 0.5 * font
+                              : inner.y_max - 0.5 * font;
+    for (LegendEntry &entry : legend)
+      {
+        entry.x += left;
+        entry.y = top - entry.y;
+      }
+    if (!above && !legend.empty())
+      block({left, top - legend_height, left + widest, top});
+  }
+
+
+
+  void
+  ChartLayout::choose_margins()
+  {
+    double widest = 0.;
+    for (const Axis::Tick &tick : y_axis.ticks())
+      widest = std::max(widest, text_width(tick.text, font));
+    double last = 0.;
+    if (!x_axis.ticks().empty())
+      last = 0.5 * text_width(x_axis.ticks().back().text, font);
+
+    const double line = text_height(font);
+    inner.x_min += widest + (chart.y.label.empty() ? 1.4 : 2.9) * line;
+    inner.x_max -= std::max(1.2 * line, last + 0.3 * line);
+    inner.y_min += (chart.x.label.empty() ? 1.8 : 3.4) * line;
+    inner.y_max -= (chart.title.empty() ? 0.8 : 2.2) * line;
+    place_legend();
+    if (chart.legend == Chart::Legend::above)
+      {
+        // the rows are known only once the width is
+        inner.y_max -= legend_height;
+        place_legend();
+      }
+  }
+
+
+
+  void
+  ChartLayout::block_series(std::vector<PixelBox> &boxes,
+                            const ChartSeries     &series) const
+  {
+    const double half = has_markers(series) ? 3.2 * series.marker_size : 2.;
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      {
+        const double x = pixel_x(series.x[i]), y = pixel_y(series.y[i]);
+        if (!std::isfinite(x) || !std::isfinite(y))
+          continue;
+        boxes.push_back({x - half, y - half, x + half, y + half});
+        for (int k = 1; k < 12 && has_line(series) && i > 0; ++k)
+          {
+            const double t  = k / 12.;
+            const double px = x + t * (pixel_x(series.x[i - 1]) - x);
+            const double py = y + t * (pixel_y(series.y[i - 1]) - y);
+            if (std::isfinite(px) && std::isfinite(py))
+              boxes.push_back({px - 3., py - 3., px + 3., py + 3.});
+          }
+      }
+  }
+
+
+
+  std::vector<ChartLayout::Name>
+  ChartLayout::place_names(const double font_size) const
+  {
+    std::vector<PixelBox>   boxes = obstacles;
+    std::vector<PointLabel> labels;
+    std::vector<Ink>        inks;
+    for (const ChartSeries &series : chart.series)
+      {
+        block_series(boxes, series);
+        for (std::size_t i = 0; i < series.names.size(); ++i)
+          if (!series.names[i].empty() && x_axis.contains(series.x.at(i)) &&
+              y_axis.contains(series.y.at(i)))
+            {
+              labels.push_back({pixel_x(series.x[i]),
+                                pixel_y(series.y[i]),
+                                series.names[i],
+                                {},
+                                false});
+              inks.push_back(series.ink);
+            }
+      }
+    squeal::place_labels(labels, boxes, inner, font_size);
+
+    std::vector<Name> names;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      names.push_back({labels[i], inks[i]});
+    return names;
+  }
+} // namespace squeal

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/assignment.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/results/compare.h>
+#include <squeal/results/run_record.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <ostream>
+
+namespace squeal
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    using Signature = std::vector<std::complex<double>>;
+
+    constexpr double smallest_mac         = 0.3;
+    constexpr double largest_distance     = 0.1; // relative, other name
+    constexpr double cost_of_another_name = 0.05;
+
+    /** The results of one run. */
+    struct Run
+    {
+      std::string                               directory;
+      bool                                      has_sigma = false;
+      std::map<long, std::vector<ComparedPair>> points;
+    };
+
+    std::complex<double>
+    eigenvalue(const ComparedPair &pair)
+    {
+      return {pair.sigma, 2. * std::acos(-1.) * pair.frequency};
+    }
+
+    /** |difference| over the larger eigenvalue. */
+    double
+    distance(const ComparedPair &a, const ComparedPair &b)
+    {
+      const double scale =
+        std::max(std::abs(eigenvalue(a)), std::abs(eigenvalue(b)));
+      return scale > 0. ? std::abs(eigenvalue(a) - eigenvalue(b)) / scale : 0.;
+    }
+
+    bool
+    have_signatures(const std::vector<ComparedPair> &a,
+                    const std::vector<ComparedPair> &b)
+    {
+      if (a.empty() || b.empty())
+        return false;
+      const std::size_t length = a.front().signature.size();
+      const auto        fits   = [&](const ComparedPair &pair) {
+        return length > 0 && pair.signature.size() == length;
+      };
+      return std::all_of(a.begin(), a.end(), fits) &&
+             std::all_of(b.begin(), b.end(), fits);
+    }
+
+    std::map<long long, Signature>
+    read_signatures(const std::string &path)
+    {
+      std::map<long long, Signature> signatures;
+      std::error_code                ignored;
+      if (!fs::exists(path, ignored))
+        return signatures;
+      const Table table =
+        read_csv(path, {{"index", Table::Type::integer, "", ""}});
+      const std::size_t n = table.columns().size();
+      for (std::size_t r = 0; r < table.n_rows(); ++r)
+        {
+          Signature signature;
+          for (std::size_t c = 1; c + 1 < n; c += 2)
+            signature.emplace_back(table.real(r, table.columns()[c].name),
+                                   table.real(r, table.columns()[c + 1].name));
+          signatures[table.integer(r, "index")] = signature;
+        }
+      return signatures;
+    }
+
+    Run
+    read_run(const std::string &directory, const bool with_sigma)
+    {
+      const std::string path =
+        (fs::path(directory) / (with_sigma ? "eigenvalues.csv" : "modes.csv"))
+          .string();
+      std::vector<Table::Column> required = {
+        {"index", Table::Type::integer, "", ""},
+        {"frequency_hz", Table::Type::real, "Hz", ""},
+        {"name", Table::Type::text, "", ""}};
+      if (with_sigma)
+        required.push_back({"sigma_per_s", Table::Type::real, "1/s", ""});
+      const Table table = read_csv(path, required);
+      const auto  signatures =
+        read_signatures((fs::path(directory) / "signature.csv").string());
+
+      Run run;
+      run.directory = directory;
+      run.has_sigma = with_sigma;
+      for (std::size_t r = 0; r < table.n_rows(); ++r)
+        {
+          ComparedPair pair;
+          pair.index     = table.integer(r, "index");
+          pair.frequency = table.real(r, "frequency_hz");
+          pair.sigma     = with_sigma ? table.real(r, "sigma_per_s") : 0.;
+          pair.name      = table.text(r, "name");
+          if (!std::isfinite(pair.frequency) || !std::isfinite(pair.sigma))
+            throw InputError(path + ": row " + std::to_string(r + 1) +
+                             " has no eigenvalue");
+          double error = 1e-10;
+          if (table.has_column("error_estimate_rel") &&
+              !table.is_missing(r, "error_estimate_rel"))
+            error = std::max(error, table.real(r, "error_estimate_rel"));
+          pair.is_unstable = pair.sigma > error * std::abs(eigenvalue(pair));
+          const auto found = signatures.find(pair.index);
+          if (found != signatures.end())
+            pair.signature = found->second;
+          const long point =
+            table.has_column("point") ? table.integer(r, "point") : 0;
+          run.points[point].push_back(pair);
+        }
+      if (run.points.size() == 1)
+        {
+          // its number says nothing
+          auto only  = run.points.extract(run.points.begin());
+          only.key() = 0;
+          run.points.insert(std::move(only));
+        }
+      // the index is unique within a point only
+      if (run.points.size() > 1)
+        for (auto &[point, pairs] : run.points)
+          for (ComparedPair &pair : pairs)
+            pair.signature.clear();
+      return run;
+    }
+
+    Table
+    empty_table(const bool with_sigma,
+                const bool with_point,
+                const bool by_shape)
+    {
+      using Type = Table::Type;
+      Table table;
+      if (with_point)
+        table.add_column({"point", Type::integer, "", ""});
+      table.add_column({"a", Type::integer, "", "index in run A"});
+      table.add_column({"b", Type::integer, "", "index in run B"});
+      table.add_column({"name", Type::text, "", "name in run A, else in B"});
+      table.add_column({"f_a_hz", Type::real, "Hz", "frequency in A", 6, 2});
+      table.add_column({"f_b_hz", Type::real, "Hz", "frequency in B", 6, 2});
+      table.add_column({"df_hz", Type::real, "Hz", "f_b - f_a", 6, 2});
+      table.add_column({"df_percent", Type::real, "%", "of f_a", 6, 3});
+      if (with_sigma)
+        {
+          table.add_column(
+            {"sigma_a", Type::real, "1/s", "growth rate in A", 5});
+          table.add_column(
+            {"sigma_b", Type::real, "1/s", "growth rate in B", 5});
+          table.add_column({"dsigma", Type::real, "1/s", "change", 4});
+        }
+      if (by_shape)
+        table.add_column(
+          {"mac", Type::real, "", "likeness of the shapes", 6, 3});
+      table.add_column({"note", Type::text, "", ""});
+      return table;
+    }
+
+    /** Adds a row; one of @p a and @p b may be null. */
+    void
+    add_comparison(RunComparison      &result,
+                   const ComparedPair *a,
+                   const ComparedPair *b,
+                   const long          point)
+    {
+      Table            &table = result.table;
+      std::vector<Cell> missing(table.columns().size());
+      table.add_row(missing);
+      const std::size_t row = table.n_rows() - 1;
+      const auto        set = [&](const std::string &column, const Cell &cell) {
+        if (table.has_column(column))
+          table.set(row, column, cell);
+      };
+      set("point", point);
+      set("name", a != nullptr ? a->name : b->name);
+      if (a != nullptr)
+        {
+          set("a", a->index);
+          set("f_a_hz", a->frequency);
+          set("sigma_a", a->sigma);
+        }
+      if (b != nullptr)
+        {
+          set("b", b->index);
+          set("f_b_hz", b->frequency);
+          set("sigma_b", b->sigma);
+        }
+      if (a != nullptr && b != nullptr)
+        {
+          const double df = b->frequency - a->frequency;
+          set("df_hz", df);
+          if (a->frequency > 0.)
+            set("df_percent", 100. * df / a->frequency);
+          set("dsigma", b->sigma - a->sigma);
+          set("mac", modal_assurance(a->signature, b->signature));
+        }
+
+      const bool  was = a != nullptr && a->is_unstable;
+      const bool  is  = b != nullptr && b->is_unstable;
+      std::string note;
+      if (a == nullptr)
+        note = "only in B";
+      else if (b == nullptr)
+        note = "only in A";
+      else if (a->name != b->name)
+        note = "in B: " + b->name;
+      const auto add_note = [&](const std::string &text) {
+        note += (note.empty() ? "" : "; ") + text;
+      };
+      const ComparedPair &named = is ? *b : (a != nullptr ? *a : *b);
+      const std::string   label =
+        rounded_text(named.frequency, 6) + " Hz " + named.name +
+        (table.has_column("point") ? " at point " + std::to_string(point) : "");
+      if (is && !was)
+        {
+          add_note("NEW INSTABILITY");
+          result.new_instabilities.push_back(label);
+        }
+      else if (was && !is)
+        {
+          add_note("instability gone");
+          result.vanished_instabilities.push_back(label);
+        }
+      else if (was)
+        add_note("unstable");
+      set("note", note);
+    }
+
+    void
+    compare_point(RunComparison                   &result,
+                  const std::vector<ComparedPair> &a,
+                  const std::vector<ComparedPair> &b,
+                  const long                       point)
+    {
+      std::vector<bool> used_a(a.size(), false), used_b(b.size(), false);
+      for (const auto &[i, j] : match_pairs(a, b))
+        {
+          add_comparison(result, &a[i], &b[j], point);
+          used_a[i] = used_b[j] = true;
+        }
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (!used_a[i])
+          add_comparison(result, &a[i], nullptr, point);
+      for (std::size_t j = 0; j < b.size(); ++j)
+        if (!used_b[j])
+          add_comparison(result, nullptr, &b[j], point);
+    }
+
+    /** The parameters in which the two runs differ, if both left a record. */
+    void
+    print_differing_parameters(const Run &a, const Run &b, std::ostream &out)
+    {
+      const std::string path_a = (fs::path(a.directory) / "run.json").string();
+      const std::string path_b = (fs::path(b.directory) / "run.json").string();
+      std::error_code   ignored;
+      if (!fs::exists(path_a, ignored) || !fs::exists(path_b, ignored))
+        return;
+      const RunRecord record_a = read_run_record(path_a);
+      const RunRecord record_b = read_run_record(path_b);
+      std::map<std::string, std::pair<std::string, std::string>> values;
+      for (const auto &[name, value] : record_a.parameters)
+        values[name].first = value;
+      for (const auto &[name, value] : record_b.parameters)
+        values[name].second = value;
+      Table table({{"parameter", Table::Type::text, "", ""},
+                   {"A", Table::Type::text, "", ""},
+                   {"B", Table::Type::text, "", ""}});
+      for (const auto &[name, both] : values)
+        if (both.first != both.second)
+          table.add_row({name, both.first, both.second});
+      out << '\n';
+      if (table.n_rows() == 0)
+        out << "All parameters are the same.\n";
+      else
+        table.print(out);
+    }
+
+    void
+    print_list(const std::string              &title,
+               const std::vector<std::string> &items,
+               std::ostream                   &out)
+    {
+      out << title << ": " << (items.empty() ? "none" : "") << '\n';
+      for (const std::string &item : items)
+        out << "  " << item << '\n';
+    }
+  } // namespace
+
+
+
+  Table
+  make_signature_table(
+    const std::vector<long long>                         &indices,
+    const std::vector<std::vector<std::complex<double>>> &samples)
+  {
+    Table table({{"index", Table::Type::integer, "", "number of the pair"}});
+    const std::size_t n = samples.empty() ? 0 : samples.front().size();
+    for (std::size_t c = 1; c <= 2 * n; ++c)
+      table.add_column({"c" + std::to_string(c),
+                        Table::Type::real,
+                        "",
+                        "real and imaginary parts of sampled displacements"});
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        std::vector<Cell> row = {indices.at(i)};
+        for (const std::complex<double> &sample : samples[i])
+          {
+            row.emplace_back(sample.real());
+            row.emplace_back(sample.imag());
+          }
+        table.add_row(row);
+      }
+    return table;
+  }
+
+
+
+  double
+  modal_assurance(const std::vector<std::complex<double>> &a,
+                  const std::vector<std::complex<double>> &b)
+  {
+    std::complex<double> product = 0.;
+    double               aa = 0., bb = 0.;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      {
+        product += std::conj(a[i]) * b[i];
+        aa += std::norm(a[i]);
+        bb += std::norm(b[i]);
+      }
+    return aa > 0. && bb > 0. ? std::norm(product) / (aa * bb) : 0.;
+  }
+
+
+
+  std::vector<std::pair<std::size_t, std::size_t>>
+  match_pairs(const std::vector<ComparedPair> &a,
+              const std::vector<ComparedPair> &b)
+  {
+    const bool   by_shape = have_signatures(a, b);
+    const double refused  = 10.;
+
+    std::vector<std::vector<double>> costs(a.size(),
+                                           std::vector<double>(b.size()));
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t j = 0; j < b.size(); ++j)
+        {
+          const double apart      = distance(a[i], b[j]);
+          const bool   same_name  = a[i].name == b[j].name;
+          const double difference = cost_of_another_name * !same_name;
+          if (by_shape)
+            {
+              // the eigenvalue decides only between equal shapes
+              const double mac =
+                modal_assurance(a[i].signature, b[j].signature);
+              costs[i][j] =
+                mac < smallest_mac ? refused : 1. - mac + 0.02 * apart;
+            }
+          else
+            costs[i][j] = !same_name && apart > largest_distance
+                            ? refused
+                            : apart + difference;
+        }
+
+    std::vector<std::pair<std::size_t, std::size_t>> matches;
+    const std::vector<int> column_of = smallest_assignment(costs);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (column_of[i] >= 0 && costs[i][column_of[i]] < refused)
+        matches.emplace_back(i, column_of[i]);
+    return matches;
+  }
+
+
+
+  RunComparison
+  compare_runs(const std::string &directory_a,
+               const std::string &directory_b,
+               std::ostream      &out)
+  {
+    for (const std::string &directory : {directory_a, directory_b})
+      if (!fs::is_directory(directory))
+        throw InputError("'" + directory +
+                         "' is not the output directory of a run");
+    const bool with_sigma =
+      fs::exists(fs::path(directory_a) / "eigenvalues.csv") &&
+      fs::exists(fs::path(directory_b) / "eigenvalues.csv");
+    const Run a = read_run(directory_a, with_sigma);
+    const Run b = read_run(directory_b, with_sigma);
+
+    RunComparison result;
+    const bool    with_point = a.points.size() > 1 || b.points.size() > 1;
+    for (const auto &[point, pairs] : a.points)
+      if (!with_point && b.points.size() == 1)
+        result.by_shape = have_signatures(pairs, b.points.begin()->second);
+    result.table = empty_table(with_sigma, with_point, result.by_shape);
+
+    std::map<long, int> points;
+    for (const Run *run : {&a, &b})
+      for (const auto &[point, pairs] : run->points)
+        points[point] = 0;
+    for (const auto &[point, unused] : points)
+      {
+        const auto                      in_a = a.points.find(point);
+        const auto                      in_b = b.points.find(point);
+        const std::vector<ComparedPair> none;
+        compare_point(result,
+                      in_a == a.points.end() ? none : in_a->second,
+                      in_b == b.points.end() ? none : in_b->second,
+                      point);
+      }
+
+    out << "A: " << directory_a << "\nB: " << directory_b << '\n';
+    print_differing_parameters(a, b, out);
+    out << "\nPairs matched by "
+        << (result.by_shape ? "shape (MAC)" : "name and nearest eigenvalue")
+        << ":\n";
+    result.table.print(out);
+    if (with_sigma)
+      {
+        out << '\n';
+        print_list("New instabilities", result.new_instabilities, out);
+        print_list(
+          "Vanished instabilities", result.vanished_instabilities, out);
+      }
+    return result;
+  }
+} // namespace squeal

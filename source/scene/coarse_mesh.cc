@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/scene/coarse_mesh.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace squeal
+{
+  namespace
+  {
+    std::string
+    listed(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const auto &name : names)
+        text += (text.empty() ? "" : ", ") + name;
+      return text.empty() ? "none" : text;
+    }
+
+    std::set<unsigned int>
+    vertices_of_face(const CoarseMesh &mesh, const unsigned int id)
+    {
+      std::set<unsigned int> result;
+      for (const auto &quad : mesh.boundary.boundary_quads)
+        if (quad.boundary_id == id)
+          result.insert(quad.vertices.begin(), quad.vertices.end());
+      return result;
+    }
+
+    double
+    extent(const CoarseMesh &mesh, const std::set<unsigned int> &vertices)
+    {
+      double size = 0.;
+      for (const unsigned int v : vertices)
+        size = std::max(size,
+                        mesh.vertices[v].distance(
+                          mesh.vertices[*vertices.begin()]));
+      return size;
+    }
+
+    /** Partner on the target face of every source vertex; empty where the two
+     * face meshes differ. */
+    std::map<unsigned int, unsigned int>
+    matching_vertices(const CoarseMesh             &mesh,
+                      const std::set<unsigned int> &source,
+                      const std::set<unsigned int> &target)
+    {
+      std::map<unsigned int, unsigned int> partner;
+      const double tolerance = 1e-6 * extent(mesh, source);
+      for (const unsigned int s : source)
+        for (const unsigned int t : target)
+          if (mesh.vertices[s].distance(mesh.vertices[t]) < tolerance)
+            partner[s] = t;
+      if (partner.size() != source.size() || source.size() != target.size())
+        partner.clear();
+      return partner;
+    }
+
+    /** Replaces the source vertices by their partners; the joined faces stop
+     * being boundary. */
+    void
+    join(CoarseMesh                                 &mesh,
+         const std::map<unsigned int, unsigned int> &partner,
+         const unsigned int                          source_id,
+         const unsigned int                          target_id)
+    {
+      const auto replace = [&](auto &vertices) {
+        for (auto &v : vertices)
+          if (const auto it = partner.find(v); it != partner.end())
+            v = it->second;
+      };
+      for (auto &cell : mesh.cells)
+        replace(cell.vertices);
+      auto &quads = mesh.boundary.boundary_quads;
+      quads.erase(std::remove_if(quads.begin(),
+                                 quads.end(),
+                                 [&](const auto &q) {
+                                   return q.boundary_id == source_id ||
+                                          q.boundary_id == target_id;
+                                 }),
+                  quads.end());
+      for (auto &quad : quads)
+        replace(quad.vertices);
+    }
+
+    /** Drops vertices that no cell uses any more. */
+    void
+    compress(CoarseMesh &mesh)
+    {
+      std::vector<unsigned int>     number(mesh.vertices.size(), -1u);
+      std::vector<dealii::Point<3>> kept;
+      for (auto &cell : mesh.cells)
+        for (auto &v : cell.vertices)
+          {
+            if (number[v] == -1u)
+              {
+                number[v] = kept.size();
+                kept.push_back(mesh.vertices[v]);
+              }
+            v = number[v];
+          }
+      for (auto &quad : mesh.boundary.boundary_quads)
+        for (auto &v : quad.vertices)
+          v = number[v];
+      mesh.vertices = std::move(kept);
+    }
+  } // namespace
+
+
+
+  unsigned int
+  face_id(const unsigned int body, const unsigned int face)
+  {
+    return body * max_faces_per_body + face;
+  }
+
+  unsigned int
+  body_index(const SceneParameters &scene, const std::string &name)
+  {
+    std::vector<std::string> names;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        if (scene.bodies[b].name == name)
+          return b;
+        names.push_back(scene.bodies[b].name);
+      }
+    throw InputError("Scene/Bodies: there is no body '" + name +
+                     "'; bodies are: " + listed(names));
+  }
+
+  unsigned int
+  face_id(const CoarseMesh      &mesh,
+          const SceneParameters &scene,
+          const std::string     &body,
+          const std::string     &face)
+  {
+    const unsigned int b     = body_index(scene, body);
+    const auto        &names = mesh.face_names[b];
+    const auto         it    = std::find(names.begin(), names.end(), face);
+    if (it == names.end())
+      throw InputError("body '" + body + "' has no face '" + face +
+                       "'; its faces are: " + listed(names));
+    return face_id(b, it - names.begin());
+  }
+
+
+
+  CoarseMesh
+  make_coarse_mesh(const SceneParameters &scene)
+  {
+    CoarseMesh mesh;
+    if (scene.bodies.size() > 250)
+      throw InputError("Scene/Bodies: at most 250 bodies are supported");
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const BodyMesh     body  = make_body_mesh(scene.bodies[b]);
+        const unsigned int first = mesh.vertices.size();
+        mesh.face_names.push_back(body.face_names);
+        mesh.vertices.insert(mesh.vertices.end(),
+                             body.vertices.begin(),
+                             body.vertices.end());
+        for (auto cell : body.cells)
+          {
+            for (auto &v : cell.vertices)
+              v += first;
+            cell.material_id = b;
+            mesh.cells.push_back(cell);
+          }
+        for (auto quad : body.boundary)
+          {
+            for (auto &v : quad.vertices)
+              v += first;
+            quad.boundary_id = face_id(b, quad.boundary_id);
+            mesh.boundary.boundary_quads.push_back(quad);
+          }
+      }
+
+    for (const auto &tie : scene.ties)
+      {
+        const unsigned int source =
+          face_id(mesh, scene, tie.source_body, tie.source_face);
+        const unsigned int target =
+          face_id(mesh, scene, tie.target_body, tie.target_face);
+        const auto partner = matching_vertices(mesh,
+                                               vertices_of_face(mesh, source),
+                                               vertices_of_face(mesh, target));
+        const bool join_it =
+          !partner.empty() && tie.kind != TieParameters::Kind::mortar;
+        if (partner.empty() && tie.kind == TieParameters::Kind::conforming)
+          throw InputError("Scene/Tie " + tie.name +
+                           ": the face meshes of '" + tie.source_body +
+                           "' and '" + tie.target_body +
+                           "' do not match: give both the same cells or set "
+                           "Kind = mortar");
+        if (join_it)
+          join(mesh, partner, source, target);
+        mesh.tie_is_conforming.push_back(join_it);
+      }
+    compress(mesh);
+    return mesh;
+  }
+} // namespace squeal

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/scene/matrix_formats.h>
+#include <squeal/scene/matrix_import.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using import::RawMatrix;
+    using import::TextFile;
+    using Entry   = RawMatrix::Entry;
+    using Storage = RawMatrix::Storage;
+    using Role    = MatrixPartParameters::Role;
+
+    bool
+    comes_before(const Entry &a, const Entry &b)
+    {
+      return std::tie(a.row, a.column, a.line) <
+             std::tie(b.row, b.column, b.line);
+    }
+
+    bool
+    same_place(const Entry &a, const Entry &b)
+    {
+      return a.row == b.row && a.column == b.column;
+    }
+
+    std::string
+    describe_place(const RawMatrix &raw, const Entry &entry)
+    {
+      if (raw.labels.empty())
+        return "entry (" + std::to_string(entry.row + 1) + ", " +
+               std::to_string(entry.column + 1) + ")";
+      return "entry (" + describe(raw.labels[entry.row]) + "; " +
+             describe(raw.labels[entry.column]) + ")";
+    }
+
+    std::string
+    text_of(const double value)
+    {
+      std::ostringstream text;
+      text.precision(10);
+      text << value;
+      return text.str();
+    }
+
+    /** Brings the names into ascending order and renumbers the entries. */
+    void
+    sort_labels(RawMatrix &raw)
+    {
+      if (raw.labels.empty())
+        return;
+      std::vector<unsigned int> order(raw.labels.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return raw.labels[a] < raw.labels[b];
+      });
+      std::vector<unsigned int> new_number(order.size());
+      std::vector<DofLabel>     labels(order.size());
+      for (unsigned int i = 0; i < order.size(); ++i)
+        {
+          new_number[order[i]] = i;
+          labels[i]            = raw.labels[order[i]];
+        }
+      for (Entry &entry : raw.entries)
+        {
+          entry.row    = new_number[entry.row];
+          entry.column = new_number[entry.column];
+        }
+      raw.labels = std::move(labels);
+    }
+
+    /** The entry at the mirrored place in sorted @p entries, or null. */
+    const Entry *
+    mirror_of(const std::vector<Entry> &entries, const Entry &entry)
+    {
+      const Entry key{entry.column, entry.row, 0, 0.};
+      const auto  place =
+        std::lower_bound(entries.begin(), entries.end(), key, comes_before);
+      return place != entries.end() && same_place(*place, key) ? &*place
+                                                               : nullptr;
+    }
+
+    void
+    refuse_duplicates(const TextFile &file, const RawMatrix &raw)
+    {
+      const auto &entries = raw.entries;
+      const auto  twice =
+        std::adjacent_find(entries.begin(), entries.end(), same_place);
+      if (twice != entries.end())
+        file.fail_at((twice + 1)->line,
+                     describe_place(raw, *twice) +
+                       " is given twice, first in "
+                       "line " +
+                       std::to_string(twice->line));
+    }
+
+    /** Whether every row and every column that occurs has a diagonal entry. */
+    bool
+    has_all_diagonals(const RawMatrix &raw)
+    {
+      std::vector<bool> occurs(raw.n, false), has_diagonal(raw.n, false);
+      for (const Entry &entry : raw.entries)
+        {
+          occurs[entry.row] = occurs[entry.column] = true;
+          if (entry.row == entry.column)
+            has_diagonal[entry.row] = true;
+        }
+      return occurs == has_diagonal;
+    }
+
+    /** Whether some off-diagonal entry has its mirror image. With
+     * symmetric_or_full storage the two must agree. */
+    bool
+    has_mirror_images(const TextFile &file, const RawMatrix &raw)
+    {
+      bool found = false;
+      for (const Entry &entry : raw.entries)
+        if (entry.row != entry.column)
+          if (const Entry *mirror = mirror_of(raw.entries, entry))
+            {
+              found = true;
+              if (raw.storage == Storage::symmetric_or_full &&
+                  mirror->value != entry.value)
+                file.fail_at(entry.line,
+                             describe_place(raw, entry) +
+                               " of a symmetric matrix differs from its "
+                               "mirror image in line " +
+                               std::to_string(mirror->line));
+            }
+      return found;
+    }
+
+    /** Decides what a file that does not say so has left out. Expects sorted
+     * entries. */
+    Storage
+    decide_storage(const TextFile &file, const RawMatrix &raw, const Role role)
+    {
+      if (raw.storage != Storage::unknown &&
+          raw.storage != Storage::symmetric_or_full)
+        return raw.storage;
+      if (has_mirror_images(file, raw))
+        return Storage::general;
+      // Friction couples rows along the face with columns across it: it has
+      // no mirror images either, but no diagonal.
+      const bool may_be_unsymmetric =
+        raw.storage == Storage::unknown &&
+        (role == Role::friction || role == Role::damping);
+      return may_be_unsymmetric && !has_all_diagonals(raw) ? Storage::general
+                                                           : Storage::symmetric;
+    }
+
+    /** Adds the entries that the file has left out; sorted before and after. */
+    void
+    expand(const TextFile &file, RawMatrix &raw)
+    {
+      if (raw.storage == Storage::general)
+        return;
+      const bool        skew    = raw.storage == Storage::skew;
+      const std::size_t n_given = raw.entries.size();
+      for (std::size_t i = 0; i < n_given; ++i)
+        {
+          const Entry entry = raw.entries[i];
+          if (entry.row != entry.column)
+            raw.entries.push_back({entry.column,
+                                   entry.row,
+                                   entry.line,
+                                   skew ? -entry.value : entry.value});
+          else if (skew)
+            file.fail_at(entry.line,
+                         describe_place(raw, entry) +
+                           " is on the diagonal, "
+                           "which is zero in a skew-symmetric matrix");
+        }
+      std::sort(raw.entries.begin(), raw.entries.end(), comes_before);
+      refuse_duplicates(file, raw);
+    }
+
+    /** How far entries may be from symmetric: what printing with nine digits
+     * leaves, and cancellation against the largest entry. */
+    bool
+    nearly_equal(const double a, const double b, const double largest)
+    {
+      return std::abs(a - b) <=
+             1e-8 * std::max(std::abs(a), std::abs(b)) + 1e-14 * largest;
+    }
+
+    /** Finds the symmetry of expanded, sorted entries, makes it exact, and
+     * refuses an unsymmetric matrix where the role needs a symmetric one. */
+    ImportedMatrix::Symmetry
+    find_symmetry(const TextFile &file, RawMatrix &raw, const Role role)
+    {
+      double largest = 0.;
+      for (const Entry &entry : raw.entries)
+        largest = std::max(largest, std::abs(entry.value));
+
+      const auto fits = [&](const Entry &entry, const double sign) {
+        const Entry *mirror = mirror_of(raw.entries, entry);
+        return nearly_equal(
+          entry.value, mirror ? sign * mirror->value : 0., largest);
+      };
+      const auto unsymmetric =
+        std::find_if_not(raw.entries.begin(),
+                         raw.entries.end(),
+                         [&](const Entry &entry) { return fits(entry, 1.); });
+      if (unsymmetric != raw.entries.end())
+        {
+          const Entry *mirror = mirror_of(raw.entries, *unsymmetric);
+          if (role == Role::mass || role == Role::stiffness ||
+              role == Role::normal_contact)
+            file.fail_at(unsymmetric->line,
+                         describe_place(raw, *unsymmetric) + " is " +
+                           text_of(unsymmetric->value) + ", its mirror image " +
+                           (mirror ? text_of(mirror->value) : "0") +
+                           "; this role needs a symmetric matrix: give the "
+                           "frictional part as a part of role friction");
+          const bool skew =
+            std::all_of(raw.entries.begin(),
+                        raw.entries.end(),
+                        [&](const Entry &entry) { return fits(entry, -1.); });
+          return skew ? ImportedMatrix::Symmetry::skew
+                      : ImportedMatrix::Symmetry::general;
+        }
+
+      std::vector<double> means(raw.entries.size());
+      for (std::size_t i = 0; i < means.size(); ++i)
+        {
+          const Entry *mirror = mirror_of(raw.entries, raw.entries[i]);
+          means[i] = mirror ? .5 * (raw.entries[i].value + mirror->value) : 0.;
+        }
+      for (std::size_t i = 0; i < means.size(); ++i)
+        raw.entries[i].value = means[i];
+      return ImportedMatrix::Symmetry::symmetric;
+    }
+
+    RawMatrix
+    read_raw(TextFile &file, const MatrixPartParameters &part)
+    {
+      using Format  = MatrixPartParameters::Format;
+      Format format = part.format;
+      if (format == Format::automatic)
+        format = import::detect_format(file);
+      if (format == Format::matrix_market)
+        return import::read_matrix_market(file);
+      if (format == Format::abaqus)
+        return import::read_abaqus_matrix(file);
+      return import::read_nastran_matrix(file, part.matrix_name);
+    }
+
+    ImportedMatrix
+    read_part(const MatrixPartParameters &part)
+    {
+      TextFile  file(part.file);
+      RawMatrix raw = read_raw(file, part);
+      sort_labels(raw);
+      std::sort(raw.entries.begin(), raw.entries.end(), comes_before);
+      refuse_duplicates(file, raw);
+      raw.storage = decide_storage(file, raw, part.role);
+      expand(file, raw);
+
+      ImportedMatrix matrix;
+      matrix.name          = part.name;
+      matrix.file          = part.file;
+      matrix.role          = part.role;
+      matrix.factor        = part.factor;
+      matrix.n             = raw.n;
+      matrix.size_is_given = raw.size_is_given;
+      matrix.symmetry      = find_symmetry(file, raw, part.role);
+      matrix.labels        = std::move(raw.labels);
+      for (const Entry &entry : raw.entries)
+        if (entry.value != 0.)
+          {
+            matrix.rows.push_back(entry.row);
+            matrix.columns.push_back(entry.column);
+            matrix.values.push_back(entry.value);
+          }
+      return matrix;
+    }
+  } // namespace
+
+
+
+  std::string
+  describe(const DofLabel &label)
+  {
+    return "node " + std::to_string(label.node) + ", component " +
+           std::to_string(label.component);
+  }
+
+
+
+  ImportedMatrix
+  read_matrix(const MatrixPartParameters &part)
+  {
+    try
+      {
+        return read_part(part);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Matrix part " + part.name + ": " + error.what());
+      }
+  }
+} // namespace squeal

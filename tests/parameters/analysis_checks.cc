@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Settings of an analysis that contradict each other are refused by a line
+// that names the entry; so are imported models that are not complete.
+#include "example_scene.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  void
+  check_change_refused(const std::vector<std::string> &overrides,
+                       const std::vector<std::string> &parts)
+  {
+    check_override_refused("example.prm", overrides, parts, overrides.back());
+  }
+
+
+
+  void
+  band()
+  {
+    check_change_refused({"Eigenvalues/Highest frequency = 800"},
+                         {"example.prm: 'Eigenvalues/Lowest frequency' = 900",
+                          "below 'Highest frequency' = 800"});
+    check_change_refused({"Eigenvalues/Highest frequency = 900"},
+                         {"'Eigenvalues/Lowest frequency'"});
+    check_change_refused({"Discretization/Refinements = 2"},
+                         {"'Discretization/Refinements' = 2", "'uniform'"});
+    check_change_refused({"Output directory ="}, {"'Output directory'"});
+  }
+
+
+
+  void
+  ladders()
+  {
+    const std::string analysis = "Analysis = work precision";
+    const std::string degrees  = "Work precision/Ladders = degree";
+    check_change_refused({analysis}, {"'Work precision/Ladders' is empty"});
+    check_change_refused({analysis, degrees},
+                         {"'Work precision/Values' is empty", "'degree'"});
+    check_change_refused({analysis, degrees, "Work precision/Values = 1, 1.5"},
+                         {"contains 1.5", "whole number from 1 to 8"});
+    check_change_refused({analysis,
+                          "Work precision/Ladders = basis, degree",
+                          "Work precision/Values = 1, 2"},
+                         {"contains 2", "'basis'"});
+    read_parameters("example.prm",
+                    {analysis, degrees, "Work precision/Values = 1, 2, 3"})
+      .check();
+  }
+
+
+
+  void
+  result_checks()
+  {
+    write_text("checks.prm",
+               std::string(example_scene()) +
+                 "subsection Result checks\n"
+                 "  set Checks = f\n"
+                 "  subsection Check f\n"
+                 "    set Table = modes.csv\n"
+                 "    set Where = name = (0,4)+ and frequency_hz > 900\n"
+                 "    set Nearest = frequency_hz = 4992\n"
+                 "    set Column = frequency_hz\n"
+                 "    set Expected = 4992\n"
+                 "    set Relative tolerance = 0.01\n"
+                 "  end\n"
+                 "end\n");
+    const Parameters p = read_parameters("checks.prm");
+    p.check();
+    check(p.result_checks.size() == 1 &&
+            p.result_checks[0].where ==
+              "name = (0,4)+ and frequency_hz > 900" &&
+            p.result_checks[0].nearest == "frequency_hz = 4992",
+          "conditions keep their commas and signs");
+
+    const std::string f       = "Result checks/Check f/";
+    const auto        refused = [&](const std::string &override_text,
+                             const std::string &part) {
+      check_override_refused(
+        "checks.prm", {override_text}, {"'" + f, part}, override_text);
+    };
+    refused(f + "Table =", "Table' is empty");
+    refused(f + "Column =", "Column' is empty");
+    refused(f + "Where = name", "column = value");
+    refused(f + "Nearest = frequency_hz", "column = number");
+    refused(f + "Nearest = name = x", "column = number");
+    refused(f + "Relative tolerance = 0", "both 0");
+  }
+
+
+
+  void
+  imported_models()
+  {
+    write_text("k.mtx", "");
+    write_text("m.mtx", "");
+    write_text("matrices.prm",
+               "subsection Scene\n"
+               "  set Kind = matrices\n"
+               "  set Matrix parts = m, k\n"
+               "  subsection Matrix part m\n"
+               "    set File = m.mtx\n    set Role = mass\n  end\n"
+               "  subsection Matrix part k\n"
+               "    set File = k.mtx\n    set Role = stiffness\n  end\n"
+               "end\n");
+    const std::string file = "matrices.prm";
+    read_parameters(file).check();
+    check_override_refused(file,
+                           {"Scene/Matrix part m/Role = damping"},
+                           {"'Scene/Matrix parts'", "Role = mass"},
+                           "no mass");
+    check_override_refused(file,
+                           {"Scene/Matrix part k/Role = friction"},
+                           {"Role = stiffness"},
+                           "no stiffness");
+    check_override_refused(file,
+                           {"Scene/Matrix part k/File = none.mtx"},
+                           {"'Scene/Matrix part k/File'", "no such file"},
+                           "missing matrix");
+    check_override_refused(file,
+                           {"Scene/Matrix part k/File = ."},
+                           {"is a directory"},
+                           "folder instead of a matrix");
+    check_override_refused(file,
+                           {"Scene/Contact pattern file = m.mtx"},
+                           {"'Scene/Contact normal stiffness'"},
+                           "contact pattern without a stiffness");
+    check_override_refused(file,
+                           {"Analysis = work precision",
+                            "Work precision/Ladders = degree",
+                            "Work precision/Values = 1"},
+                           {"'Work precision/Ladders'", "no mesh"},
+                           "degrees of matrices");
+    check_override_refused("example.prm",
+                           {"Scene/Kind = matrices"},
+                           {"'Scene/Bodies'", "Kind = bodies"},
+                           "bodies in a scene of matrices");
+  }
+} // namespace
+
+int
+main()
+{
+  write_example();
+  band();
+  ladders();
+  result_checks();
+  imported_models();
+}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Faces in contact must lie on each other, the source within the target, and
+// what this version cannot compute is refused.
+#include <squeal/parameters/face_geometry.h>
+
+#include "example_scene.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  const std::string contact = "Scene/Contact pad_disc/";
+  const std::string pad     = "Scene/Body pad/";
+
+  /** The example without support and springs: only the pad can be wrong. */
+  void
+  write_pad_on_disc()
+  {
+    write_text("pad.prm",
+               "subsection Scene\n"
+               "  set Bodies = disc, pad\n"
+               "  set Contacts = pad_disc\n"
+               "  subsection Body disc\n"
+               "    set Shape = annulus\n"
+               "    set Position = 0, 0, -0.01\n"
+               "  end\n"
+               "  subsection Body pad\n"
+               "    set Position = 0.1075, 0, 0\n"
+               "    set Size = 0.01, 0.01, 0.01\n"
+               "  end\n"
+               "  subsection Contact pad_disc\n"
+               "    set Source body = pad\n"
+               "    set Source face = z_min\n"
+               "    set Target body = disc\n"
+               "    set Target face = top\n"
+               "  end\n"
+               "end\n");
+  }
+
+
+
+  void
+  check_change_refused(const std::vector<std::string> &overrides,
+                       const std::vector<std::string> &parts)
+  {
+    check_override_refused("pad.prm", overrides, parts, overrides.back());
+  }
+
+  void
+  check_change_accepted(const std::vector<std::string> &overrides)
+  {
+    const std::string message =
+      message_of([&]() { read_parameters("pad.prm", overrides).check(); });
+    check(message.empty(), overrides.back() + ": is accepted " + message);
+  }
+
+
+
+  void
+  faces_meet()
+  {
+    check_change_accepted({pad + "Position = 0.1075, 0, 0"});
+    check_change_refused({pad + "Position = 0.1075, 0, 0.001"},
+                         {"contact pad_disc: faces do not meet",
+                          "z = 0.001 m",
+                          "z = 0 m",
+                          "'Scene/Body pad/Position'"});
+    check_change_refused({contact + "Target face = bottom"},
+                         {"faces do not meet", "look along -z"});
+    check_change_refused({contact + "Source face = x_min"},
+                         {"faces do not meet", "normal to x"});
+    // rounding of the input stays below 1e-6 of the size, 0.24 m
+    check_change_accepted({pad + "Position = 0.1075, 0, 1e-8"});
+    check_change_refused({pad + "Position = 0.1075, 0, 1e-6"},
+                         {"faces do not meet"});
+  }
+
+
+
+  void
+  pads_beside_the_disc()
+  {
+    check_change_refused(
+      {pad + "Position = 0.116, 0, 0"},
+      {"contact pad_disc: faces do not meet", "0.05 to 0.12 m"});
+    check_change_refused({pad + "Position = 0, 0.052, 0"}, {"0.05 to 0.12"});
+    check_change_refused({pad + "Position = 0.2, 0, 0"}, {"side by side"});
+    check_change_refused({pad + "Position = 0, 0, 0"}, {"side by side"});
+    // the far corners (+-0.005, -0.119) are at a radius of 0.1191
+    check_change_accepted({pad + "Position = 0, -0.114, 0"});
+
+    const std::string round = pad + "Shape = cylinder";
+    const std::string face  = contact + "Source face = bottom";
+    check_change_accepted({round,
+                           face,
+                           pad + "Outer radius = 0.01",
+                           pad + "Position = 0.0777, 0.0777, 0"});
+    check_change_refused({round,
+                          face,
+                          pad + "Outer radius = 0.011",
+                          pad + "Position = 0.0777, 0.0777, 0"},
+                         {"0.05 to 0.12 m"});
+  }
+
+
+
+  void
+  blocks_on_blocks()
+  {
+    const std::string block = "Scene/Body disc/Shape = block";
+    const std::string face  = contact + "Target face = z_max";
+    const std::string size  = "Scene/Body disc/Size = 0.3, 0.02, 0.01";
+    check_change_accepted({block, face, size});
+    check_change_refused({block, face, size, pad + "Position = 0.1, 0.006, 0"},
+                         {"faces do not meet", "y = 0.001 to 0.011 m"});
+    check_change_accepted({block,
+                           size,
+                           contact + "Target face = x_max",
+                           contact + "Source face = x_min",
+                           pad + "Position = 0.155, 0, -0.01"});
+  }
+
+
+
+  void
+  bodies_of_a_pair()
+  {
+    check_change_refused(
+      {contact + "Target body = ground", contact + "Target face ="},
+      {"'ground' is for rigid source bodies"});
+    check_change_refused({pad + "Shape = rigid", contact + "Source face ="},
+                         {"'Scene/Contact pad_disc/Target body'", "rigid"});
+    check_change_refused(
+      {contact + "Target body = pad", contact + "Target face = z_max"},
+      {"source body itself"});
+  }
+
+
+
+  void
+  laws()
+  {
+    check_change_refused(
+      {contact + "Contact state = preload"},
+      {"needs a steady-sliding solution (Analysis = preload), which this "
+       "version does not compute"});
+    check_change_accepted({contact + "Contact state = stick"});
+    check_change_refused(
+      {contact + "Transverse slip term = true", contact + "Sliding speed = 0"},
+      {"'Scene/Contact pad_disc/Sliding speed'"});
+    check_change_refused({contact + "Friction coefficient = 5.1"},
+                         {"from -5 to 5"});
+    check_change_accepted({contact + "Friction coefficient = -5"});
+  }
+
+
+
+  void
+  geometry_of_faces()
+  {
+    BodyParameters block;
+    block.position     = {{1., 2., 3.}};
+    block.size         = {{2., 4., 6.}};
+    const auto upper_y = prm::flat_face(block, "y_max");
+    check(upper_y && upper_y->axis == 1 && upper_y->sign == 1 &&
+            upper_y->position == 4. && upper_y->lower[0] == 0. &&
+            upper_y->upper[1] == 9.,
+          "upper y face of a block");
+    BodyParameters annulus;
+    annulus.shape = BodyParameters::Shape::annulus;
+    check(!prm::flat_face(annulus, "inner"), "a curved face is not flat");
+    check(prm::flat_face(annulus, "top")->position == annulus.height,
+          "top of an annulus");
+    check(prm::faces_of(BodyParameters::Shape::rigid).empty(),
+          "rigid bodies have no faces");
+  }
+} // namespace
+
+int
+main()
+{
+  write_pad_on_disc();
+  faces_meet();
+  pads_beside_the_disc();
+  blocks_on_blocks();
+  bodies_of_a_pair();
+  laws();
+  geometry_of_faces();
+}

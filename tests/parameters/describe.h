@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tests_parameters_describe_h
+#define squeal_tests_parameters_describe_h
+
+#include <squeal/parameters/parameters.h>
+
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace squeal
+{
+  namespace testing
+  {
+    /** Collects "struct.member = value" of every member of the structs, by
+     * hand: independent of how they are declared and printed. */
+    class Description
+    {
+    public:
+      std::vector<std::string> lines;
+
+      template <typename T>
+      void
+      add(const std::string &name, const T &value)
+      {
+        std::ostringstream text;
+        text << name << " = " << std::setprecision(17);
+        print(text, value);
+        lines.push_back(text.str());
+      }
+
+    private:
+      template <typename T>
+      static void
+      print(std::ostream &out, const T &value)
+      {
+        if constexpr (std::is_enum_v<T>)
+          out << static_cast<int>(value);
+        else if constexpr (std::is_arithmetic_v<T> ||
+                           std::is_same_v<T, std::string>)
+          out << value;
+        else
+          for (const auto &element : value)
+            {
+              print(out, element);
+              out << ';';
+            }
+      }
+    };
+
+#define SQUEAL_DESCRIBE(object, member) \
+  description.add(#object "." #member, object.member)
+
+    inline void
+    describe(Description &description, const BodyParameters &body)
+    {
+      SQUEAL_DESCRIBE(body, shape);
+      SQUEAL_DESCRIBE(body, position);
+      SQUEAL_DESCRIBE(body, size);
+      SQUEAL_DESCRIBE(body, inner_radius);
+      SQUEAL_DESCRIBE(body, outer_radius);
+      SQUEAL_DESCRIBE(body, height);
+      SQUEAL_DESCRIBE(body, cells);
+      SQUEAL_DESCRIBE(body, mesh_file);
+      SQUEAL_DESCRIBE(body, physical_volume);
+      SQUEAL_DESCRIBE(body, material_model);
+      SQUEAL_DESCRIBE(body, young_modulus);
+      SQUEAL_DESCRIBE(body, poisson_ratio);
+      SQUEAL_DESCRIBE(body, density);
+      SQUEAL_DESCRIBE(body, young_moduli);
+      SQUEAL_DESCRIBE(body, shear_moduli);
+      SQUEAL_DESCRIBE(body, poisson_ratios);
+      SQUEAL_DESCRIBE(body, mass);
+      SQUEAL_DESCRIBE(body, inertia);
+      SQUEAL_DESCRIBE(body, mass_damping);
+      SQUEAL_DESCRIBE(body, stiffness_damping);
+      SQUEAL_DESCRIBE(body, structural_damping);
+      SQUEAL_DESCRIBE(body, rotation_speed);
+    }
+
+    inline void
+    describe(Description &description, const TieParameters &tie)
+    {
+      SQUEAL_DESCRIBE(tie, source_body);
+      SQUEAL_DESCRIBE(tie, source_face);
+      SQUEAL_DESCRIBE(tie, target_body);
+      SQUEAL_DESCRIBE(tie, target_face);
+      SQUEAL_DESCRIBE(tie, kind);
+    }
+
+    inline void
+    describe(Description &description, const SpringParameters &spring)
+    {
+      SQUEAL_DESCRIBE(spring, kind);
+      SQUEAL_DESCRIBE(spring, body);
+      SQUEAL_DESCRIBE(spring, other_body);
+      SQUEAL_DESCRIBE(spring, face);
+      SQUEAL_DESCRIBE(spring, first_point);
+      SQUEAL_DESCRIBE(spring, last_point);
+      SQUEAL_DESCRIBE(spring, number);
+      SQUEAL_DESCRIBE(spring, direction);
+      SQUEAL_DESCRIBE(spring, stiffness);
+      SQUEAL_DESCRIBE(spring, dashpot);
+      SQUEAL_DESCRIBE(spring, stiffness_damping);
+      SQUEAL_DESCRIBE(spring, structural_damping);
+    }
+
+    inline void
+    describe(Description &description, const SupportParameters &support)
+    {
+      SQUEAL_DESCRIBE(support, body);
+      SQUEAL_DESCRIBE(support, face);
+      SQUEAL_DESCRIBE(support, kind);
+      SQUEAL_DESCRIBE(support, components);
+    }
+
+    inline void
+    describe(Description &description, const LumpedMassParameters &lumped)
+    {
+      SQUEAL_DESCRIBE(lumped, body);
+      SQUEAL_DESCRIBE(lumped, point);
+      SQUEAL_DESCRIBE(lumped, mass);
+    }
+
+    inline void
+    describe(Description &description, const LoadParameters &load)
+    {
+      SQUEAL_DESCRIBE(load, body);
+      SQUEAL_DESCRIBE(load, face);
+      SQUEAL_DESCRIBE(load, force);
+      SQUEAL_DESCRIBE(load, ramp_time);
+    }
+
+    inline void
+    describe(Description &description, const ContactParameters &contact)
+    {
+      SQUEAL_DESCRIBE(contact, source_body);
+      SQUEAL_DESCRIBE(contact, source_face);
+      SQUEAL_DESCRIBE(contact, target_body);
+      SQUEAL_DESCRIBE(contact, target_face);
+      SQUEAL_DESCRIBE(contact, formulation);
+      SQUEAL_DESCRIBE(contact, layout);
+      SQUEAL_DESCRIBE(contact, grid);
+      SQUEAL_DESCRIBE(contact, normal_stiffness);
+      SQUEAL_DESCRIBE(contact, tangential_stiffness);
+      SQUEAL_DESCRIBE(contact, normal_stiffness_per_area);
+      SQUEAL_DESCRIBE(contact, state);
+      SQUEAL_DESCRIBE(contact, friction_coefficient);
+      SQUEAL_DESCRIBE(contact, friction_direction);
+      SQUEAL_DESCRIBE(contact, transverse_slip_term);
+      SQUEAL_DESCRIBE(contact, sliding_speed);
+      SQUEAL_DESCRIBE(contact, normal_force);
+      SQUEAL_DESCRIBE(contact, friction_slope);
+      SQUEAL_DESCRIBE(contact, stiffness_damping);
+      SQUEAL_DESCRIBE(contact, structural_damping);
+    }
+
+    inline void
+    describe(Description &description, const MatrixPartParameters &part)
+    {
+      SQUEAL_DESCRIBE(part, file);
+      SQUEAL_DESCRIBE(part, role);
+      SQUEAL_DESCRIBE(part, format);
+      SQUEAL_DESCRIBE(part, matrix_name);
+      SQUEAL_DESCRIBE(part, factor);
+    }
+
+    inline void
+    describe(Description &description, const ResultCheckParameters &check)
+    {
+      SQUEAL_DESCRIBE(check, table);
+      SQUEAL_DESCRIBE(check, where);
+      SQUEAL_DESCRIBE(check, nearest);
+      SQUEAL_DESCRIBE(check, column);
+      SQUEAL_DESCRIBE(check, expected);
+      SQUEAL_DESCRIBE(check, relative_tolerance);
+      SQUEAL_DESCRIBE(check, absolute_tolerance);
+    }
+
+    template <typename T>
+    void
+    describe_all(Description &description, const std::vector<T> &members)
+    {
+      for (const T &member : members)
+        describe(description, member);
+    }
+
+    inline void
+    describe(Description &description, const SceneParameters &scene)
+    {
+      SQUEAL_DESCRIBE(scene, name);
+      SQUEAL_DESCRIBE(scene, kind);
+      SQUEAL_DESCRIBE(scene, damping.model);
+      SQUEAL_DESCRIBE(scene, damping.mass_damping);
+      SQUEAL_DESCRIBE(scene, damping.stiffness_damping);
+      SQUEAL_DESCRIBE(scene, damping.structural_damping);
+      SQUEAL_DESCRIBE(scene, contact_pattern_file);
+      SQUEAL_DESCRIBE(scene, contact_normal_stiffness);
+      SQUEAL_DESCRIBE(scene, friction_coefficient);
+      SQUEAL_DESCRIBE(scene, node_table_file);
+      describe_all(description, scene.bodies);
+      describe_all(description, scene.ties);
+      describe_all(description, scene.springs);
+      describe_all(description, scene.supports);
+      describe_all(description, scene.lumped_masses);
+      describe_all(description, scene.loads);
+      describe_all(description, scene.contacts);
+      describe_all(description, scene.matrix_parts);
+    }
+
+    inline void
+    describe_numerics(Description &description, const Parameters &p)
+    {
+      SQUEAL_DESCRIBE(p, discretization.degree);
+      SQUEAL_DESCRIBE(p, discretization.refinements);
+      SQUEAL_DESCRIBE(p, discretization.refinement);
+      SQUEAL_DESCRIBE(p, discretization.tolerance);
+      SQUEAL_DESCRIBE(p, discretization.maximum_cycles);
+      SQUEAL_DESCRIBE(p, discretization.maximum_dofs);
+      SQUEAL_DESCRIBE(p, discretization.estimate_error);
+      SQUEAL_DESCRIBE(p, eigen.lowest_frequency);
+      SQUEAL_DESCRIBE(p, eigen.highest_frequency);
+      SQUEAL_DESCRIBE(p, eigen.mode_tolerance);
+      SQUEAL_DESCRIBE(p, eigen.solver);
+      SQUEAL_DESCRIBE(p, eigen.residual_tolerance);
+      SQUEAL_DESCRIBE(p, eigen.error_tolerance);
+      SQUEAL_DESCRIBE(p, eigen.maximum_enrichments);
+      SQUEAL_DESCRIBE(p, eigen.direct_shift_frequency);
+      SQUEAL_DESCRIBE(p, eigen.number_of_pairs);
+      SQUEAL_DESCRIBE(p, eigen.damping_threshold_percent);
+      SQUEAL_DESCRIBE(p, eigen.compare_direct);
+      SQUEAL_DESCRIBE(p, work_precision.ladders);
+      SQUEAL_DESCRIBE(p, work_precision.values);
+      SQUEAL_DESCRIBE(p, work_precision.quantity);
+      SQUEAL_DESCRIBE(p, work_precision.reference);
+    }
+
+    /** Every member of every struct, one line each. */
+    inline std::vector<std::string>
+    describe(const Parameters &p)
+    {
+      Description description;
+      SQUEAL_DESCRIBE(p, analysis);
+      SQUEAL_DESCRIBE(p, output.directory);
+      SQUEAL_DESCRIBE(p, output.overwrite);
+      SQUEAL_DESCRIBE(p, output.shapes);
+      SQUEAL_DESCRIBE(p, output.animation_frames);
+      SQUEAL_DESCRIBE(p, output.plots);
+      SQUEAL_DESCRIBE(p, output.report);
+      SQUEAL_DESCRIBE(p, output.export_matrices);
+      SQUEAL_DESCRIBE(p, output.slip_display_scale);
+      describe(description, p.scene);
+      describe_numerics(description, p);
+      describe_all(description, p.result_checks);
+      return description.lines;
+    }
+
+#undef SQUEAL_DESCRIBE
+  } // namespace testing
+} // namespace squeal
+
+#endif

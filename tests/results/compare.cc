@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Two runs are compared mode by mode, whatever their order and names.
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/results/compare.h>
+#include <squeal/results/run_record.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+  const std::string folder = "compare_test/";
+
+  using Signature = std::vector<std::complex<double>>;
+
+  struct Mode
+  {
+    double      frequency;
+    double      sigma;
+    std::string name;
+    int         shape; /**< number of its random shape; 0: none */
+  };
+
+  /** A shape known by its number, with a phase and size that do not matter and
+   * a little noise. */
+  Signature
+  signature(const int number, const double phase)
+  {
+    std::mt19937                     random(number);
+    std::normal_distribution<double> normal;
+    Signature                        shape(30);
+    for (auto &sample : shape)
+      sample = {normal(random), normal(random)};
+    std::mt19937 noise(1000 * number + static_cast<int>(10 * phase));
+    for (auto &sample : shape)
+      {
+        sample += 0.05 * std::complex<double>(normal(noise), normal(noise));
+        sample *= std::polar(1. + phase, phase);
+      }
+    return shape;
+  }
+
+  void
+  write_run(const std::string       &name,
+            const std::vector<Mode> &modes,
+            const double             phase,
+            const std::string       &friction)
+  {
+    fs::create_directories(folder + name);
+    using Type = Table::Type;
+    Table                  table({{"point", Type::integer, "", ""},
+                                  {"index", Type::integer, "", ""},
+                                  {"sigma_per_s", Type::real, "1/s", ""},
+                                  {"frequency_hz", Type::real, "Hz", ""},
+                                  {"error_estimate_rel", Type::real, "", ""},
+                                  {"name", Type::text, "", ""}});
+    std::vector<long long> indices;
+    std::vector<Signature> signatures;
+    for (const Mode &mode : modes)
+      {
+        const long long index = indices.size() + 1;
+        table.add_row({0, index, mode.sigma, mode.frequency, 1e-9, mode.name});
+        indices.push_back(index);
+        if (mode.shape > 0)
+          signatures.push_back(signature(mode.shape, phase));
+      }
+    table.write_csv(folder + name + "/eigenvalues.csv");
+    if (!signatures.empty())
+      make_signature_table(indices, signatures)
+        .write_csv(folder + name + "/signature.csv");
+    RunRecord record;
+    record.parameters = {{"Scene/Friction coefficient", friction},
+                         {"Analysis", "cea"}};
+    write_run_record(record, folder + name + "/run.json");
+  }
+
+  /** The row of @p table whose column a holds @p index, or -1. */
+  int
+  row_of(const Table &table, const long long index)
+  {
+    for (std::size_t r = 0; r < table.n_rows(); ++r)
+      if (!table.is_missing(r, "a") && table.integer(r, "a") == index)
+        return r;
+    return -1;
+  }
+
+  void
+  test_assurance()
+  {
+    const Signature a = {{1., 0.}, {0., 2.}}, b = {{0., 3.}, {-6., 0.}};
+    check_close(modal_assurance(a, b), 1., 1e-14, "MAC ignores phase and size");
+    check(modal_assurance({{1., 0.}, {0., 0.}}, {{0., 0.}, {1., 0.}}) == 0. &&
+            modal_assurance({}, {}) == 0. &&
+            modal_assurance({{0., 0.}}, {{1., 0.}}) == 0.,
+          "MAC of unlike and of empty shapes is zero");
+  }
+
+  void
+  test_by_shape()
+  {
+    // B: other order, a mode lost, one new, the pair at 5 kHz now coalesced
+    write_run("a",
+              {{1630., -5., "(0,0)", 1},
+               {2594., -13., "(0,3)-", 2},
+               {3520., 94., "(0,3)+", 3},
+               {4990., -49., "(0,4)+", 4},
+               {5010., -49., "support 4", 5}},
+              0.,
+              "0.3");
+    write_run("b",
+              {{2600., -13., "(0,3)-", 2},
+               {3500., -17., "support 3", 3},
+               {4998., 438., "support 4", 4},
+               {4998.2, -530., "(0,4)+", 5},
+               {6000., -60., "torsion", 6}},
+              1.,
+              "0.5");
+    std::ostringstream  out;
+    const RunComparison result = compare_runs(folder + "a", folder + "b", out);
+    const Table        &table  = result.table;
+    check(result.by_shape, "signatures in both runs are used");
+    check(table.n_rows() == 6, "four pairs, one only in A, one only in B");
+    const auto b_of = [&](const long long a) {
+      const int row = row_of(table, a);
+      return table.is_missing(row, "b") ? -1 : table.integer(row, "b");
+    };
+    check(b_of(2) == 1 && b_of(3) == 2 && b_of(4) == 3 && b_of(5) == 4 &&
+            b_of(1) == -1,
+          "shapes find each other, also where names changed");
+    check(table.real(row_of(table, 4), "mac") > 0.95 &&
+            std::abs(table.real(row_of(table, 4), "df_hz") - 8.) < 1e-9 &&
+            std::abs(table.real(row_of(table, 4), "dsigma") - 487.) < 1e-9,
+          "changes are those from A to B");
+    check(result.new_instabilities.size() == 1 &&
+            result.new_instabilities[0].find("4998.00 Hz support 4") == 0,
+          "a mode that became unstable is new");
+    check(result.vanished_instabilities.size() == 1 &&
+            result.vanished_instabilities[0].find("3520.00 Hz (0,3)+") == 0,
+          "a mode that became stable is gone");
+    const std::string text = out.str();
+    check(text.find("Scene/Friction coefficient  0.3  0.5") !=
+              std::string::npos &&
+            text.find("Analysis  ") == std::string::npos,
+          "the parameter that differs is shown, and no other");
+    check(text.find("NEW INSTABILITY") != std::string::npos &&
+            text.find("in B: support 3") != std::string::npos &&
+            text.find("only in A") != std::string::npos &&
+            text.find("only in B") != std::string::npos,
+          "the notes say what happened");
+  }
+
+  void
+  test_by_name()
+  {
+    write_run("c",
+              {{1630., -5., "(0,0)", 0},
+               {5003.9, 438.6, "(0,4)+", 0},
+               {5004.1, -531., "(0,4)+", 0},
+               {9000., 1e-7, "noise", 0}},
+              0.,
+              "0.5");
+    write_run("d",
+              {{1600., -5., "(0,0)", 0},
+               {4900.1, -520., "(0,4)+", 0},
+               {4900.2, 430., "(0,4)+", 0},
+               {9001., -3., "noise", 0},
+               {20000., -3., "far", 0}},
+              0.,
+              "0.5");
+    std::ostringstream  out;
+    const RunComparison result = compare_runs(folder + "c", folder + "d", out);
+    const Table        &table  = result.table;
+    check(!result.by_shape && !table.has_column("mac"),
+          "without signatures there is no MAC");
+    check(table.integer(row_of(table, 2), "b") == 3 &&
+            table.integer(row_of(table, 3), "b") == 2,
+          "of two pairs of one name the unstable finds the unstable");
+    check(result.new_instabilities.empty() &&
+            result.vanished_instabilities.empty(),
+          "a growth rate below its own error is no instability");
+    check(out.str().find("All parameters are the same") != std::string::npos,
+          "equal parameters are said to be equal");
+  }
+
+  void
+  test_modes_only()
+  {
+    for (const std::string name : {"e", "f"})
+      {
+        fs::create_directories(folder + name);
+        std::ofstream(folder + name + "/modes.csv")
+          << "index,frequency_hz,name\n1," << (name == "e" ? 100 : 101)
+          << ",support 1\n";
+      }
+    std::ostringstream  out;
+    const RunComparison result = compare_runs(folder + "e", folder + "f", out);
+    check(result.table.real(0, "df_percent") == 1. &&
+            !result.table.has_column("sigma_a"),
+          "undamped modes are compared by frequency");
+    check(out.str().find("nstabilities") == std::string::npos,
+          "and nothing is said of stability");
+  }
+
+  void
+  test_sweep()
+  {
+    for (const std::string name : {"g", "h"})
+      {
+        fs::create_directories(folder + name);
+        std::ofstream(folder + name + "/eigenvalues.csv")
+          << "point,index,sigma_per_s,frequency_hz,name\n1,1,-1,100,s\n"
+          << "2,1," << (name == "g" ? -1 : 1) << ",200,s\n";
+      }
+    std::ostringstream  out;
+    const RunComparison result = compare_runs(folder + "g", folder + "h", out);
+    check(result.table.n_rows() == 2 && result.new_instabilities.size() == 1 &&
+            result.new_instabilities[0].find("at point 2") != std::string::npos,
+          "points of a sweep are compared one by one");
+  }
+
+  void
+  test_refusals()
+  {
+    std::ostringstream out;
+    check_throws<InputError>(
+      [&] { compare_runs(folder + "a", folder + "none", out); },
+      "none' is not the output directory of a run",
+      "a directory that is not there");
+    fs::create_directories(folder + "empty");
+    check_throws<InputError>(
+      [&] { compare_runs(folder + "a", folder + "empty", out); },
+      "modes.csv': No such file",
+      "a directory without results");
+    fs::create_directories(folder + "bad");
+    std::ofstream(folder + "bad/eigenvalues.csv")
+      << "index,frequency_hz,name\n1,2,a\n";
+    check_throws<InputError>(
+      [&] { compare_runs(folder + "a", folder + "bad", out); },
+      "the column 'sigma_per_s' is missing",
+      "a table without the column");
+  }
+} // namespace
+
+int
+main()
+{
+  fs::remove_all(folder);
+  test_assurance();
+  test_by_shape();
+  test_by_name();
+  test_modes_only();
+  test_sweep();
+  test_refusals();
+  fs::remove_all(folder);
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A result file is complete or not there, and an output directory never loses
+// what squeal has not written.
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+
+#include <sys/resource.h>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+  const fs::path work = "files_test";
+
+  void
+  put(const fs::path &path, const std::string &text)
+  {
+    std::ofstream(path) << text;
+  }
+
+  std::size_t
+  n_entries(const fs::path &directory)
+  {
+    return std::distance(fs::directory_iterator(directory),
+                         fs::directory_iterator());
+  }
+
+  /** Lets files grow to @p bytes only: what a full disk does to a write that
+   * has begun. */
+  void
+  limit_file_size(const rlim_t bytes)
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+
+  void
+  write_big(const std::string &path)
+  {
+    write_atomically(path, [](std::ostream &out) {
+      for (int i = 0; i < 100000; ++i)
+        out << "0123456789\n";
+    });
+  }
+
+  void
+  test_atomic_write()
+  {
+    const std::string path = (work / "a.txt").string();
+    write_big(path);
+    check(fs::file_size(path) == 1100000 && n_entries(work) == 1,
+          "a file larger than the buffer is written whole, no other is left");
+
+    write_atomically(path, [](std::ostream &out) { out << "new"; });
+    check(read_file(path) == "new", "an older file is replaced");
+
+    check_throws<std::runtime_error>(
+      [&] {
+        write_atomically(path, [](std::ostream &out) {
+          out << "half";
+          throw std::runtime_error("stop");
+        });
+      },
+      "stop",
+      "what the writer throws is passed on");
+    check(read_file(path) == "new" && n_entries(work) == 1,
+          "a writer that throws leaves the older file and no other");
+
+    limit_file_size(70000);
+    check_throws<InputError>([&] { write_big(path); },
+                             "a.txt': File too large",
+                             "a write that fails half way names the reason");
+    limit_file_size(RLIM_INFINITY);
+    check(read_file(path) == "new" && n_entries(work) == 1,
+          "a write that fails half way leaves the older file and no other");
+
+    check_throws<InputError>([&] { write_big("/dev/full"); },
+                             "'/dev/full': No space left on device",
+                             "a full device is reported");
+    check(fs::is_character_file("/dev/full"), "and is still a device");
+    check_throws<InputError>([&] { write_big(path + "/b.txt"); },
+                             "Not a directory",
+                             "a path below a file is reported");
+    check_throws<InputError>([&] { write_big(work.string()); },
+                             "Is a directory",
+                             "a path that is a directory is reported");
+
+    fs::create_symlink("a.txt", work / "link.txt");
+    write_atomically((work / "link.txt").string(),
+                     [](std::ostream &out) { out << "through"; });
+    check(fs::is_symlink(work / "link.txt") && read_file(path) == "through",
+          "a link stays a link and its file is replaced");
+  }
+
+  void
+  test_reading()
+  {
+    check_throws<InputError>([] { read_file((work / "none").string()); },
+                             "none': No such file",
+                             "a missing file is named");
+    check_throws<InputError>([] { read_file(work.string()); },
+                             "Is a directory",
+                             "a directory is no file");
+  }
+
+  void
+  test_preparation()
+  {
+    const std::string directory = (work / "out/deep").string();
+    prepare_output_directory(directory, false);
+    check(fs::is_directory(directory), "a missing directory is created");
+    prepare_output_directory(directory, false);
+
+    put(work / "file", "");
+    check_throws<InputError>(
+      [] { prepare_output_directory((work / "file").string(), true); },
+      "is a file: choose another Output directory",
+      "a file in its place is refused");
+    check_throws<InputError>(
+      [] { prepare_output_directory((work / "file/x").string(), true); },
+      "Not a directory",
+      "a directory below a file is refused");
+    check_throws<InputError>([] { prepare_output_directory("", true); },
+                             "Output directory",
+                             "an empty name is refused");
+
+    put(fs::path(directory) / "notes.txt", "mine");
+    check_throws<InputError>(
+      [&] { prepare_output_directory(directory, false); },
+      "is not empty: set Overwrite = true",
+      "a directory with a foreign file is refused");
+    prepare_output_directory(directory, true);
+    check(read_file(directory + "/notes.txt") == "mine",
+          "a foreign file outlives Overwrite");
+  }
+
+  void
+  test_output_directory()
+  {
+    const std::string directory = (work / "run").string();
+    const auto        fill      = [&](OutputDirectory &output) {
+      for (const std::string name : {"modes.csv", "plots/deep/a.png"})
+        put(output.file(name), "result");
+    };
+    {
+      OutputDirectory output(directory, false);
+      put(output.file("run.log"), "log");
+    }
+    {
+      OutputDirectory output(directory, false);
+      check(!fs::exists(directory + "/run.log"),
+            "a run that left only its log does not stand in the way");
+      fill(output);
+      check(output.files().count("plots/deep/a.png") == 1,
+            "the directory knows the names it gave");
+    }
+    check_throws<InputError>([&] { OutputDirectory(directory, false); },
+                             "is not empty",
+                             "results are not overwritten by themselves");
+
+    put(directory + "/plots/mine.png", "mine");
+    put(directory + "/.part.modes.csv", "killed");
+    {
+      OutputDirectory output(directory, true);
+      check(!fs::exists(directory + "/modes.csv") &&
+              !fs::exists(directory + "/plots/deep") &&
+              !fs::exists(directory + "/.part.modes.csv"),
+            "Overwrite removes results, empty folders and what a killed run "
+            "left");
+      check(fs::exists(directory + "/plots/mine.png"),
+            "and nothing that is not a result");
+      put(directory + "/eigenvalues.csv", "foreign");
+      check_throws<InputError>([&] { output.file("eigenvalues.csv"); },
+                               "was not written by squeal",
+                               "a foreign file of a result's name is refused");
+    }
+
+    put(work / "precious", "");
+    put(directory + "/.squeal_files",
+        "../precious\n" + fs::absolute(work / "precious").string() + "\n");
+    OutputDirectory again(directory, true);
+    check(fs::exists(work / "precious"),
+          "a manifest cannot name files outside its directory");
+
+    OutputDirectory elsewhere((work / "other_rank").string(), false, false);
+    check(elsewhere.file("a/b.csv") == (work / "other_rank/a/b.csv").string() &&
+            !fs::exists(work / "other_rank"),
+          "ranks other than the root create nothing");
+  }
+} // namespace
+
+int
+main()
+{
+  fs::remove_all(work);
+  fs::create_directories(work);
+  test_atomic_write();
+  test_reading();
+  test_preparation();
+  test_output_directory();
+  fs::remove_all(work);
+}

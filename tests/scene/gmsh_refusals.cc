@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Gmsh files that cannot be used are refused in one line that names the file
+// and says what to do.
+
+#include <squeal/base/exceptions.h>
+
+#include "gmsh_cube.h"
+
+#include <filesystem>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  void
+  refuses(const std::string &text,
+          const std::string &part,
+          const std::string &what,
+          const std::string &volume = "")
+  {
+    check_throws<InputError>(
+      [&]() {
+        try
+          {
+            read(text, volume);
+          }
+        catch (const InputError &e)
+          {
+            check(std::string(e.what()).find('\n') == std::string::npos &&
+                    std::string(e.what()).find("mesh.msh") != std::string::npos,
+                  "one line that names the file");
+            throw;
+          }
+      },
+      part,
+      "refused: " + what);
+  }
+
+  void
+  unreadable_files()
+  {
+    const std::string two = version_2(Cube()), four = version_4(Cube());
+    BodyParameters    body;
+    body.name               = "pad";
+    body.shape              = BodyParameters::Shape::gmsh;
+    const auto refuses_file = [&](const std::string &file,
+                                  const std::string &part,
+                                  const std::string &what) {
+      body.mesh_file = file;
+      check_throws<InputError>(
+        [&]() { read_gmsh_body(body); }, part, "refused: " + what);
+    };
+    refuses_file("", "Scene/Body pad/Mesh file", "no file named");
+    refuses_file("nowhere.msh", "nowhere.msh", "a missing file");
+    std::filesystem::create_directory("folder.msh");
+    refuses_file("folder.msh", "directory", "a directory");
+
+    refuses("", "empty", "an empty file");
+    std::string garbage;
+    for (unsigned int i = 0, x = 1; i < 5000; ++i)
+      garbage += static_cast<char>((x = x * 1664525u + 1013904223u) >> 24);
+    refuses(garbage, "not a text file", "binary garbage");
+    refuses(
+      "solid cube\nfacet normal 0 0 1\n", "no Gmsh mesh", "another format");
+    refuses(replaced(two, "2.2 0 8", std::string("2.2 1 8\n\1\0\0\0", 12)),
+            "Mesh.Binary = 0",
+            "a binary mesh");
+    refuses(replaced(two, "2.2 0 8", "4 0 8"), "4.1", "another version");
+    refuses(replaced(four, "$Entities", "$PartitionedEntities"),
+            "partition",
+            "a partitioned mesh");
+
+    // Cut anywhere but before a line end or blank at the very end.
+    for (const auto &text : {two, four})
+      for (std::size_t n = 40; n + 13 < text.size(); n += 37)
+        {
+          bool refused = false;
+          try
+            {
+              read(text.substr(0, n));
+            }
+          catch (const InputError &)
+            {
+              refused = true;
+            }
+          if (!refused)
+            check(false, "refused: cut after byte " + std::to_string(n));
+        }
+    refuses(two.substr(0, two.size() / 2), "truncated", "a truncated file");
+    refuses(two.substr(0, two.find("$Elements")),
+            "truncated",
+            "a file without elements");
+    refuses(replaced(two, "\n2 0.5 0 0\n", "\n2 0.5 0\n"),
+            ":15: expected coordinate",
+            "a coordinate too few, by its line");
+    refuses(replaced(two, "\n2 0.5 0 0\n", "\n2 0.5 x 0\n"),
+            "not a number",
+            "text as a coordinate");
+    refuses(replaced(two, "\n2 0.5 0 0\n", "\n2 0.5 nan 0\n"),
+            "not finite",
+            "a coordinate that is not a number");
+    refuses(replaced(two, "$Nodes\n27", "$Nodes\n26"),
+            "more than it says",
+            "more nodes than announced");
+    refuses(replaced(two, "$Nodes\n27", "$Nodes\n99999999999"),
+            "cannot be right",
+            "an absurd number of nodes");
+    refuses(replaced(two, "\n2 0.5 0 0\n", "\n1 0.5 0 0\n"),
+            "node 1 is there twice",
+            "a node number used twice");
+    refuses(with_element(Cube(), "5 2 12 1 1 2 3 4 5 6 7 99"),
+            "node 99",
+            "an unknown node");
+  }
+
+  void
+  unusable_meshes()
+  {
+    const Cube        cube;
+    const std::string two = version_2(cube), four = version_4(cube);
+    refuses(two, "lower, upper", "a volume that does not exist", "pad");
+    refuses(two, "lower, upper", "the name of a surface", "left");
+    refuses(replaced(two, "3 12 \"upper\"\n", "3 12 \"upper\"\n3 13 \"void\"\n")
+              .replace(two.find("Names\n5") + 6, 1, "6"),
+            "no cells of physical volume 'void'",
+            "an empty physical volume",
+            "void");
+    // The last cell becomes something else.
+    const std::string last = "21 5 2 12 1" + spaced(cube.cells[7]);
+    refuses(replaced(two, last, "21 4 2 12 1 14 15 18 17"),
+            "1 tetrahedra",
+            "tetrahedra");
+    refuses(replaced(two, last, "21 6 2 12 1 14 15 18 23 24 27"),
+            "1 wedges",
+            "wedges");
+    refuses(replaced(two, last, "21 7 2 12 1 14 15 18 17 23"),
+            "1 pyramids",
+            "pyramids");
+    refuses(replaced(two, last, "21 17 2 12 1" + spaced(cube.cells[7])),
+            "ElementOrder = 1",
+            "second-order hexahedra");
+    check(read(replaced(two, last, "21 4 2 12 1 14 15 18 17"), "lower")
+              .cells.size() == 4,
+          "tetrahedra in another volume do not matter");
+    refuses(two.substr(0, two.find("14 5 2 11"))
+                .replace(two.find("ts\n21") + 3, 2, "13") +
+              "$EndElements\n",
+            "three dimensions",
+            "a surface mesh");
+
+    Cube bad = cube;
+    std::swap_ranges(
+      bad.cells[3].begin(), bad.cells[3].begin() + 4, bad.cells[3].begin() + 4);
+    refuses(version_4(bad), "first element 17", "one inverted cell");
+    bad          = cube;
+    bad.nodes[0] = {{.9, .9, .9}};
+    refuses(version_2(bad), "folded", "a folded cell");
+    bad             = cube;
+    bad.cells[0][7] = bad.cells[0][6];
+    refuses(version_2(bad), "collapsed", "a collapsed cell");
+    // a leaning cell on a face that two cells share already
+    std::array<int, 8> leaning = cube.cells[5];
+    std::copy_n(cube.cells[4].begin(), 4, leaning.begin());
+    refuses(with_element(cube, "5 2 12 1" + spaced(leaning)),
+            "overlap",
+            "cells that overlap");
+    refuses(with_element(cube, "3 2 2 6" + spaced(Cube::plane(0, 0)[0])),
+            "a face has one name",
+            "a face in two physical surfaces");
+
+    // The upper half on nodes of its own: 9 duplicates of the middle plane.
+    std::ostringstream apart;
+    apart << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n54\n";
+    for (int n = 0; n < 54; ++n)
+      apart << n + 1 << spaced(cube.nodes[n % 27]) << "\n";
+    apart << "$EndNodes\n$Elements\n8\n";
+    for (int c = 0; c < 8; ++c)
+      {
+        auto cell = cube.cells[c];
+        for (int &node : cell)
+          node += c < 4 ? 0 : 27;
+        apart << c + 1 << " 5 2 0 1" << spaced(cell) << "\n";
+      }
+    apart << "$EndElements\n";
+    refuses(apart.str(), "2 parts", "a body in parts that share no nodes");
+  }
+} // namespace
+
+int
+main()
+{
+  unreadable_files();
+  unusable_meshes();
+}
