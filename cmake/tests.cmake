@@ -41,13 +41,16 @@ function(_squeal_test_properties name ranks timeout)
 endfunction()
 
 # squeal_add_test(name source [MPI n] [LABELS ...] [TIMEOUT seconds]
-#                 [ARGUMENTS ...])
+#                 [ARGUMENTS ...] [AFTER test...] [LIBRARIES ...])
 #
-# A test program: exit code 0 is a pass. It is linked against squeal_core, finds
-# the source tree in the macro SQUEAL_SOURCE_DIR and runs in a directory of its
-# own. One source may serve several tests (other ranks or arguments).
+# A test program: exit code 0 is a pass. It is linked against squeal_core and
+# LIBRARIES, finds the source tree in the macro SQUEAL_SOURCE_DIR and runs in a
+# directory of its own, ${CMAKE_BINARY_DIR}/tests/run/<name>. One source may
+# serve several tests (other ranks or arguments). AFTER names tests whose files
+# it needs.
 function(squeal_add_test name source)
-  cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT" "LABELS;ARGUMENTS")
+  cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT"
+                        "LABELS;ARGUMENTS;AFTER;LIBRARIES")
   if(test_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "squeal_add_test(${name}): unknown argument "
                         "'${test_UNPARSED_ARGUMENTS}'")
@@ -64,7 +67,7 @@ function(squeal_add_test name source)
                                PRIVATE "${PROJECT_SOURCE_DIR}/tests")
     target_compile_definitions(
       ${_target} PRIVATE SQUEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    target_link_libraries(${_target} squeal_core)
+    target_link_libraries(${_target} squeal_core ${test_LIBRARIES})
     squeal_setup_target(${_target})
     set_target_properties(
       ${_target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
@@ -79,6 +82,9 @@ function(squeal_add_test name source)
            WORKING_DIRECTORY "${_directory}")
   _squeal_test_properties(${name} "${test_MPI}" "${test_TIMEOUT}"
                           ${test_LABELS})
+  if(test_AFTER)
+    set_tests_properties(${name} PROPERTIES DEPENDS "${test_AFTER}")
+  endif()
 endfunction()
 
 # squeal_add_prm_test(name file.prm [MPI n] [LABELS ...] [TIMEOUT seconds]

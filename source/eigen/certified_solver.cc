@@ -104,7 +104,7 @@ namespace squeal
     reduced.extend(start);
   }
 
-  const std::vector<EnrichmentStep> &
+  const std::vector<BasisEnrichment> &
   CertifiedSolver::history() const
   {
     return steps;
@@ -225,7 +225,7 @@ namespace squeal
   ComplexPairs
   CertifiedSolver::solve(
     const CertifiedOptions                            &options,
-    const std::function<void(const EnrichmentStep &)> &report)
+    const std::function<void(const BasisEnrichment &)> &report)
   {
     DensePairs dense = reduced.solve();
     for (unsigned int step = 0;; ++step)

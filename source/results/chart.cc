@@ -411,6 +411,11 @@ namespace squeal
         draw_reference_line(line);
       for (const Annotation &note : chart.annotations)
         draw_annotation(note);
+      const PixelBox &box = layout.legend_box;
+      if (box.x_max > box.x_min)
+        drawing.add("set object rectangle from" + at(box.x_min, box.y_min) +
+                    " to" + at(box.x_max, box.y_max) +
+                    " front fs solid 1 noborder fc rgb '#ffffff'");
       for (const ChartLayout::LegendEntry &entry : layout.legend)
         draw_legend_entry(entry);
       draw_names();

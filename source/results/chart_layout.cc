@@ -38,6 +38,23 @@ namespace squeal
           values.push_back(line.value);
       return values;
     }
+
+    /** Small boxes along a line. */
+    void
+    block_line(std::vector<PixelBox> &boxes,
+               const double           x0,
+               const double           y0,
+               const double           x1,
+               const double           y1)
+    {
+      for (int k = 1; k < 12; ++k)
+        {
+          const double x = x0 + k / 12. * (x1 - x0);
+          const double y = y0 + k / 12. * (y1 - y0);
+          if (std::isfinite(x) && std::isfinite(y))
+            boxes.push_back({x - 3., y - 3., x + 3., y + 3.});
+        }
+    }
   } // namespace
 
 
@@ -148,7 +165,11 @@ namespace squeal
         entry.y = top - entry.y;
       }
     if (!above && !legend.empty())
-      block({left, top - legend_height, left + widest, top});
+      {
+        legend_box = {
+          left - 0.3 * font, top - legend_height, left + widest, top};
+        block(legend_box);
+      }
   }
 
 
@@ -190,14 +211,25 @@ namespace squeal
         if (!std::isfinite(x) || !std::isfinite(y))
           continue;
         boxes.push_back({x - half, y - half, x + half, y + half});
-        for (int k = 1; k < 12 && has_line(series) && i > 0; ++k)
+        if (series.style == Style::bars)
           {
-            const double t  = k / 12.;
-            const double px = x + t * (pixel_x(series.x[i - 1]) - x);
-            const double py = y + t * (pixel_y(series.y[i - 1]) - y);
-            if (std::isfinite(px) && std::isfinite(py))
-              boxes.push_back({px - 3., py - 3., px + 3., py + 3.});
+            const double zero = std::max(inner.y_min, pixel_y(0.));
+            boxes.push_back({pixel_x(series.x[i] - 0.5 * series.width),
+                             std::min(zero, y),
+                             pixel_x(series.x[i] + 0.5 * series.width),
+                             std::max(zero, y)});
           }
+        if (i == 0 || !has_line(series))
+          continue;
+        const double x0 = pixel_x(series.x[i - 1]);
+        const double y0 = pixel_y(series.y[i - 1]);
+        if (series.style == Style::steps)
+          {
+            block_line(boxes, x0, y0, x, y0);
+            block_line(boxes, x, y0, x, y);
+          }
+        else
+          block_line(boxes, x0, y0, x, y);
       }
   }
 

@@ -405,15 +405,16 @@ namespace
     scene.bodies = {mass};
     const Discretization discretization(scene, {}, 1, MPI_COMM_WORLD);
     const ModeNamer      namer(discretization);
-    const Block          motions =
-      namer.signature()->apply_transposed(Eigen::MatrixXd::Identity(6, 6));
+    const Block          motions = namer.signature()->apply_transposed(
+      Eigen::MatrixXd(Eigen::MatrixXd::Identity(6, 6)));
     const auto names = namer.name(motions, Eigen::MatrixXd::Ones(1, 6));
     const std::vector<std::string> expected = {
       "x", "y", "z", "rotation x", "rotation y", "rotation z"};
     for (unsigned int i = 0; i < 6; ++i)
       check(names[i].text == "slider " + expected[i] + " 1", names[i].text);
 
-    const auto plain = ModeNamer().name(Block::Random(5, 3), Eigen::MatrixXd());
+    const auto plain =
+      ModeNamer().name(Block(Block::Random(5, 3)), Eigen::MatrixXd());
     check(plain.size() == 3 && plain[2].text == "mode 3" && !plain[2].is_disc,
           "models without geometry have plain numbers");
   }

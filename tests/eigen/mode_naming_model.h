@@ -160,7 +160,7 @@ namespace squeal
       return b;
     }
 
-    void
+    inline void
     clamp(SceneParameters   &scene,
           const std::string &body,
           const std::string &face)
@@ -172,7 +172,7 @@ namespace squeal
       scene.supports.push_back(support);
     }
 
-    SceneParameters
+    inline SceneParameters
     disc_scene(const std::array<unsigned int, 3> &cells)
     {
       SceneParameters scene;

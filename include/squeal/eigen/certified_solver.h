@@ -21,7 +21,7 @@ namespace squeal
   };
 
   /** One row of the convergence history of the basis. */
-  struct EnrichmentStep
+  struct BasisEnrichment
   {
     unsigned int basis_size;
     double       worst_residual;
@@ -53,9 +53,9 @@ namespace squeal
      * allowed enrichments. */
     ComplexPairs
     solve(const CertifiedOptions                           &options,
-          const std::function<void(const EnrichmentStep &)> &report = {});
+          const std::function<void(const BasisEnrichment &)> &report = {});
 
-    const std::vector<EnrichmentStep> &
+    const std::vector<BasisEnrichment> &
     history() const;
     const ReducedBasis &
     basis() const;
@@ -82,7 +82,7 @@ namespace squeal
     const Pencil                &pencil;
     const ShiftedInverse        &inverse;
     ReducedBasis                 reduced;
-    std::vector<EnrichmentStep>  steps;
+    std::vector<BasisEnrichment>  steps;
   };
 
   /** Fills error_estimate of @p pairs from the eigenvalues of a better basis;

@@ -50,6 +50,7 @@ namespace squeal
     Axis                     x_axis;
     Axis                     y_axis;
     std::vector<LegendEntry> legend;
+    PixelBox                 legend_box; /**< of a legend inside the panel */
 
   private:
     void choose_margins();

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_driver_analyses_h
+#define squeal_driver_analyses_h
+
+#include <squeal/driver/mode_solution.h>
+#include <squeal/driver/model.h>
+#include <squeal/driver/run_context.h>
+#include <squeal/eigen/complex_pairs.h>
+
+namespace squeal
+{
+  /** `Analysis = modes`: undamped modes with names and errors. */
+  void
+  run_modes(RunContext &context);
+
+  /** `Analysis = cea`: the complex eigenvalue analysis. */
+  void
+  run_cea(RunContext &context);
+
+  /** `Analysis = work precision`: a ladder of settings, error against work. */
+  void
+  run_work_precision(RunContext &context);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "shape_output.h"
+
+#include <squeal/base/exceptions.h>
+#include <squeal/driver/analyses.h>
+#include <squeal/driver/cea_quantities.h>
+#include <squeal/driver/cea_solution.h>
+#include <squeal/results/compare.h>
+#include <squeal/results/plots.h>
+
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    std::vector<PlottedPair>
+    plotted_pairs(const ComplexPairs &pairs, const PairQuantities &q)
+    {
+      std::vector<PlottedPair> result;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          PlottedPair pair;
+          pair.sigma                = pairs.sigma(i);
+          pair.frequency            = pairs.frequency(i);
+          pair.name                 = q.names[i].text;
+          pair.is_unstable          = is_unstable(pairs, i);
+          pair.residual             = pairs.residual[i];
+          pair.error_estimate       = pairs.error_estimate[i];
+          pair.discretisation_error = q.discretisation_error[i];
+          for (Eigen::Index b = 0; b < q.energy_shares.rows(); ++b)
+            pair.energy_shares.push_back(q.energy_shares(b, i));
+          result.push_back(pair);
+        }
+      return result;
+    }
+
+    void
+    draw_charts(RunContext                          &context,
+                const Model                         &model,
+                const std::vector<PlottedPair>      &pairs,
+                const std::vector<BasisEnrichment>  &history,
+                HtmlReport                          &report)
+    {
+      if (!context.is_root)
+        return;
+      const auto &p    = context.parameters.eigen;
+      const auto  path = [&](const std::string &name) {
+        context.output.file("plots/" + name + ".png");
+        return context.output.path() + "/plots/" + name;
+      };
+      const auto &plotter = context.plotter;
+      report.section("Charts");
+      plot_spectrum(plotter, pairs, path("spectrum"));
+      report.figure(path("spectrum") + ".png", "Complex eigenvalues", true);
+      plot_damping_chart(
+        plotter, pairs, p.damping_threshold_percent, path("damping"));
+      report.figure(path("damping") + ".png", "Damping ratio", true);
+      plot_energy_shares(
+        plotter, model.body_names(), pairs, path("energy_shares"));
+      report.figure(path("energy_shares") + ".png", "Energy by body", true);
+      plot_error_estimates(plotter,
+                           pairs,
+                           p.residual_tolerance,
+                           p.error_tolerance,
+                           path("errors"));
+      report.figure(path("errors") + ".png", "Error of every pair", true);
+      std::vector<EnrichmentStep> steps;
+      for (const auto &step : history)
+        steps.push_back(
+          {step.basis_size, step.worst_residual, step.worst_estimate});
+      plot_enrichment_decay(
+        plotter, steps, p.residual_tolerance, p.error_tolerance, path("basis"));
+      report.figure(path("basis") + ".png", "Certified basis", true);
+    }
+
+    void
+    write_signature(RunContext &context, const Model &model, const ComplexPairs &pairs)
+    {
+      const auto signature = model.namer().signature();
+      if (!signature)
+        return;
+      ComplexBlock full = model.linearized()
+                            .expand(Block(pairs.right.real()))
+                            .cast<std::complex<double>>();
+      full.imag() = model.linearized().expand(Block(pairs.right.imag()));
+      const Eigen::MatrixXcd samples = signature->apply(full);
+      std::vector<long long> indices;
+      std::vector<std::vector<std::complex<double>>> rows;
+      for (Eigen::Index j = 0; j < samples.cols(); ++j)
+        {
+          indices.push_back(j + 1);
+          rows.emplace_back(samples.col(j).data(),
+                            samples.col(j).data() + samples.rows());
+        }
+      context.write_table("signature.csv", make_signature_table(indices, rows));
+    }
+  } // namespace
+
+
+
+  void
+  run_cea(RunContext &context)
+  {
+    const auto &p = context.parameters;
+    Model       model(p, context.timers);
+    model.print_summary(context.log);
+    const ModeSolution modes =
+      solve_modes_adaptively(model, context.log, context.timers);
+    context.write_table("modes.csv", mode_table(model, modes));
+    const CeaSolution solution =
+      solve_cea(model, modes, context.log, context.timers);
+    const ComplexPairs &pairs = solution.pairs;
+    if (pairs.size() == 0)
+      throw InputError("Eigenvalues/Lowest frequency and Highest frequency: the "
+                       "band holds no eigenvalues");
+
+    PairQuantities quantities;
+    {
+      Timers::Section section(context.timers, "Solve: names and indices");
+      quantities = pair_quantities(model, modes, pairs);
+    }
+    const Table table = eigenvalue_table(model, modes, pairs, quantities);
+    context.write_table("eigenvalues.csv", table);
+    if (p.eigen.compare_direct)
+      context.write_table("direct_check.csv", compare_with_direct(model, modes, pairs, context.log, context.timers));
+    write_signature(context, model, pairs);
+
+    std::vector<bool> highlighted;
+    unsigned int      n_unstable = 0;
+    std::string       which;
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      {
+        highlighted.push_back(is_unstable(pairs, i));
+        if (highlighted.back())
+          {
+            ++n_unstable;
+            which += (which.empty() ? "" : "; ") + quantities.names[i].text +
+                     " at " + rounded_text(pairs.frequency(i), 5) +
+                     " Hz, sigma " + rounded_text(pairs.sigma(i), 4) + " 1/s";
+          }
+      }
+    context.log.heading("Eigenvalues: lambda = sigma + i omega, sigma > 0 "
+                        "unstable, f = omega / 2 pi, zeta = -sigma / |lambda|");
+    std::ostringstream text;
+    table.print(text,
+                {"index",
+                 "frequency_hz",
+                 "sigma_per_s",
+                 "damping_ratio",
+                 "residual_rel",
+                 "error_estimate_rel",
+                 "discretisation_error_rel",
+                 "unstable",
+                 "name"});
+    context.log.info(text.str());
+    context.record.n_dofs  = model.n_unknowns();
+    context.record.figures = {
+      {"unstable pairs", std::to_string(n_unstable)},
+      {"which", n_unstable ? which : "none"},
+      {"pairs in the band", std::to_string(pairs.size())},
+      {"worst residual", rounded_text(pairs.residual.maxCoeff(), 2)},
+      {"worst error estimate", rounded_text(pairs.error_estimate.maxCoeff(), 2)},
+      {"unknowns", std::to_string(model.n_unknowns())},
+      {"basis", std::to_string(solution.basis_size)}};
+
+    HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
+                      "lambda = sigma + i omega, sigma > 0 unstable");
+    report.set_verdict(n_unstable ? HtmlReport::Verdict::bad :
+                                    HtmlReport::Verdict::good,
+                       n_unstable == 0 ? "no unstable pair in the band" :
+                       n_unstable == 1 ? "1 unstable pair: " + which :
+                                         std::to_string(n_unstable) +
+                                           " unstable pairs: " + which,
+                       context.record.figures);
+    if (p.output.plots)
+      {
+        Timers::Section section(context.timers, "Write: charts");
+        draw_charts(context,
+                    model,
+                    plotted_pairs(pairs, quantities),
+                    solution.history,
+                    report);
+      }
+    std::string open_this;
+    if (p.output.shapes != OutputParameters::Shapes::none &&
+        model.discretization() && model.discretization()->has_mesh())
+      {
+        Timers::Section section(context.timers, "Write: shapes");
+        if (n_unstable)
+          report.section("Unstable shapes");
+        open_this =
+          write_pair_shapes(context, model, pairs, quantities, report);
+      }
+    report.section("Eigenvalues");
+    report.table(table, "Pairs in the band", {}, highlighted);
+    context.finish(p.output.report ? &report : nullptr, open_this);
+  }
+} // namespace squeal

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "shape_output.h"
+
+#include <squeal/base/exceptions.h>
+#include <squeal/driver/analyses.h>
+#include <squeal/results/plots.h>
+
+#include <sstream>
+
+namespace squeal
+{
+  void
+  run_modes(RunContext &context)
+  {
+    const auto &p = context.parameters;
+    Model       model(p, context.timers);
+    model.print_summary(context.log);
+    Table steps({{"mesh", Table::Type::integer, "", "number of the mesh"},
+                 {"unknowns", Table::Type::integer, "", "free unknowns"},
+                 {"estimated_error_rel",
+                  Table::Type::real,
+                  "",
+                  "largest estimated relative frequency error in the band",
+                  3},
+                 {"cpu_seconds", Table::Type::real, "s", "since the start", 3}});
+    ModeSolution solution =
+      solve_modes_adaptively(model, context.log, context.timers, &steps);
+    const Table table = mode_table(model, solution);
+    if (table.n_rows() == 0)
+      throw InputError(
+        "Eigenvalues/Lowest frequency and Highest frequency: the band holds no "
+        "modes; the first modes above it are to be found by a higher Highest "
+        "frequency");
+    context.write_table("modes.csv", table);
+    context.log.heading("Modes");
+    std::ostringstream text;
+    table.print(text, {"index", "frequency_hz", "name", "error_estimate_rel"});
+    context.log.info(text.str());
+    context.record.n_dofs = model.n_unknowns();
+    context.record.figures = {{"modes in the band", std::to_string(table.n_rows())},
+                              {"unknowns", std::to_string(model.n_unknowns())}};
+
+    HtmlReport report("Modes of " + p.scene.name, "undamped, frictionless");
+    report.set_verdict(HtmlReport::Verdict::neutral,
+                       std::to_string(table.n_rows()) + " modes in the band",
+                       context.record.figures);
+    report.section("Modes");
+    report.table(table, "Modes in the band");
+    if (steps.n_rows() > 0)
+      report.table(steps, "Meshes");
+
+    std::string open_this;
+    if (p.output.shapes == OutputParameters::Shapes::all &&
+        model.discretization() && model.discretization()->has_mesh())
+      {
+        Timers::Section section(context.timers, "Write: shapes");
+        open_this = write_mode_shapes(context, model, solution);
+      }
+    context.finish(p.output.report ? &report : nullptr, open_this);
+  }
+} // namespace squeal
