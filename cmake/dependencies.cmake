@@ -73,7 +73,9 @@ if(SQUEAL_NATIVE)
     endif()
     string(MD5 _processor "${_processor}")
     string(SUBSTRING "${_processor}" 0 8 _processor)
-    set(SQUEAL_FLAGS_NATIVE -march=native -DSQUEAL_PROCESSOR=0x${_processor})
+    # GCC 12 warns of its own AVX-512 intrinsics (GCC bug 105593).
+    set(SQUEAL_FLAGS_NATIVE -march=native -DSQUEAL_PROCESSOR=0x${_processor}
+                            -Wno-maybe-uninitialized)
   endif()
 endif()
 

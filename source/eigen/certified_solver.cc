@@ -175,7 +175,7 @@ namespace squeal
 
   Block
   CertifiedSolver::residual_directions(Candidates             &c,
-                                       const CertifiedOptions &options) const
+                                       const CertifiedOptions &options)
   {
     ComplexPairs      &pairs = c.pairs;
     const Eigen::Index n     = pairs.size();
@@ -185,10 +185,10 @@ namespace squeal
       pencil, pairs.lambda, reduced.apply(c.right, false), R, scale_r);
     pairs.left_residual = relative_residuals(
       pencil, pairs.lambda, reduced.apply(c.left, true), L, scale_l);
-    pairs.noise_floor =
-      4. * std::numeric_limits<double>::epsilon() *
-      pencil.stiffness_rounding_size(reduced.lift(c.right)).array() /
-      scale_r.array();
+    if (rounding_sizes.size() != n)
+      rounding_sizes = pencil.stiffness_rounding_size(reduced.lift(c.right));
+    pairs.noise_floor = 4. * std::numeric_limits<double>::epsilon() *
+                        rounding_sizes.array() / scale_r.array();
 
     // Left residuals enter the eigenvalue's error only as a product with the
     // right ones: the square root of the tolerance is enough for them.
@@ -256,15 +256,8 @@ namespace squeal
             "tolerance");
         if (done)
           {
-            // Coordinates of the old basis are the first ones of the new.
-            const auto extended = [&](const Eigen::MatrixXcd &z) {
-              Eigen::MatrixXcd all =
-                Eigen::MatrixXcd::Zero(reduced.size(), z.cols());
-              all.topRows(z.rows()) = z;
-              return all;
-            };
-            pairs.right = reduced.lift(extended(current.right));
-            pairs.left  = reduced.lift(extended(current.left));
+            pairs.right = reduced.lift(current.right);
+            pairs.left  = reduced.lift(current.left);
             return pairs;
           }
       }

@@ -175,8 +175,8 @@ namespace squeal
       std::string others;
       for (const auto &[kind, n] : count)
         if (kind != Kind::hexahedron)
-          others += (others.empty() ? "" : ", ") + std::to_string(n) + " " +
-                    plural_of(kind);
+          others += (others.empty() ? "" : ", ") + plural_of(kind) + " (" +
+                    std::to_string(n) + ")";
       const bool only_order = count.count(Kind::higher_order_hexahedron) == 1 &&
                               count.size() <= 1 + count.count(Kind::hexahedron);
       if (!others.empty())

@@ -130,13 +130,13 @@ namespace
     // The last cell becomes something else.
     const std::string last = "21 5 2 12 1" + spaced(cube.cells[7]);
     refuses(replaced(two, last, "21 4 2 12 1 14 15 18 17"),
-            "1 tetrahedra",
+            "tetrahedra (1)",
             "tetrahedra");
     refuses(replaced(two, last, "21 6 2 12 1 14 15 18 23 24 27"),
-            "1 wedges",
+            "wedges (1)",
             "wedges");
     refuses(replaced(two, last, "21 7 2 12 1 14 15 18 17 23"),
-            "1 pyramids",
+            "pyramids (1)",
             "pyramids");
     refuses(replaced(two, last, "21 17 2 12 1" + spaced(cube.cells[7])),
             "ElementOrder = 1",

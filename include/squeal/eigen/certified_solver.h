@@ -74,7 +74,7 @@ namespace squeal
      * tolerances and compressed to the directions that matter. */
     Block
     residual_directions(Candidates             &candidates,
-                        const CertifiedOptions &options) const;
+                        const CertifiedOptions &options);
 
     bool
     converged(const ComplexPairs &pairs, const CertifiedOptions &options) const;
@@ -82,6 +82,9 @@ namespace squeal
     const Pencil                &pencil;
     const ShiftedInverse        &inverse;
     ReducedBasis                 reduced;
+    /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
+     * one scene hardly change it from one basis to the next. */
+    Eigen::VectorXd rounding_sizes;
     std::vector<BasisEnrichment>  steps;
   };
 

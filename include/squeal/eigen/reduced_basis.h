@@ -35,7 +35,7 @@ namespace squeal
     DensePairs
     solve() const;
 
-    /** V z. */
+    /** V z; coordinates of an earlier, smaller basis will do. */
     ComplexBlock
     lift(const Eigen::MatrixXcd &coordinates) const;
 
@@ -45,9 +45,21 @@ namespace squeal
     apply(const Eigen::MatrixXcd &coordinates, const bool transposed) const;
 
   private:
-    const Pencil             &pencil;
-    MassBasis                 basis;
-    std::vector<GrowingBlock> products, transposed_products;
+    /** A V of one part on the rows where it is not zero: those of friction
+     * are few. */
+    struct Product
+    {
+      std::vector<Eigen::Index> rows; /**< empty: all */
+      GrowingBlock              columns;
+      void
+      append(const Block &AW);
+      void
+      add_to(const Eigen::MatrixXcd &coordinates, ComplexBlock &result) const;
+    };
+
+    const Pencil        &pencil;
+    MassBasis            basis;
+    std::vector<Product> products, transposed_products;
     std::vector<ReducedPart> projected;
     bool                     rayleigh;
     double                   alpha, beta;

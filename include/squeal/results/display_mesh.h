@@ -28,8 +28,8 @@ namespace squeal
     {
       std::vector<double>       points;    /**< x y z of each, m */
       std::vector<std::int32_t> hexahedra; /**< 8 points each, VTK's order */
-      std::vector<std::int32_t> quads;     /**< the surface: 4 points each,
-                                                counter-clockwise from outside */
+      /** The surface: 4 points each, counter-clockwise from outside. */
+      std::vector<std::int32_t> quads;
       std::vector<std::int32_t> hexahedron_body, quad_body;
       std::vector<std::int32_t> hexahedron_rank; /**< the owner's */
 

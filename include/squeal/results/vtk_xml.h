@@ -17,8 +17,8 @@ namespace squeal
 
     /**
      * A `<DataArray>` of float, double, int32_t or uint8_t, compressed by zlib
-     * and written as base64, so that the file is plain XML. Its values are
-     * those of one component after the other within a tuple.
+     * and written as base64, so that the file is plain XML. The components of
+     * one point or cell follow each other.
      */
     template <typename T>
     std::string data_array(const std::string    &name,
