@@ -62,6 +62,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/assembly.cc
     source/discretization/discretization.cc
     source/discretization/eigenvalue_error.cc
+    source/discretization/eigenvalue_error_cell.cc
     source/discretization/element_matrices.cc
     source/discretization/face_quadrature.cc
     source/discretization/free_unknowns.cc

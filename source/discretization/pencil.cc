@@ -195,7 +195,7 @@ namespace squeal
   {
     Block result = Block::Zero(X.rows(), X.cols());
     for (const auto &part : all_parts)
-      if (part.coefficients.mass != 0.)
+      if (part.symmetric && part.coefficients.mass != 0.)
         result += part.coefficients.mass * part.matrix->multiply(X);
     return result;
   }

@@ -185,7 +185,7 @@ namespace squeal
         double worst = 0.;
         for (unsigned int i = 0; i < n; ++i)
           {
-            solution.discretisation_error[i] = 0.5 * errors.mode[i];
+            solution.discretisation_error[i] = errors.frequency[i];
             if (solution.modes.frequency(i) >= parameters.eigen.lowest_frequency)
               worst = std::max(worst, solution.discretisation_error[i]);
           }

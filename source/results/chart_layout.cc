@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
@@ -231,6 +232,32 @@ namespace squeal
         else
           block_line(boxes, x0, y0, x, y);
       }
+  }
+
+
+
+  PixelBox
+  ChartLayout::freest_of(const std::vector<PixelBox> &boxes) const
+  {
+    std::vector<PixelBox> taken = obstacles;
+    for (const ChartSeries &series : chart.series)
+      block_series(taken, series);
+    PixelBox best;
+    double   least = std::numeric_limits<double>::infinity();
+    for (const PixelBox &box : boxes)
+      {
+        const double area = (box.x_max - box.x_min) * (box.y_max - box.y_min);
+        // what sticks out of the panel counts as covered
+        double covered = area - box.overlap(inner);
+        for (const PixelBox &other : taken)
+          covered += box.overlap(other);
+        if (covered < least - 1e-6)
+          {
+            least = covered;
+            best  = box;
+          }
+      }
+    return best;
   }
 
 

@@ -15,9 +15,8 @@ namespace squeal
     using Marker = ChartSeries::Marker;
     using Scale  = AxisSettings::Scale;
 
-    constexpr double smallest_drawn  = 1e-17; // below the noise of doubles
-    constexpr int    most_bars       = 60;
-    constexpr char   frequency_khz[] = "frequency in kHz";
+    constexpr double smallest_drawn = 1e-17; // below the noise of doubles
+    constexpr int    most_bars      = 60;
 
     ChartSeries
     series(const std::string &label,
@@ -38,8 +37,29 @@ namespace squeal
     std::string
     frequency_text(const double frequency)
     {
-      return plain_number(frequency, 0) + " Hz";
+      return (frequency >= 100. ? plain_number(frequency, 0)
+                                : rounded_text(frequency, 3)) +
+             " Hz";
     }
+
+    /** kHz for brakes, Hz for lumped scenes. */
+    struct FrequencyUnit
+    {
+      explicit FrequencyUnit(const std::vector<PlottedPair> &pairs)
+      {
+        double highest = 0.;
+        for (const PlottedPair &pair : pairs)
+          highest = std::max(highest, pair.frequency);
+        if (highest > 0. && highest < 1000.)
+          {
+            factor = 1.;
+            label  = "frequency in Hz";
+          }
+      }
+
+      double      factor = 1e-3;
+      std::string label  = "frequency in kHz";
+    };
 
     std::string
     pair_text(const PlottedPair &pair)
@@ -132,8 +152,9 @@ namespace squeal
                 const std::string              &path,
                 const std::string              &title)
   {
-    ChartSeries stable = series("stable", Ink::blue, Marker::circle);
-    ChartSeries unstable =
+    const FrequencyUnit unit(pairs);
+    ChartSeries         stable = series("stable", Ink::blue, Marker::circle);
+    ChartSeries         unstable =
       series("unstable", Ink::vermillion, Marker::triangle);
     unstable.marker_size = 2.2;
     std::vector<double> sigmas;
@@ -141,9 +162,12 @@ namespace squeal
       {
         sigmas.push_back(pair.sigma);
         if (pair.is_unstable)
-          add(unstable, pair.sigma, 1e-3 * pair.frequency, pair_text(pair));
+          add(unstable,
+              pair.sigma,
+              unit.factor * pair.frequency,
+              pair_text(pair));
         else
-          add(stable, pair.sigma, 1e-3 * pair.frequency);
+          add(stable, pair.sigma, unit.factor * pair.frequency);
       }
 
     Chart chart;
@@ -151,7 +175,7 @@ namespace squeal
     chart.x.label = "σ in 1/s   (growth to the right, decay to the left)";
     chart.x.scale = Scale::signed_logarithmic;
     chart.x.linear_width = inner_decade(sigmas);
-    chart.y.label        = frequency_khz;
+    chart.y.label        = unit.label;
     chart.y.lower        = 0.;
     chart.series         = {stable, unstable};
     chart.lines          = {{true, 0., "", Ink::black, false}};
@@ -171,9 +195,10 @@ namespace squeal
                      const std::string              &path,
                      const std::string              &title)
   {
-    const double threshold = -std::abs(threshold_percent);
-    ChartSeries  stable    = series("stable", Ink::blue, Marker::circle);
-    ChartSeries  weak =
+    const FrequencyUnit unit(pairs);
+    const double        threshold = -std::abs(threshold_percent);
+    ChartSeries         stable    = series("stable", Ink::blue, Marker::circle);
+    ChartSeries         weak =
       series("unstable, within the threshold", Ink::orange, Marker::diamond);
     ChartSeries strong = series(
       "unstable, beyond the threshold", Ink::vermillion, Marker::triangle);
@@ -184,7 +209,7 @@ namespace squeal
         if (!(pair.frequency > 0.))
           continue;
         const double zeta = damping_percent(pair);
-        const double f    = 1e-3 * pair.frequency;
+        const double f    = unit.factor * pair.frequency;
         if (!pair.is_unstable)
           add(stable, f, zeta);
         else if (zeta >= threshold)
@@ -197,7 +222,7 @@ namespace squeal
 
     Chart chart;
     chart.title   = title;
-    chart.x.label = frequency_khz;
+    chart.x.label = unit.label;
     chart.x.lower = 0.;
     chart.y.label = "damping ratio ζ in %   (negative: unstable)";
     // a few heavily damped modes would flatten all that matters
@@ -293,7 +318,8 @@ namespace squeal
                        const std::string              &path,
                        const std::string              &title)
   {
-    ChartSeries residual =
+    const FrequencyUnit unit(pairs);
+    ChartSeries         residual =
       series("residual, relative", Ink::sky, Marker::square);
     ChartSeries estimate = series(
       "error estimate |dλ|/|λ| of the reduction", Ink::blue, Marker::circle);
@@ -305,7 +331,7 @@ namespace squeal
     };
     for (const PlottedPair &pair : pairs)
       {
-        const double f = 1e-3 * pair.frequency;
+        const double f = unit.factor * pair.frequency;
         add(residual, f, drawn(pair.residual));
         add(estimate, f, drawn(pair.error_estimate));
         add(mesh, f, drawn(pair.discretisation_error));
@@ -313,7 +339,7 @@ namespace squeal
 
     Chart chart;
     chart.title   = title;
-    chart.x.label = frequency_khz;
+    chart.x.label = unit.label;
     chart.x.lower = 0.;
     chart.y.label = "relative error";
     chart.y.scale = Scale::logarithmic;

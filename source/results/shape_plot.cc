@@ -119,13 +119,25 @@ namespace squeal
     }
 
     std::string
-    line_data(const std::vector<CanvasLine> &lines, const Fit &fit)
+    path_data(const std::vector<CanvasPath> &paths, const Fit &fit)
     {
       std::string rows;
-      for (const CanvasLine &line : lines)
-        rows += pixel_text(fit.pixels(line[0])) + " 0\n" +
-                pixel_text(fit.pixels(line[1])) + " 0\n\n\n";
+      for (const CanvasPath &path : paths)
+        {
+          for (const auto &point : path)
+            rows += pixel_text(fit.pixels(point)) + " 0\n";
+          rows += "\n\n";
+        }
       return rows;
+    }
+
+    std::vector<CanvasPath>
+    as_paths(const std::vector<CanvasLine> &lines)
+    {
+      std::vector<CanvasPath> paths;
+      for (const CanvasLine &line : lines)
+        paths.push_back({line[0], line[1]});
+      return paths;
     }
 
     void
@@ -259,9 +271,9 @@ namespace squeal
         const auto face = view_from_above(picture.face, range, n_pieces);
         const Fit  fit(face, {middle + line, 2. * line, right - line, top});
         add_quads(rows, face, fit);
-        nodal_lines = line_data(zero_lines(picture.face), fit);
-        edges       = line_data(outline(picture.face), fit);
-        contact     = line_data(outline(picture.contact), fit);
+        nodal_lines = path_data(as_paths(zero_lines(picture.face)), fit);
+        edges       = path_data(outline(picture.face), fit);
+        contact     = path_data(outline(picture.contact), fit);
         add_text(drawing,
                  0.5 * (middle + right),
                  1.0 * line,

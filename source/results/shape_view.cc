@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace squeal
@@ -125,21 +126,26 @@ namespace squeal
     struct Edge
     {
       int        n_quads = 0;
+      CornerKey  from_key, to_key;
       CanvasLine line;
     };
 
     using EdgeMap = std::map<EdgeKey, Edge>;
 
+    CornerKey
+    corner_key(const Point &p)
+    {
+      return {{std::llround(p[0] * 1e9),
+               std::llround(p[1] * 1e9),
+               std::llround(p[2] * 1e9)}};
+    }
+
     /** The side from corner @p i of @p quad, the same from both sides. */
     EdgeKey
     edge_key(const ShapeQuad &quad, const unsigned int i)
     {
-      const auto key = [](const Point &p) {
-        return CornerKey{{std::llround(p[0] * 1e9),
-                          std::llround(p[1] * 1e9),
-                          std::llround(p[2] * 1e9)}};
-      };
-      return std::minmax(key(quad.corners[i]), key(quad.corners[(i + 1) % 4]));
+      return std::minmax(corner_key(quad.corners[i]),
+                         corner_key(quad.corners[(i + 1) % 4]));
     }
 
     EdgeMap
@@ -153,7 +159,9 @@ namespace squeal
             const Point &b    = quad.corners[(i + 1) % 4];
             Edge        &edge = edges[edge_key(quad, i)];
             ++edge.n_quads;
-            edge.line = {{{{a[0], a[1]}}, {{b[0], b[1]}}}};
+            edge.from_key = corner_key(a);
+            edge.to_key   = corner_key(b);
+            edge.line     = {{{{a[0], a[1]}}, {{b[0], b[1]}}}};
           }
       return edges;
     }
@@ -350,13 +358,41 @@ namespace squeal
 
 
 
-  std::vector<CanvasLine>
+  std::vector<CanvasPath>
   outline(const std::vector<ShapeQuad> &quads)
   {
-    std::vector<CanvasLine> lines;
+    // corners of the outline, where they are and which they are joined to
+    std::map<CornerKey, std::array<double, 2>> places;
+    std::map<CornerKey, std::set<CornerKey>>   joined;
     for (const auto &[key, edge] : edges_of(quads))
-      if (edge.n_quads == 1)
-        lines.push_back(edge.line);
-    return lines;
+      if (edge.n_quads == 1 && key.first != key.second)
+        {
+          places[edge.from_key] = edge.line[0];
+          places[edge.to_key]   = edge.line[1];
+          joined[key.first].insert(key.second);
+          joined[key.second].insert(key.first);
+        }
+
+    std::vector<CanvasPath> paths;
+    while (!joined.empty())
+      {
+        CornerKey  at = joined.begin()->first;
+        CanvasPath path{places[at]};
+        while (joined.count(at) > 0)
+          {
+            const CornerKey next = *joined[at].begin();
+            for (const auto &[from, to] :
+                 {EdgeKey(at, next), EdgeKey(next, at)})
+              {
+                joined[from].erase(to);
+                if (joined[from].empty())
+                  joined.erase(from);
+              }
+            path.push_back(places[next]);
+            at = next;
+          }
+        paths.push_back(path);
+      }
+    return paths;
   }
 } // namespace squeal

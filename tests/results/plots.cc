@@ -128,6 +128,17 @@ namespace
     check_png("decay", 1400, 900);
   }
 
+  /** A lumped scene with frequencies far below those of a brake. */
+  void
+  test_low_frequencies(const Plotter &plotter)
+  {
+    check(plot_spectrum(plotter, {pair(0.2268, 0.2, "mass 1")}, folder + "low"),
+          "a lumped scene");
+    check(svg_says("low", "frequency in Hz") &&
+            svg_says("low", "0.227 Hz  mass 1"),
+          "has Hz on its axis and digits that tell its frequency");
+  }
+
   void
   test_nothing(const Plotter &plotter)
   {
@@ -215,6 +226,7 @@ main()
   const Plotter      plotter(log, true);
   check(plotter.is_available(), "gnuplot is there: " + console.str());
   test_charts(plotter);
+  test_low_frequencies(plotter);
   test_nothing(plotter);
   test_general_chart(plotter);
   check(log.warnings().empty(), "no warning so far");

@@ -65,6 +65,15 @@ namespace
       same = same && same_bits(read.real(r, "x"), values[r]);
     check(same, "every bit of 5000 doubles comes back");
 
+    Table whole({{"x", Type::real, "", ""}});
+    for (const double value : {1., -0., 0.})
+      whole.add_row({value});
+    whole.write_csv("table_test_whole.csv");
+    const Table again = read_csv("table_test_whole.csv");
+    check(same_bits(again.real(1, "x"), -0.) && again.real(0, "x") == 1.,
+          "a sign of zero is kept among whole numbers");
+    std::filesystem::remove("table_test_whole.csv");
+
     const std::string first = read_file(path);
     read.write_csv(path);
     check(read_file(path) == first, "and the same bytes are written again");

@@ -110,7 +110,8 @@ namespace squeal
     Products
     apply_transposed(const ComplexBlock &X) const;
 
-    /** M X for the mass matrix. */
+    /** M_0 X, the symmetric part of the mass (the multipliers of an eliminated
+     * contact add a non-symmetric one). */
     Block
     multiply_mass(const Block &X) const;
     /** K_0 X, the real symmetric part of the stiffness (no friction). */

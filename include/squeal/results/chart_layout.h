@@ -42,6 +42,10 @@ namespace squeal
     /** Keeps names off a part of the panel. */
     void block(const PixelBox &box);
 
+    /** Of boxes inside the panel the one that covers least of what is drawn;
+     * the first of equals. */
+    PixelBox freest_of(const std::vector<PixelBox> &boxes) const;
+
     /** The names of all series at their places. */
     std::vector<Name> place_names(double font_size) const;
 

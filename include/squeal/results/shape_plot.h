@@ -20,8 +20,8 @@ namespace squeal
     std::vector<ShapeQuad> surface; /**< deformed, all bodies */
     std::vector<ShapeQuad> face;    /**< undeformed face of the disc */
     std::vector<ShapeQuad> contact; /**< what stands on it, for its outline */
-    std::string            value_label = "axial displacement over its largest";
-    Viewpoint              viewpoint;
+    std::string value_label = "axial displacement / largest of the face";
+    Viewpoint   viewpoint;
   };
 
   /**

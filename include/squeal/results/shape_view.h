@@ -70,9 +70,12 @@ namespace squeal
   /** Where the value is zero, seen from +z: the nodal lines. */
   std::vector<CanvasLine> zero_lines(const std::vector<ShapeQuad> &quads);
 
-  /** Edges that belong to one quad only, seen from +z: the outline of a face.
-   * Corners nearer than 1e-9 m are the same. */
-  std::vector<CanvasLine> outline(const std::vector<ShapeQuad> &quads);
+  /** Points of the canvas that are joined by lines. */
+  using CanvasPath = std::vector<std::array<double, 2>>;
+
+  /** Edges that belong to one quad only, seen from +z and joined end to end:
+   * the outline of a face. Corners nearer than 1e-9 m are the same. */
+  std::vector<CanvasPath> outline(const std::vector<ShapeQuad> &quads);
 } // namespace squeal
 
 #endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Mortar contact is the limit of stiff contact springs; mortar ties give the
+// modes of conforming ones, exactly so on matching meshes.
+
+#include "scenes.h"
+
+#include <deal.II/base/mpi.h>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  Eigen::VectorXcd
+  spectrum(const SceneParameters &scene, const double top)
+  {
+    Model model(scene, 2, top);
+    return model.solve(band(500., top)).lambda;
+  }
+
+  void
+  test_contact()
+  {
+    SceneParameters springs  = coarse_brake(0.3);
+    springs.bodies[0].cells  = {{16, 2, 1}};
+    springs.contacts[0].layout = ContactParameters::SpringLayout::quadrature;
+    springs.contacts[0].normal_stiffness_per_area = 1e16;
+    SceneParameters mortar              = springs;
+    mortar.contacts[0].formulation      = ContactParameters::Formulation::mortar;
+    const Eigen::VectorXcd a = spectrum(springs, 8000.),
+                           b = spectrum(mortar, 8000.);
+    check(a.size() == b.size() && a.size() > 8,
+          "as many pairs with stiff springs as with mortar contact: " +
+            std::to_string(a.size()) + ", " + std::to_string(b.size()));
+    double worst_omega = 0., worst_sigma = 0., largest_sigma = 0.;
+    for (Eigen::Index i = 0; i < a.size(); ++i)
+      {
+        std::cout << a[i] << " " << b[i] << "\n";
+        worst_omega =
+          std::max(worst_omega, std::abs(a[i].imag() / b[i].imag() - 1.));
+        worst_sigma =
+          std::max(worst_sigma, std::abs(a[i].real() - b[i].real()));
+        largest_sigma = std::max(largest_sigma, std::abs(b[i].real()));
+      }
+    check_below(worst_omega,
+                0.01,
+                "frequencies of stiff springs and of mortar contact agree");
+    check_below(worst_sigma / largest_sigma,
+                0.1,
+                "real parts agree, over the largest of " +
+                  number(largest_sigma) + " 1/s");
+  }
+
+  Eigen::VectorXd
+  beam(const std::array<unsigned int, 3> &pad,
+       const std::array<unsigned int, 3> &support,
+       const TieParameters::Kind          kind)
+  {
+    SceneParameters s;
+    s.bodies = {make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, pad),
+                make_block("support", {{0., 0., .01}}, {{.01, .01, .04}}, support)};
+    s.bodies[0].young_modulus = 2e10;
+    s.supports                = {make_clamp("pad", "z_min")};
+    s.ties = {make_tie("pad", "z_max", "support", "z_min", kind)};
+    const Model         model(s, 2, 30e3);
+    const UndampedModes modes = undamped_modes(model.pencil, model.inverse);
+    return modes.omega_squared.head(modes.n_certified).cwiseSqrt() /
+           (2. * M_PI);
+  }
+
+  void
+  test_tie()
+  {
+    using Kind = TieParameters::Kind;
+    const auto exact  = beam({{2, 2, 2}}, {{2, 2, 4}}, Kind::conforming),
+               mortar = beam({{2, 2, 2}}, {{2, 2, 4}}, Kind::mortar);
+    check(exact.size() == mortar.size() && exact.size() >= 4,
+          "modes of the tied bodies: " + std::to_string(exact.size()));
+    check_below((mortar.array() / exact.array() - 1.).abs().maxCoeff(),
+                1e-9,
+                "a mortar tie of matching meshes is the conforming one");
+
+    const auto fine  = beam({{3, 3, 2}}, {{3, 3, 4}}, Kind::conforming),
+               mixed = beam({{3, 3, 2}}, {{2, 2, 4}}, Kind::automatic),
+               other = beam({{2, 2, 2}}, {{3, 3, 4}}, Kind::automatic);
+    for (const auto &f : {mixed, other})
+      {
+        check(f.size() >= fine.size(), "no mode is lost at a mortar tie");
+        check_below(
+          (f.head(fine.size()).array() / fine.array() - 1.).abs().maxCoeff(),
+          5e-3,
+          "a mortar tie of non-matching meshes gives the conforming modes");
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  test_tie();
+  test_contact();
+  return 0;
+}

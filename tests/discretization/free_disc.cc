@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Frequencies of a free disc converge with order 2p; doublets do not split; a
+// nearly incompressible block does not lock at p = 2.
+
+#include "scenes.h"
+
+#include <deal.II/base/mpi.h>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  Eigen::VectorXd
+  elastic_frequencies(const SceneParameters &scene,
+                      const unsigned int     degree,
+                      const unsigned int     refinements,
+                      const double           highest,
+                      const unsigned int     n_rigid)
+  {
+    const Model         model(scene, degree, highest, MPI_COMM_SELF, refinements);
+    const UndampedModes modes  = undamped_modes(model.pencil, model.inverse);
+    const double        lowest = modes.frequency(n_rigid);
+    if (n_rigid > 0)
+      check_below(modes.omega_squared.head(n_rigid).cwiseAbs().maxCoeff() /
+                    modes.omega_squared[n_rigid],
+                  1e-6,
+                  "six rigid motions (first frequency " + number(lowest) +
+                    " Hz)");
+    Eigen::VectorXd f(modes.n_certified - n_rigid);
+    for (unsigned int i = 0; i < f.size(); ++i)
+      f[i] = modes.frequency(n_rigid + i);
+    return f;
+  }
+
+  void
+  test_order()
+  {
+    SceneParameters scene;
+    scene.bodies                 = {make_annulus({{12, 2, 1}}, .03)};
+    const double          top    = 7000.;
+    const Eigen::VectorXd coarse = elastic_frequencies(scene, 2, 0, top, 6),
+                          fine   = elastic_frequencies(scene, 2, 1, top, 6),
+                          exact  = elastic_frequencies(scene, 5, 0, top, 6);
+    check(exact.size() >= 4, "several modes in the band");
+    for (unsigned int i = 0; i < std::min<Eigen::Index>(6, coarse.size()); ++i)
+      {
+        const double e1 = coarse[i] / exact[i] - 1.,
+                     e2 = fine[i] / exact[i] - 1.;
+        const double order = std::log2(e1 / e2);
+        check(e1 > e2 && e2 > 0. && order > 3.4 && order < 4.6,
+              "free disc, mode " + std::to_string(i) + " at " +
+                number(exact[i]) + " Hz: errors " + number(e1) + ", " +
+                number(e2) + ", order " + number(order) + " of 4");
+      }
+    for (const auto &f : {coarse, fine})
+      {
+        double       worst      = 0.;
+        unsigned int n_doublets = 0;
+        for (Eigen::Index i = 0; i + 1 < f.size(); ++i)
+          if (const double split = f[i + 1] / f[i] - 1.; split < 1e-3)
+            {
+              worst = std::max(worst, split);
+              ++n_doublets;
+            }
+        check(n_doublets >= 2, "doublets found: " + std::to_string(n_doublets));
+        check_below(worst, 1e-8, "doublets of the free disc do not split");
+      }
+  }
+
+  void
+  test_locking()
+  {
+    SceneParameters scene;
+    scene.bodies = {make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, {{4, 4, 4}})};
+    scene.bodies[0].poisson_ratio = .49;
+    scene.bodies[0].young_modulus = 1e9;
+    scene.bodies[0].density       = 2500.;
+    scene.supports                = {make_clamp("pad", "z_max")};
+    const Eigen::VectorXd f2 = elastic_frequencies(scene, 2, 0, 25e3, 0),
+                          f3 = elastic_frequencies(scene, 3, 0, 25e3, 0);
+    check(f2.size() >= 3, "modes of the pad: " + std::to_string(f2.size()));
+    for (Eigen::Index i = 0; i < std::min(f2.size(), f3.size()); ++i)
+      check_below(std::abs(f2[i] / f3[i] - 1.),
+                  0.01,
+                  "nu = 0.49 does not lock at p = 2, " + number(f3[i]) + " Hz");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  test_locking();
+  test_order();
+  return 0;
+}
