@@ -232,26 +232,8 @@ namespace squeal
       if (line.text.empty())
         return;
 
-      const double          size = font - 2.;
-      std::vector<PixelBox> places;
-      const double          width  = text_width(line.text, size);
-      const double          height = text_height(size);
-      const auto            offer  = [&](const double x, const double y) {
-        places.push_back({x, y - 0.5 * height, x + width, y + 0.5 * height});
-      };
-      // beside a vertical line, on or under a horizontal one, near an end
-      for (const bool at_end : {true, false})
-        for (const double side : {1., -1.})
-          if (line.vertical)
-            offer(layout.pixel_x(line.value) +
-                    (side > 0. ? 0.4 * font : -0.4 * font - width),
-                  at_end ? inner.y_max - 0.6 * height
-                         : inner.y_min + 0.6 * height);
-          else
-            offer(at_end ? inner.x_max - 0.3 * font - width
-                         : inner.x_min + 0.3 * font,
-                  layout.pixel_y(line.value) + side * 0.58 * height);
-      const PixelBox box = layout.freest_of(places);
+      const double   size = font - 2.;
+      const PixelBox box  = layout.place_of_text(line, size);
       text(0.5 * (box.x_min + box.x_max),
            0.5 * (box.y_min + box.y_max),
            line.text,

@@ -237,26 +237,40 @@ namespace squeal
 
 
   PixelBox
-  ChartLayout::freest_of(const std::vector<PixelBox> &boxes) const
+  ChartLayout::place_of_text(const ReferenceLine &line,
+                             const double         font_size) const
   {
     std::vector<PixelBox> taken = obstacles;
     for (const ChartSeries &series : chart.series)
       block_series(taken, series);
-    PixelBox best;
-    double   least = std::numeric_limits<double>::infinity();
-    for (const PixelBox &box : boxes)
-      {
-        const double area = (box.x_max - box.x_min) * (box.y_max - box.y_min);
-        // what sticks out of the panel counts as covered
-        double covered = area - box.overlap(inner);
-        for (const PixelBox &other : taken)
-          covered += box.overlap(other);
-        if (covered < least - 1e-6)
-          {
-            least = covered;
-            best  = box;
-          }
-      }
+
+    const double width  = text_width(line.text, font_size);
+    const double height = text_height(font_size);
+    PixelBox     best;
+    double       least = std::numeric_limits<double>::infinity();
+    for (const bool at_end : {true, false})
+      for (const double side : {1., -1.})
+        {
+          const double   x = line.vertical
+                               ? pixel_x(line.value) +
+                                 (side > 0. ? 0.4 * font : -0.4 * font - width)
+                             : at_end ? inner.x_max - 0.3 * font - width
+                                      : inner.x_min + 0.3 * font;
+          const double   y = !line.vertical
+                               ? pixel_y(line.value) + side * 0.58 * height
+                             : at_end ? inner.y_max - 0.6 * height
+                                      : inner.y_min + 0.6 * height;
+          const PixelBox box{x, y - 0.5 * height, x + width, y + 0.5 * height};
+          // what sticks out of the panel counts as covered
+          double covered = width * height - box.overlap(inner);
+          for (const PixelBox &other : taken)
+            covered += box.overlap(other);
+          if (covered < least - 1e-6)
+            {
+              least = covered;
+              best  = box;
+            }
+        }
     return best;
   }
 

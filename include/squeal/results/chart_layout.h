@@ -42,9 +42,9 @@ namespace squeal
     /** Keeps names off a part of the panel. */
     void block(const PixelBox &box);
 
-    /** Of boxes inside the panel the one that covers least of what is drawn;
-     * the first of equals. */
-    PixelBox freest_of(const std::vector<PixelBox> &boxes) const;
+    /** Where the text of @p line covers least: beside a vertical line, on or
+     * under a horizontal one, near one of its ends. */
+    PixelBox place_of_text(const ReferenceLine &line, double font_size) const;
 
     /** The names of all series at their places. */
     std::vector<Name> place_names(double font_size) const;
