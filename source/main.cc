@@ -43,8 +43,9 @@ namespace
         else if (word == "-h")
           line.action = "--help";
         else if (word == "--validate" || word == "--compare" ||
-                 word == "--print-defaults" || word == "--print-documentation" ||
-                 word == "--version" || word == "--help")
+                 word == "--print-defaults" ||
+                 word == "--print-documentation" || word == "--version" ||
+                 word == "--help")
           line.action = word;
         else if (word.size() > 1 && word[0] == '-')
           throw InputError("unknown option '" + word + "'; see squeal --help");
@@ -64,12 +65,12 @@ namespace
     RunContext context(parameters, is_root);
     switch (parameters.analysis)
       {
-        case Parameters::Analysis::modes:
-          return run_modes(context);
-        case Parameters::Analysis::cea:
-          return run_cea(context);
-        case Parameters::Analysis::work_precision:
-          return run_work_precision(context);
+      case Parameters::Analysis::modes:
+        return run_modes(context);
+      case Parameters::Analysis::cea:
+        return run_cea(context);
+      case Parameters::Analysis::work_precision:
+        return run_work_precision(context);
       }
   }
 
@@ -143,7 +144,7 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_root =
+  const bool                               is_root =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   // Threads of the BLAS never multiply with ranks or other work on the machine.
   const char *threads = std::getenv("SQUEAL_THREADS");

@@ -41,7 +41,7 @@ namespace squeal
     /** Checks that @p action throws @p Exception with @p part in its text. */
     template <typename Exception, typename Action>
     void
-    check_throws(const Action &     action,
+    check_throws(const Action      &action,
                  const std::string &part,
                  const std::string &text)
     {

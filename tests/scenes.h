@@ -78,15 +78,11 @@ namespace squeal
     coarse_brake(const double friction)
     {
       SceneParameters s;
-      s.bodies = {make_annulus({{16, 3, 1}}),
-                  make_block("pad",
-                             {{.1075, 0., 0.}},
-                             {{.01, .01, .01}},
-                             {{2, 2, 2}}),
-                  make_block("support",
-                             {{.1075, 0., .01}},
-                             {{.01, .01, .1}},
-                             {{2, 2, 6}})};
+      s.bodies = {
+        make_annulus({{16, 3, 1}}),
+        make_block("pad", {{.1075, 0., 0.}}, {{.01, .01, .01}}, {{2, 2, 2}}),
+        make_block(
+          "support", {{.1075, 0., .01}}, {{.01, .01, .1}}, {{2, 2, 6}})};
       s.bodies[0].young_modulus = 217e9;
       s.bodies[1].young_modulus = 2.5e10;
       s.bodies[1].density       = 2500.;
@@ -132,11 +128,12 @@ namespace squeal
             const unsigned int     refinements  = 0)
         : scene(s)
         , discretization(scene, parameters(refinements), degree, communicator)
-        , linearized(linearized_system(discretization,
-                                       assemble_bodies(discretization)))
+        , linearized(
+            linearized_system(discretization, assemble_bodies(discretization)))
         , pencil(linearized.system, scene)
         , inverse(pencil, std::pow(2. * M_PI * highest_frequency, 2))
-      {}
+      {
+      }
 
       static DiscretizationParameters
       parameters(const unsigned int refinements)
@@ -174,7 +171,9 @@ namespace squeal
      * displacement field u(x), zero outside @p body (-1: all bodies). */
     template <typename Field>
     Eigen::VectorXd
-    interpolate(const Discretization &d, const Field &field, const int body = -1)
+    interpolate(const Discretization &d,
+                const Field          &field,
+                const int             body = -1)
     {
       const auto     &fe     = d.dof_handler().get_fe();
       Eigen::VectorXd result = Eigen::VectorXd::Zero(d.space()->n_global());
@@ -189,9 +188,9 @@ namespace squeal
                 c.size() == 1 && c[0].second == 1.)
               result[c[0].first] =
                 field(d.mapping().transform_unit_to_real_cell(
-                        cell,
-                        fe.unit_support_point(i)))
-                     [fe.system_to_component_index(i).first];
+                  cell,
+                  fe.unit_support_point(
+                    i)))[fe.system_to_component_index(i).first];
         }
       return result;
     }

@@ -46,10 +46,10 @@ namespace squeal
   template <typename Number>
   struct MumpsFactorization<Number>::Implementation
   {
-    std::shared_ptr<const RowSpace>                space;
-    mutable typename Interface<Number>::Structure  mumps{};
-    std::vector<int>                               rows, columns;
-    std::vector<Number>                            values;
+    std::shared_ptr<const RowSpace>               space;
+    mutable typename Interface<Number>::Structure mumps{};
+    std::vector<int>                              rows, columns;
+    std::vector<Number>                           values;
 
     int &
     icntl(const int i) const
@@ -90,13 +90,12 @@ namespace squeal
               "ranks");
           break;
         }
-      throw ComputationError("MUMPS failed with INFOG(1) = " +
-                             std::to_string(mumps.infog[0]) + ", INFOG(2) = " +
-                             std::to_string(mumps.infog[1]));
+      throw ComputationError(
+        "MUMPS failed with INFOG(1) = " + std::to_string(mumps.infog[0]) +
+        ", INFOG(2) = " + std::to_string(mumps.infog[1]));
     }
 
-    Matrix
-    solve(const Matrix &b, const bool transposed) const;
+    Matrix solve(const Matrix &b, const bool transposed) const;
   };
 
 
@@ -107,11 +106,11 @@ namespace squeal
     const Symmetry                  symmetry)
     : impl(std::make_unique<Implementation>())
   {
-    auto &m           = impl->mumps;
-    impl->space       = std::move(space);
-    m.comm_fortran    = MPI_Comm_c2f(impl->space->communicator());
-    m.par             = 1;
-    m.sym             = symmetry == Symmetry::symmetric ? 2 : 0;
+    auto &m        = impl->mumps;
+    impl->space    = std::move(space);
+    m.comm_fortran = MPI_Comm_c2f(impl->space->communicator());
+    m.par          = 1;
+    m.sym          = symmetry == Symmetry::symmetric ? 2 : 0;
     impl->call(job_initialize);
     impl->icntl(1) = impl->icntl(2) = impl->icntl(3) = -1;
     impl->icntl(4)                                   = 0;
@@ -149,8 +148,8 @@ namespace squeal
     m.nnz_loc = static_cast<MUMPS_INT8>(impl->values.size());
     m.irn_loc = impl->rows.data();
     m.jcn_loc = impl->columns.data();
-    m.a_loc =
-      reinterpret_cast<typename Interface<Number>::Scalar *>(impl->values.data());
+    m.a_loc   = reinterpret_cast<typename Interface<Number>::Scalar *>(
+      impl->values.data());
     impl->run(job_analyze);
     impl->run(job_factorize);
     // The pattern stays for a further factorisation; the values are not
@@ -162,9 +161,9 @@ namespace squeal
   void
   MumpsFactorization<Number>::refactorize(std::vector<Number> values)
   {
-    impl->values = std::move(values);
-    impl->mumps.a_loc =
-      reinterpret_cast<typename Interface<Number>::Scalar *>(impl->values.data());
+    impl->values      = std::move(values);
+    impl->mumps.a_loc = reinterpret_cast<typename Interface<Number>::Scalar *>(
+      impl->values.data());
     impl->run(job_factorize);
     std::vector<Number>().swap(impl->values);
   }

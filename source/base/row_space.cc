@@ -22,12 +22,8 @@ namespace squeal
       int n_ranks;
       MPI_Comm_size(comm, &n_ranks);
       if (n_ranks > 1 && n > 0)
-        MPI_Allreduce(MPI_IN_PLACE,
-                      data,
-                      static_cast<int>(n),
-                      MPI_DOUBLE,
-                      MPI_SUM,
-                      comm);
+        MPI_Allreduce(
+          MPI_IN_PLACE, data, static_cast<int>(n), MPI_DOUBLE, MPI_SUM, comm);
     }
   } // namespace
 
@@ -35,7 +31,8 @@ namespace squeal
 
   RowSpace::RowSpace(const unsigned int n_rows)
     : RowSpace(all_rows(n_rows), all_rows(n_rows), MPI_COMM_SELF)
-  {}
+  {
+  }
 
 
 
@@ -128,7 +125,7 @@ namespace squeal
     all.topRows(n_owned()) = owned;
     for (int j = 0; j < owned.cols(); ++j)
       {
-        double *column = all.col(j).data();
+        double                  *column = all.col(j).data();
         std::vector<MPI_Request> requests;
         partitioner->export_to_ghosted_array_start(
           0,
@@ -156,8 +153,8 @@ namespace squeal
     std::vector<double> buffer(partitioner->n_import_indices());
     for (int j = 0; j < all.cols(); ++j)
       {
-        double *column = all.col(j).data();
-        std::vector<MPI_Request> requests;
+        double                         *column = all.col(j).data();
+        std::vector<MPI_Request>        requests;
         const dealii::ArrayView<double> ghosts(column + n_owned(),
                                                partitioner->n_ghost_indices());
         partitioner->import_from_ghosted_array_start(

@@ -11,7 +11,8 @@ namespace squeal
   namespace
   {
     constexpr int chunk = 8;
-    using RowBlock = Eigen::Matrix<double, Eigen::Dynamic, chunk, Eigen::RowMajor>;
+    using RowBlock =
+      Eigen::Matrix<double, Eigen::Dynamic, chunk, Eigen::RowMajor>;
 
     /** Y += A X for @p chunk vectors at once, from the lower triangle. One
      * pass over the matrix serves all of them: the product is bound by the
@@ -25,7 +26,7 @@ namespace squeal
                    const RowBlock                 &X,
                    RowBlock                       &Y)
     {
-      const int n = static_cast<int>(row_starts.size()) - 1;
+      const int n  = static_cast<int>(row_starts.size()) - 1;
       using Vector = Eigen::Matrix<double, 1, chunk>;
       for (int i = 0; i < n; ++i)
         {
@@ -104,7 +105,7 @@ namespace squeal
     const Eigen::MatrixXd local = row_space->gather(X);
     Eigen::MatrixXd       result(local.rows(), local.cols());
     const double sign = absolute || kind == Symmetry::symmetric ? 1. : -1.;
-    RowBlock              x(local.rows(), chunk), y(local.rows(), chunk);
+    RowBlock     x(local.rows(), chunk), y(local.rows(), chunk);
     for (int first = 0; first < local.cols(); first += chunk)
       {
         const int n = std::min<int>(chunk, local.cols() - first);
@@ -173,9 +174,8 @@ namespace squeal
     if (!lower_only)
       for (std::size_t k = old_size; k < out; ++k)
         if (triplets.rows[k] != triplets.columns[k])
-          triplets.add(triplets.columns[k],
-                       triplets.rows[k],
-                       sign * triplets.values[k]);
+          triplets.add(
+            triplets.columns[k], triplets.rows[k], sign * triplets.values[k]);
   }
 
 
@@ -221,8 +221,8 @@ namespace squeal
     , all_rows(std::move(rows))
     , owned(all_rows.size(), row_space->n_owned())
   {
-    const unsigned int first = row_space->first_owned();
-    const unsigned int end   = first + row_space->n_owned();
+    const unsigned int                  first = row_space->first_owned();
+    const unsigned int                  end   = first + row_space->n_owned();
     std::vector<Eigen::Triplet<double>> entries;
     for (unsigned int r = 0; r < all_rows.size(); ++r)
       for (const auto &[column, value] : all_rows[r])
@@ -252,6 +252,20 @@ namespace squeal
     result.real() = apply(Block(X.real()));
     result.imag() = apply(Block(X.imag()));
     return result;
+  }
+
+  Eigen::MatrixXd
+  Functionals::apply_absolute(const Block &X) const
+  {
+    Eigen::MatrixXd result = owned.cwiseAbs() * X.cwiseAbs();
+    row_space->sum(result);
+    return result;
+  }
+
+  Block
+  Functionals::apply_transposed_absolute(const Eigen::MatrixXd &G) const
+  {
+    return owned.cwiseAbs().transpose() * G.cwiseAbs();
   }
 
   Block
@@ -308,10 +322,8 @@ namespace squeal
   Block
   LowRankMatrix::multiply_absolute(const Block &X) const
   {
-    return left->apply_transposed(
-             Eigen::MatrixXd(weights.cwiseAbs().asDiagonal() *
-                             right->apply(Block(X)).cwiseAbs()))
-      .cwiseAbs();
+    return left->apply_transposed_absolute(
+      Eigen::MatrixXd(weights.asDiagonal() * right->apply_absolute(X)));
   }
 
   bool
@@ -366,7 +378,8 @@ namespace squeal
     Block result =
       std::abs(parts[0].first) * parts[0].second->multiply_absolute(X);
     for (std::size_t i = 1; i < parts.size(); ++i)
-      result += std::abs(parts[i].first) * parts[i].second->multiply_absolute(X);
+      result +=
+        std::abs(parts[i].first) * parts[i].second->multiply_absolute(X);
     return result;
   }
 

@@ -29,12 +29,12 @@ namespace squeal
                 lower[c] = std::min(lower[c], mesh.vertices[v][c]);
                 upper[c] = std::max(upper[c], mesh.vertices[v][c]);
               }
-      const double z = face.centre()[2];
+      const double       z = face.centre()[2];
       std::vector<Point> points;
       const auto coordinate = [&](const unsigned int c, const unsigned int i) {
         const unsigned int n = contact.grid[c];
-        return n == 1 ? 0.5 * (lower[c] + upper[c]) :
-                        lower[c] + (upper[c] - lower[c]) * i / (n - 1.);
+        return n == 1 ? 0.5 * (lower[c] + upper[c])
+                      : lower[c] + (upper[c] - lower[c]) * i / (n - 1.);
       };
       for (unsigned int i = 0; i < contact.grid[0]; ++i)
         for (unsigned int j = 0; j < contact.grid[1]; ++j)
@@ -110,10 +110,8 @@ namespace squeal
       }
     else
       {
-        const unsigned int id = face_id(d.coarse_mesh(),
-                                        scene,
-                                        contact.source_body,
-                                        contact.source_face);
+        const unsigned int id = face_id(
+          d.coarse_mesh(), scene, contact.source_body, contact.source_face);
         const FaceQuadrature face = face_quadrature(d, id);
         if (contact.layout == ContactParameters::SpringLayout::quadrature)
           {
@@ -144,9 +142,9 @@ namespace squeal
             throw InputError(where + ": the faces do not meet at (" +
                              std::to_string(g.points[i][0]) + ", " +
                              std::to_string(g.points[i][1]) + ", " +
-                             std::to_string(g.points[i][2]) +
-                             ") m: body '" + contact.source_body +
-                             "' is outside '" + contact.target_body + "'");
+                             std::to_string(g.points[i][2]) + ") m: body '" +
+                             contact.source_body + "' is outside '" +
+                             contact.target_body + "'");
         g.target_rows = target.rows;
       }
 
@@ -163,9 +161,11 @@ namespace squeal
         transverse.push_back(
           combine({{ty, &t[0]}, {-tx, &t[1]}, {-ty, &s[0]}, {tx, &s[1]}}));
       }
-    g.normal     = std::make_shared<Functionals>(d.space(), std::move(normal));
-    g.tangential = std::make_shared<Functionals>(d.space(), std::move(tangential));
-    g.transverse = std::make_shared<Functionals>(d.space(), std::move(transverse));
+    g.normal = std::make_shared<Functionals>(d.space(), std::move(normal));
+    g.tangential =
+      std::make_shared<Functionals>(d.space(), std::move(tangential));
+    g.transverse =
+      std::make_shared<Functionals>(d.space(), std::move(transverse));
     return g;
   }
 

@@ -16,24 +16,23 @@ namespace squeal
     double
     normal_stiffness(const ContactParameters &contact)
     {
-      return per_area(contact) ? contact.normal_stiffness_per_area :
-                                 contact.normal_stiffness;
+      return per_area(contact) ? contact.normal_stiffness_per_area
+                               : contact.normal_stiffness;
     }
 
     double
     tangential_stiffness(const ContactParameters &contact)
     {
-      return contact.tangential_stiffness >= 0. ?
-               contact.tangential_stiffness :
-               normal_stiffness(contact);
+      return contact.tangential_stiffness >= 0. ? contact.tangential_stiffness
+                                                : normal_stiffness(contact);
     }
 
     Eigen::VectorXd
-    selected_weights(const ContactGeometry    &geometry,
-                     const ContactState       &state,
-                     const ContactParameters  &contact,
-                     const bool                slip,
-                     const bool                stick)
+    selected_weights(const ContactGeometry   &geometry,
+                     const ContactState      &state,
+                     const ContactParameters &contact,
+                     const bool               slip,
+                     const bool               stick)
     {
       Eigen::VectorXd w = Eigen::VectorXd::Zero(geometry.points.size());
       for (Eigen::Index i = 0; i < w.size(); ++i)
@@ -53,8 +52,8 @@ namespace squeal
                       const ContactState    &state,
                       AffineSystem          &system)
   {
-    const auto &contact = d.scene().contacts[number];
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(geometry.points.size());
+    const auto     &contact = d.scene().contacts[number];
+    Eigen::VectorXd force   = Eigen::VectorXd::Zero(geometry.points.size());
     for (Eigen::Index i = 0; i < force.size(); ++i)
       if (state.status[i] == ContactStatus::slip)
         force[i] = state.force_share[i];
@@ -65,25 +64,23 @@ namespace squeal
         Eigen::VectorXd w = force;
         for (Eigen::Index i = 0; i < w.size(); ++i)
           w[i] /= geometry.speed_ratio[i];
-        system.terms.push_back(
-          {"transverse slip of " + contact.name,
-           std::make_shared<LowRankMatrix>(geometry.transverse,
-                                           w,
-                                           geometry.transverse),
-           [number](const SceneParameters &s) {
-             const auto &c = s.contacts[number];
-             return TermCoefficients{0.,
-                                     std::abs(c.friction_coefficient) *
-                                       c.normal_force / c.sliding_speed,
-                                     0.};
-           }});
+        system.terms.push_back({"transverse slip of " + contact.name,
+                                std::make_shared<LowRankMatrix>(
+                                  geometry.transverse, w, geometry.transverse),
+                                [number](const SceneParameters &s) {
+                                  const auto &c = s.contacts[number];
+                                  return TermCoefficients{
+                                    0.,
+                                    std::abs(c.friction_coefficient) *
+                                      c.normal_force / c.sliding_speed,
+                                    0.};
+                                }});
       }
     if (contact.friction_slope != 0.)
       system.terms.push_back(
         {"friction slope of " + contact.name,
-         std::make_shared<LowRankMatrix>(geometry.tangential,
-                                         force,
-                                         geometry.tangential),
+         std::make_shared<LowRankMatrix>(
+           geometry.tangential, force, geometry.tangential),
          [number](const SceneParameters &s) {
            const auto &c = s.contacts[number];
            return TermCoefficients{0., c.normal_force * c.friction_slope, 0.};
@@ -102,7 +99,8 @@ namespace squeal
     const auto &contact = d.scene().contacts[number];
     const auto  elastic = [number](const SceneParameters &s, const double k) {
       const auto &c = s.contacts[number];
-      return elastic_coefficients(s, k, c.stiffness_damping, c.structural_damping);
+      return elastic_coefficients(
+        s, k, c.stiffness_damping, c.structural_damping);
     };
     system.terms.push_back(
       {"normal contact of " + contact.name,
@@ -119,9 +117,8 @@ namespace squeal
     if (!slip.isZero())
       system.terms.push_back(
         {"friction of " + contact.name,
-         std::make_shared<LowRankMatrix>(geometry.tangential,
-                                         slip,
-                                         geometry.normal),
+         std::make_shared<LowRankMatrix>(
+           geometry.tangential, slip, geometry.normal),
          [number, elastic](const SceneParameters &s) {
            const auto &c = s.contacts[number];
            // Friction follows the whole normal force, its damping included.

@@ -236,7 +236,8 @@ namespace squeal
     SmallSparse A_sn(n_s, n), A_ss(n_s, n_s);
     A_sn.setFromTriplets(s_n.begin(), s_n.end());
     A_ss.setFromTriplets(s_s.begin(), s_s.end());
-    const SmallSparse G = A_sn + SmallSparse(A_ss * as_sparse(*combinations, n));
+    const SmallSparse G =
+      A_sn + SmallSparse(A_ss * as_sparse(*combinations, n));
     const SmallSparse Lt = as_sparse(left, n).transpose();
     append(SmallSparse(Lt * G), false, out);
   }
@@ -248,7 +249,8 @@ namespace squeal
     std::shared_ptr<const Elimination>    e)
     : matrix(std::move(m))
     , elimination(std::move(e))
-  {}
+  {
+  }
 
   Block
   EliminatedOperator::multiply(const Block &X) const
@@ -303,8 +305,8 @@ namespace squeal
   Block
   MultiplierFriction::multiply(const Block &X) const
   {
-    return left->apply_transposed(elimination->dependent_rows(
-      matrix->multiply(elimination->expand(X))));
+    return left->apply_transposed(
+      elimination->dependent_rows(matrix->multiply(elimination->expand(X))));
   }
 
   Block
@@ -317,10 +319,8 @@ namespace squeal
   Block
   MultiplierFriction::multiply_absolute(const Block &X) const
   {
-    return left
-      ->apply_transposed(elimination->dependent_rows(
-        matrix->multiply_absolute(elimination->expand(X))))
-      .cwiseAbs();
+    return left->apply_transposed_absolute(elimination->dependent_rows(
+      matrix->multiply_absolute(elimination->expand(X.cwiseAbs()))));
   }
 
   bool

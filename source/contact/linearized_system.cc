@@ -68,20 +68,18 @@ namespace squeal
           const auto &t        = coupling.target_rows[j];
           const auto &[tx, ty] = g.slip_direction[j];
           normal.push_back(combine({{1., &t[2]}, {-1., &source[2]}}));
-          tangential.push_back(combine({{tx, &t[0]},
-                                        {ty, &t[1]},
-                                        {-tx, &source[0]},
-                                        {-ty, &source[1]}}));
-          transverse.push_back(combine({{ty, &t[0]},
-                                        {-tx, &t[1]},
-                                        {-ty, &source[0]},
-                                        {tx, &source[1]}}));
+          tangential.push_back(combine(
+            {{tx, &t[0]}, {ty, &t[1]}, {-tx, &source[0]}, {-ty, &source[1]}}));
+          transverse.push_back(combine(
+            {{ty, &t[0]}, {-tx, &t[1]}, {-ty, &source[0]}, {tx, &source[1]}}));
           g.source_rows.push_back(source);
           g.target_rows.push_back(t);
         }
-      g.normal     = std::make_shared<Functionals>(d.space(), std::move(normal));
-      g.tangential = std::make_shared<Functionals>(d.space(), std::move(tangential));
-      g.transverse = std::make_shared<Functionals>(d.space(), std::move(transverse));
+      g.normal = std::make_shared<Functionals>(d.space(), std::move(normal));
+      g.tangential =
+        std::make_shared<Functionals>(d.space(), std::move(tangential));
+      g.transverse =
+        std::make_shared<Functionals>(d.space(), std::move(transverse));
       return g;
     }
 
@@ -99,9 +97,9 @@ namespace squeal
     unsigned int
     target_of(const SceneParameters &scene, const ContactParameters &contact)
     {
-      return contact.target_body == "ground" ?
-               -1u :
-               body_index(scene, contact.target_body);
+      return contact.target_body == "ground"
+               ? -1u
+               : body_index(scene, contact.target_body);
     }
 
 
@@ -111,8 +109,8 @@ namespace squeal
               const DependentUnknowns          &dependent,
               const std::vector<MortarContact> &mortar_contacts)
     {
-      const auto   elimination = std::make_shared<const Elimination>(
-        result.system.space, dependent);
+      const auto elimination =
+        std::make_shared<const Elimination>(result.system.space, dependent);
       AffineSystem reduced;
       reduced.space = elimination->reduced_space();
       for (const auto &term : result.system.terms)
@@ -127,16 +125,14 @@ namespace squeal
           std::vector<Functionals::Row> rows(dependent.rows.size());
           for (std::size_t k = 0; k < contact.dependent.size(); ++k)
             rows[contact.dependent[k]] = contact.tangential[k];
-          const auto tangential =
-            std::make_shared<const Functionals>(result.system.space,
-                                                std::move(rows));
+          const auto tangential = std::make_shared<const Functionals>(
+            result.system.space, std::move(rows));
           const unsigned int number = contact.number;
           for (const auto &term : result.system.terms)
             reduced.terms.push_back(
               {"friction by " + term.name,
-               std::make_shared<MultiplierFriction>(term.matrix,
-                                                    elimination,
-                                                    tangential),
+               std::make_shared<MultiplierFriction>(
+                 term.matrix, elimination, tangential),
                [number, c = term.coefficients](const SceneParameters &s) {
                  const double     mu = s.contacts[number].friction_coefficient;
                  TermCoefficients value = c(s);
@@ -172,14 +168,12 @@ namespace squeal
         {
           const auto &tie = scene.ties[i];
           append_dependent(
-            make_mortar_coupling(d,
-                                 evaluator,
-                                 face_id(d.coarse_mesh(),
-                                         scene,
-                                         tie.source_body,
-                                         tie.source_face),
-                                 body_index(scene, tie.target_body),
-                                 "Scene/Tie " + tie.name),
+            make_mortar_coupling(
+              d,
+              evaluator,
+              face_id(d.coarse_mesh(), scene, tie.source_body, tie.source_face),
+              body_index(scene, tie.target_body),
+              "Scene/Tie " + tie.name),
             {{true, true, true}},
             dependent);
         }
@@ -201,7 +195,8 @@ namespace squeal
         const MortarCoupling coupling = make_mortar_coupling(
           d,
           evaluator,
-          face_id(d.coarse_mesh(), scene, contact.source_body, contact.source_face),
+          face_id(
+            d.coarse_mesh(), scene, contact.source_body, contact.source_face),
           target_of(scene, contact),
           "Scene/Contact " + contact.name);
         const auto numbers = append_dependent(

@@ -35,11 +35,11 @@ namespace squeal
 
 
     std::array<unsigned int, 3>
-    rows_of_node(const Discretization              &d,
-                 const dealii::FiniteElement<3>    &fe,
+    rows_of_node(const Discretization                               &d,
+                 const dealii::FiniteElement<3>                     &fe,
                  const std::vector<dealii::types::global_dof_index> &dofs,
-                 const std::array<unsigned int, 3> &local,
-                 const std::string                 &where)
+                 const std::array<unsigned int, 3>                  &local,
+                 const std::string                                  &where)
     {
       std::array<unsigned int, 3> rows{{-1u, -1u, -1u}};
       (void)fe;
@@ -65,8 +65,8 @@ namespace squeal
                 const std::string    &where,
                 const unsigned int    subdivisions)
     {
-      const auto             &fe = d.dof_handler().get_fe();
-      const dealii::QGauss<2> base(d.degree() + 2);
+      const auto                &fe = d.dof_handler().get_fe();
+      const dealii::QGauss<2>    base(d.degree() + 2);
       const dealii::QIterated<2> quadrature(dealii::QGauss<1>(d.degree() + 2),
                                             subdivisions);
       dealii::FEFaceValues<3>    values(d.mapping(),
@@ -80,7 +80,8 @@ namespace squeal
       for (const auto &cell : d.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+            if (cell->face(f)->at_boundary() &&
+                cell->face(f)->boundary_id() == id)
               {
                 values.reinit(cell, f);
                 cell->get_dof_indices(dofs);
@@ -116,9 +117,11 @@ namespace squeal
                     face.points.push_back(values.quadrature_point(q));
                   }
                 const Eigen::VectorXd integrals = phi * w;
-                const Eigen::MatrixXd M = phi * w.asDiagonal() * phi.transpose();
-                face.dual = integrals.asDiagonal() *
-                            M.ldlt().solve(Eigen::MatrixXd(phi * w.asDiagonal()));
+                const Eigen::MatrixXd M =
+                  phi * w.asDiagonal() * phi.transpose();
+                face.dual =
+                  integrals.asDiagonal() *
+                  M.ldlt().solve(Eigen::MatrixXd(phi * w.asDiagonal()));
                 face.integrals.assign(integrals.data(), integrals.data() + n);
                 faces.push_back(std::move(face));
               }
@@ -241,7 +244,8 @@ namespace squeal
     for (std::size_t j = 0; j < result.nodes.size(); ++j)
       for (unsigned int c = 0; c < 3; ++c)
         for (const auto &[row, weight] : sums[j][c])
-          result.target_rows[j][c].emplace_back(row, weight / result.weights[j]);
+          result.target_rows[j][c].emplace_back(row,
+                                                weight / result.weights[j]);
     return result;
   }
 } // namespace squeal

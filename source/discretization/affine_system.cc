@@ -15,12 +15,12 @@ namespace squeal
     {
       switch (scene.damping.model)
         {
-          case DampingParameters::Model::whole_model:
-            return scene.damping.mass_damping;
-          case DampingParameters::Model::per_part:
-            return scene.bodies[body].mass_damping;
-          case DampingParameters::Model::none:
-            break;
+        case DampingParameters::Model::whole_model:
+          return scene.damping.mass_damping;
+        case DampingParameters::Model::per_part:
+          return scene.bodies[body].mass_damping;
+        case DampingParameters::Model::none:
+          break;
         }
       return 0.;
     }
@@ -33,8 +33,8 @@ namespace squeal
                    const BodyMatrices    &matrices,
                    AffineSystem          &system)
     {
-      const auto &body  = scene.bodies[b];
-      const bool  rigid = body.shape == BodyParameters::Shape::rigid;
+      const auto &body    = scene.bodies[b];
+      const bool  rigid   = body.shape == BodyParameters::Shape::rigid;
       const auto  density = [b, rigid](const SceneParameters &s) {
         return rigid ? 1. : s.bodies[b].density;
       };
@@ -46,19 +46,19 @@ namespace squeal
            return TermCoefficients{m, mass_damping(s, b) * m, 0.};
          }});
       if (matrices.stiffness)
-        system.terms.push_back(
-          {"stiffness of " + body.name,
-           matrices.stiffness,
-           [b](const SceneParameters &s) {
-             const auto &p = s.bodies[b];
-             return elastic_coefficients(
-               s,
-               p.material_model == BodyParameters::MaterialModel::isotropic ?
-                 p.young_modulus :
-                 1.,
-               p.stiffness_damping,
-               p.structural_damping);
-           }});
+        system.terms.push_back({"stiffness of " + body.name,
+                                matrices.stiffness,
+                                [b](const SceneParameters &s) {
+                                  const auto &p = s.bodies[b];
+                                  return elastic_coefficients(
+                                    s,
+                                    p.material_model ==
+                                        BodyParameters::MaterialModel::isotropic
+                                      ? p.young_modulus
+                                      : 1.,
+                                    p.stiffness_damping,
+                                    p.structural_damping);
+                                }});
       if (matrices.gyroscopic)
         {
           system.terms.push_back(
@@ -90,7 +90,8 @@ namespace squeal
       std::vector<dealii::Point<3>> points;
       for (unsigned int i = 0; i < spring.number; ++i)
         {
-          const double s = spring.number > 1 ? double(i) / (spring.number - 1) : 0.;
+          const double s =
+            spring.number > 1 ? double(i) / (spring.number - 1) : 0.;
           dealii::Point<3> x;
           for (unsigned int c = 0; c < 3; ++c)
             x[c] = (1. - s) * spring.first_point[c] + s * spring.last_point[c];
@@ -145,9 +146,8 @@ namespace squeal
         {
           const FaceQuadrature face = face_quadrature(
             d, face_id(d.coarse_mesh(), scene, spring.body, spring.face));
-          const auto found =
-            evaluator.displacements(body_index(scene, spring.body),
-                                    face.points);
+          const auto found = evaluator.displacements(
+            body_index(scene, spring.body), face.points);
           for (const auto &row : found.rows)
             rows.push_back(combine({{spring.direction[0], &row[0]},
                                     {spring.direction[1], &row[1]},
@@ -190,9 +190,8 @@ namespace squeal
         std::vector<Row>(found.rows[0].begin(), found.rows[0].end()));
       system.terms.push_back(
         {"lumped mass " + mass.name,
-         std::make_shared<LowRankMatrix>(functionals,
-                                         Eigen::VectorXd::Ones(3),
-                                         functionals),
+         std::make_shared<LowRankMatrix>(
+           functionals, Eigen::VectorXd::Ones(3), functionals),
          [number, body](const SceneParameters &s) {
            const double m = s.lumped_masses[number].mass;
            return TermCoefficients{m, mass_damping(s, body) * m, 0.};
@@ -225,8 +224,7 @@ namespace squeal
 
 
   AffineSystem
-  body_system(const Discretization            &d,
-              const std::vector<BodyMatrices> &bodies)
+  body_system(const Discretization &d, const std::vector<BodyMatrices> &bodies)
   {
     AffineSystem system;
     system.space      = d.space();

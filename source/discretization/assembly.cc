@@ -24,8 +24,8 @@ namespace squeal
     {
       std::vector<int> rows;
       std::vector<int> component; /**< 0..2 of each row, -1 if mixed */
-      std::vector<int> source;    /**< degree of freedom of each row, if simple */
-      Eigen::MatrixXd  T;         /**< dofs x rows, if not simple */
+      std::vector<int> source; /**< degree of freedom of each row, if simple */
+      Eigen::MatrixXd  T;      /**< dofs x rows, if not simple */
       bool             simple = true;
     };
 
@@ -38,10 +38,10 @@ namespace squeal
       std::vector<dealii::types::global_dof_index> dofs(n);
       cell->get_dof_indices(dofs);
 
-      CellRows                                     result;
-      std::vector<std::array<int, 2>>              found; // row, dof
-      std::vector<const Combination *>             parts(n);
-      const RowSpace                              &space = *d.space();
+      CellRows                         result;
+      std::vector<std::array<int, 2>>  found; // row, dof
+      std::vector<const Combination *> parts(n);
+      const RowSpace                  &space = *d.space();
       for (unsigned int i = 0; i < n; ++i)
         {
           parts[i] = &d.expansion(dofs[i]);
@@ -96,7 +96,7 @@ namespace squeal
         : row_space(space)
         , same_component(same_component_only)
       {
-        const unsigned int                n = space->n_local();
+        const unsigned int                     n = space->n_local();
         std::vector<std::vector<unsigned int>> cells_of_row(n);
         for (unsigned int c = 0; c < cells.size(); ++c)
           for (const int row : cells[c].rows)
@@ -110,7 +110,8 @@ namespace squeal
                 const auto &rows = cells[c].rows;
                 const auto  end =
                   std::upper_bound(rows.begin(), rows.end(), int(row));
-                const int component = cells[c].component[end - rows.begin() - 1];
+                const int component =
+                  cells[c].component[end - rows.begin() - 1];
                 for (auto it = rows.begin(); it != end; ++it)
                   if (mark[*it] != int(row) &&
                       couple(component, cells[c].component[it - rows.begin()]))
@@ -129,8 +130,8 @@ namespace squeal
       add(const CellRows &cell, const Eigen::MatrixXd &element)
       {
         const Eigen::MatrixXd expanded =
-          cell.simple ? Eigen::MatrixXd() :
-                        Eigen::MatrixXd(cell.T.transpose() * element * cell.T);
+          cell.simple ? Eigen::MatrixXd()
+                      : Eigen::MatrixXd(cell.T.transpose() * element * cell.T);
         for (unsigned int a = 0; a < cell.rows.size(); ++a)
           {
             std::size_t k = starts[cell.rows[a]];
@@ -140,10 +141,10 @@ namespace squeal
                   continue;
                 while (columns[k] < cell.rows[b])
                   ++k;
-                values[k] += cell.simple ?
-                               element(cell.source[b], cell.source[a]) *
-                                 transpose_sign :
-                               expanded(b, a) * transpose_sign;
+                values[k] +=
+                  cell.simple
+                    ? element(cell.source[b], cell.source[a]) * transpose_sign
+                    : expanded(b, a) * transpose_sign;
               }
           }
       }
@@ -160,8 +161,8 @@ namespace squeal
           std::move(starts),
           std::move(columns),
           std::move(values),
-          transpose_sign > 0 ? SparseMatrix::Symmetry::symmetric :
-                               SparseMatrix::Symmetry::skew);
+          transpose_sign > 0 ? SparseMatrix::Symmetry::symmetric
+                             : SparseMatrix::Symmetry::skew);
       }
 
     private:
@@ -197,8 +198,10 @@ namespace squeal
       const bool          turning = p.rotation_speed != 0.;
       const ElasticTensor C       = elastic_tensor(p);
       PatternedMatrix     K(d.space(), rows, false), M(d.space(), rows, true);
-      PatternedMatrix     G(d.space(), turning ? rows : std::vector<CellRows>(), true);
-      PatternedMatrix     N(d.space(), turning ? rows : std::vector<CellRows>(), true);
+      PatternedMatrix     G(
+        d.space(), turning ? rows : std::vector<CellRows>(), true);
+      PatternedMatrix N(
+        d.space(), turning ? rows : std::vector<CellRows>(), true);
       G.transpose_sign = -1.;
       Eigen::MatrixXd matrix, second;
       for (unsigned int c = 0; c < cells.size(); ++c)
@@ -237,7 +240,7 @@ namespace squeal
                                  quadrature,
                                  dealii::update_quadrature_points |
                                    dealii::update_JxW_values);
-      std::vector<double> moments(4 * bodies.size(), 0.);
+      std::vector<double>     moments(4 * bodies.size(), 0.);
       for (const auto &cell : d.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
@@ -295,10 +298,9 @@ namespace squeal
   {
     std::vector<BodyMatrices> result;
     for (unsigned int b = 0; b < d.scene().bodies.size(); ++b)
-      result.push_back(d.scene().bodies[b].shape ==
-                           BodyParameters::Shape::rigid ?
-                         rigid_body(d, b) :
-                         assemble_meshed_body(d, b));
+      result.push_back(d.scene().bodies[b].shape == BodyParameters::Shape::rigid
+                         ? rigid_body(d, b)
+                         : assemble_meshed_body(d, b));
     if (d.has_mesh())
       compute_volume(d, result);
     return result;

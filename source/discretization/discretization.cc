@@ -43,13 +43,11 @@ namespace squeal
   {
     mesh = std::make_shared<Triangulation>(
       comm,
-      dealii::Triangulation<3>::MeshSmoothing(
-        dealii::Triangulation<3>::none));
+      dealii::Triangulation<3>::MeshSmoothing(dealii::Triangulation<3>::none));
     try
       {
-        mesh->create_triangulation(coarse.vertices,
-                                   coarse.cells,
-                                   coarse.boundary);
+        mesh->create_triangulation(
+          coarse.vertices, coarse.cells, coarse.boundary);
       }
     catch (const dealii::ExceptionBase &e)
       {
@@ -69,7 +67,7 @@ namespace squeal
     // Cells inherit manifold ids when refined: set once on the coarse mesh.
     for (unsigned int b = 0; b < scene_parameters->bodies.size(); ++b)
       {
-        const auto &body = scene_parameters->bodies[b];
+        const auto &body     = scene_parameters->bodies[b];
         const bool  annulus  = body.shape == BodyParameters::Shape::annulus;
         const bool  cylinder = body.shape == BodyParameters::Shape::cylinder;
         if (!annulus && !cylinder)
@@ -85,12 +83,12 @@ namespace squeal
                     cell->face(f)->boundary_id() == face_id(b, 0) && cylinder)
                   cell->face(f)->set_all_manifold_ids(id);
             }
-        mesh->set_manifold(id,
-                           dealii::CylindricalManifold<3>(
-                             dealii::Tensor<1, 3>({0., 0., 1.}),
-                             dealii::Point<3>(body.position[0],
-                                              body.position[1],
-                                              body.position[2])));
+        mesh->set_manifold(
+          id,
+          dealii::CylindricalManifold<3>(dealii::Tensor<1, 3>({0., 0., 1.}),
+                                         dealii::Point<3>(body.position[0],
+                                                          body.position[1],
+                                                          body.position[2])));
       }
   }
 

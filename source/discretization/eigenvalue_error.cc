@@ -31,9 +31,6 @@ namespace squeal
                  const dealii::Point<3> &point,
                  dealii::Point<3>       &unit)
     {
-      // Curved cells bulge beyond their vertices.
-      if (point.distance(cell->center()) > cell->diameter())
-        return false;
       try
         {
           unit = d.mapping().transform_real_to_unit_cell(cell, point);
@@ -68,19 +65,27 @@ namespace squeal
             Eigen::MatrixXd::Zero(set.points.size(), 1);
           dealii::Point<3> unit;
           for (const auto &cell : d.dof_handler().active_cell_iterators())
-            if (!cell->is_artificial() && cell->material_id() == set.body)
+            {
+              if (cell->is_artificial() || cell->material_id() != set.body)
+                continue;
+              const unsigned int k        = cell->active_cell_index();
+              const double       diameter = cell->diameter();
+              const auto         centre   = cell->center();
+              const bool         small =
+                diameter / std::sqrt(3.) < d.degree() * set.spacing;
               for (unsigned int p = 0; p < set.points.size(); ++p)
-                if (find_in_cell(d, cell, set.points[p], unit))
+                if (set.points[p].distance(centre) < diameter &&
+                    find_in_cell(d, cell, set.points[p], unit))
                   {
-                    const double edge = cell->diameter() / std::sqrt(3.);
-                    if (edge < d.degree() * set.spacing)
-                      result.pointwise[cell->active_cell_index()] = true;
+                    if (small)
+                      result.pointwise[k] = true;
                     if (cell->is_locally_owned())
                       {
-                        hits.push_back({cell->active_cell_index(), p, unit});
+                        hits.push_back({k, p, unit});
                         n_holders(p, 0) += 1.;
                       }
                   }
+            }
           d.space()->sum(n_holders);
           for (const auto &hit : hits)
             result.forces[hit.cell].push_back(
@@ -115,7 +120,8 @@ namespace squeal
     if (!d.has_mesh() || n_modes == 0)
       return result;
 
-    const ForcesInCells   in_cells = distribute(d, forces);
+    const ForcesInCells in_cells = distribute(d, forces);
+    // What one degree more gains, times what all higher ones gain over it.
     const Eigen::VectorXd scale =
       0.5 * (d.degree() + 1.) * relative_scale(omega_squared);
     CellErrorProblem   problem(d, modes, omega_squared);

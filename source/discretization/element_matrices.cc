@@ -22,7 +22,7 @@ namespace squeal
       {
         Eigen::Matrix3d S;
         const auto     &E  = body.young_moduli;
-        const auto     &nu = body.poisson_ratios; // nu23, nu13, nu12
+        const auto     &nu = body.poisson_ratios;     // nu23, nu13, nu12
         S << 1. / E[0], -nu[2] / E[0], -nu[1] / E[0], //
           -nu[2] / E[0], 1. / E[1], -nu[0] / E[1],    //
           -nu[1] / E[0], -nu[0] / E[1], 1. / E[2];
@@ -164,8 +164,8 @@ namespace squeal
     for (unsigned int q = 0; q < n_q; ++q)
       {
         const auto &x = fe_values.quadrature_point(q);
-        turn.row(q)   = (x[0] - x0) * gradients[1].row(q) -
-                      (x[1] - y0) * gradients[0].row(q);
+        turn.row(q) =
+          (x[0] - x0) * gradients[1].row(q) - (x[1] - y0) * gradients[0].row(q);
         weights[q] = fe_values.JxW(q);
       }
     const Eigen::MatrixXd half = weighted_values.transpose() * turn;

@@ -57,8 +57,8 @@ namespace squeal
                   const unsigned int    id,
                   const unsigned int    n_points)
   {
-    const dealii::QGauss<2> quadrature(n_points > 0 ? n_points :
-                                                      d.degree() + 1);
+    const dealii::QGauss<2> quadrature(n_points > 0 ? n_points
+                                                    : d.degree() + 1);
     dealii::FEFaceValues<3> values(d.mapping(),
                                    d.dof_handler().get_fe(),
                                    quadrature,
@@ -68,7 +68,8 @@ namespace squeal
     for (const auto &cell : d.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+          if (cell->face(f)->at_boundary() &&
+              cell->face(f)->boundary_id() == id)
             {
               values.reinit(cell, f);
               for (unsigned int q = 0; q < quadrature.size(); ++q)

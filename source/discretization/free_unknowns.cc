@@ -46,8 +46,10 @@ namespace squeal
       for (unsigned int c = 0; c < 3; ++c)
         mask.set(c, components[c]);
       IndexSet result = dealii::DoFTools::extract_boundary_dofs(
-        dofs, mask, std::set<dealii::types::boundary_id>{
-                      static_cast<dealii::types::boundary_id>(id)});
+        dofs,
+        mask,
+        std::set<dealii::types::boundary_id>{
+          static_cast<dealii::types::boundary_id>(id)});
       return result;
     }
 
@@ -93,7 +95,8 @@ namespace squeal
                   }
             }
           else
-            for (const auto i : dofs_of_face(dofs, id, held_components(support)))
+            for (const auto i :
+                 dofs_of_face(dofs, id, held_components(support)))
               if (!constraints.is_constrained(i))
                 constraints.add_line(i);
         }
@@ -106,8 +109,7 @@ namespace squeal
   Discretization::distribute()
   {
     const auto &scene = *scene_parameters;
-    rigid_rows.assign(scene.bodies.size(),
-                      {{-1u, -1u, -1u, -1u, -1u, -1u}});
+    rigid_rows.assign(scene.bodies.size(), {{-1u, -1u, -1u, -1u, -1u, -1u}});
     std::vector<Combination> masters;
     IndexSet                 free_owned(0);
     relevant = IndexSet(0);
@@ -185,7 +187,7 @@ namespace squeal
                        "nothing can move");
 
     // Free number of every master dof this rank refers to.
-    std::vector<double> numbers;
+    std::vector<double>                                  numbers;
     std::shared_ptr<dealii::Utilities::MPI::Partitioner> dof_partitioner;
     if (has_mesh())
       {
@@ -197,15 +199,14 @@ namespace squeal
         needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
         IndexSet needed_set(dofs->n_dofs());
         needed_set.add_indices(needed.begin(), needed.end());
-        dof_partitioner =
-          std::make_shared<dealii::Utilities::MPI::Partitioner>(
-            dofs->locally_owned_dofs(), needed_set, comm);
+        dof_partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+          dofs->locally_owned_dofs(), needed_set, comm);
         const unsigned int n_owned = dof_partitioner->locally_owned_size();
         numbers.assign(n_owned + dof_partitioner->n_ghost_indices(), -1.);
         unsigned int next = first + (rank == 0 ? n_rigid : 0);
         for (const auto i : free_owned)
           numbers[dof_partitioner->global_to_local(i)] = next++;
-        std::vector<double> buffer(dof_partitioner->n_import_indices());
+        std::vector<double>      buffer(dof_partitioner->n_import_indices());
         std::vector<MPI_Request> requests;
         const dealii::ArrayView<double> ghosts(
           numbers.data() + n_owned, dof_partitioner->n_ghost_indices());

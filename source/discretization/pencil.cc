@@ -20,26 +20,25 @@ namespace squeal
     double
     ratio(const TermCoefficients &a, const TermCoefficients &b)
     {
-      const double f = b.mass != 0.             ? a.mass / b.mass :
-                       b.stiffness.real() != 0. ? a.stiffness.real() /
-                                                    b.stiffness.real() :
-                       b.damping != 0.          ? a.damping / b.damping :
-                                                  0.;
+      const double f     = b.mass != 0. ? a.mass / b.mass
+                           : b.stiffness.real() != 0.
+                             ? a.stiffness.real() / b.stiffness.real()
+                           : b.damping != 0. ? a.damping / b.damping
+                                             : 0.;
       const auto   close = [](const double x, const double y) {
         return std::abs(x - y) <= 1e-14 * std::abs(x);
       };
       return close(a.mass, f * b.mass) && close(a.damping, f * b.damping) &&
                  close(a.stiffness.real(), f * b.stiffness.real()) &&
-                 close(a.stiffness.imag(), f * b.stiffness.imag()) ?
-               f :
-               0.;
+                 close(a.stiffness.imag(), f * b.stiffness.imag())
+               ? f
+               : 0.;
     }
   } // namespace
 
 
 
-  Pencil::Pencil(const AffineSystem    &system,
-                 const SceneParameters &parameters)
+  Pencil::Pencil(const AffineSystem &system, const SceneParameters &parameters)
     : row_space(system.space)
   {
     struct Group
@@ -125,7 +124,7 @@ namespace squeal
         const double k = c.stiffness.real();
         if (c.stiffness.imag() != 0. || (c.mass != 0.) == (k != 0.))
           return false;
-        const double value = c.damping / (c.mass != 0. ? c.mass : k);
+        const double value  = c.damping / (c.mass != 0. ? c.mass : k);
         double      &common = c.mass != 0. ? alpha : beta;
         bool        &have   = c.mass != 0. ? have_alpha : have_beta;
         if (have && std::abs(value - common) > 1e-12 * std::abs(common))
@@ -149,8 +148,8 @@ namespace squeal
     both.rightCols(X.cols()) = X.imag();
     for (const auto &part : all_parts)
       {
-        const Block Z = transposed ? part.matrix->multiply_transposed(both) :
-                                     part.matrix->multiply(both);
+        const Block Z = transposed ? part.matrix->multiply_transposed(both)
+                                   : part.matrix->multiply(both);
         const auto &c = part.coefficients;
         for (Eigen::Index j = 0; j < X.cols(); ++j)
           {
@@ -215,7 +214,7 @@ namespace squeal
   Eigen::VectorXd
   Pencil::stiffness_rounding_size(const ComplexBlock &X) const
   {
-    Block       sum = Block::Zero(X.rows(), X.cols());
+    Block       sum  = Block::Zero(X.rows(), X.cols());
     const Block size = X.cwiseAbs();
     for (const auto &part : all_parts)
       if (part.coefficients.stiffness != 0.)
@@ -248,15 +247,14 @@ namespace squeal
   {
     for (const auto &part : all_parts)
       {
-        const auto    &c = part.coefficients;
-        const auto     f = lambda * lambda * c.mass + lambda * c.damping +
-                       c.stiffness;
+        const auto &c = part.coefficients;
+        const auto  f =
+          lambda * lambda * c.mass + lambda * c.damping + c.stiffness;
         Triplets triplets;
         part.matrix->append_to(triplets, 1., false);
         rows.insert(rows.end(), triplets.rows.begin(), triplets.rows.end());
-        columns.insert(columns.end(),
-                       triplets.columns.begin(),
-                       triplets.columns.end());
+        columns.insert(
+          columns.end(), triplets.columns.begin(), triplets.columns.end());
         for (const double a : triplets.values)
           values.push_back(f * a);
       }

@@ -75,7 +75,8 @@ namespace squeal
     for (const auto &cell : d.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          CellBox box{cell, {{1e300, 1e300, 1e300}}, {{-1e300, -1e300, -1e300}}};
+          CellBox box{
+            cell, {{1e300, 1e300, 1e300}}, {{-1e300, -1e300, -1e300}}};
           // Curved cells bulge beyond their vertices.
           const double margin = 0.2 * cell->diameter();
           for (const unsigned int v : cell->vertex_indices())
@@ -104,8 +105,8 @@ namespace squeal
     dealii::Point<3> unit;
     try
       {
-        unit = discretization.mapping().transform_real_to_unit_cell(box.cell,
-                                                                    point);
+        unit =
+          discretization.mapping().transform_real_to_unit_cell(box.cell, point);
       }
     catch (const dealii::Mapping<3, 3>::ExcTransformationFailed &)
       {
@@ -115,7 +116,7 @@ namespace squeal
       if (unit[c] < -tolerance || unit[c] > 1. + tolerance)
         return false;
 
-    const auto &fe = box.cell->get_fe();
+    const auto                                  &fe = box.cell->get_fe();
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
     box.cell->get_dof_indices(dofs);
     std::array<std::map<unsigned int, double>, 3> sums;
@@ -144,7 +145,7 @@ namespace squeal
     for (const auto &x : points)
       {
         std::array<Functionals::Row, 3> rows;
-        const auto add = [&](const unsigned int c,
+        const auto                      add = [&](const unsigned int c,
                              const unsigned int motion,
                              const double       weight) {
           const unsigned int row = discretization.rigid_row(body, motion);
@@ -179,9 +180,9 @@ namespace squeal
 
     Result result;
     result.rows.resize(points.size());
-    const MPI_Comm   comm  = discretization.space()->communicator();
-    const int        rank  = discretization.space()->rank();
-    const int        none  = 1 << 30;
+    const MPI_Comm   comm = discretization.space()->communicator();
+    const int        rank = discretization.space()->rank();
+    const int        none = 1 << 30;
     std::vector<int> owner(points.size(), none);
     for (unsigned int p = 0; p < points.size(); ++p)
       for (const auto &box : boxes[body])

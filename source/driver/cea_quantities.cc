@@ -42,12 +42,12 @@ namespace squeal
             for (Eigen::Index j = 0; j < n; ++j)
               {
                 ComplexBlock f(F.rows(), 1);
-                f.real() = F.col(j);
-                f.imag() = F.col(n + j);
+                f.real()             = F.col(j);
+                f.imag()             = F.col(n + j);
                 const Complex lambda = pairs.lambda[j];
-                const Complex work =
-                  (lambda * lambda * c.mass + lambda * c.damping + c.stiffness) *
-                  (pairs.right.col(j).adjoint() * f)(0);
+                const Complex work   = (lambda * lambda * c.mass +
+                                      lambda * c.damping + c.stiffness) *
+                                     (pairs.right.col(j).adjoint() * f)(0);
                 sum(0, j) -= 2. * M_PI * work.imag();
               }
           }
@@ -64,9 +64,9 @@ namespace squeal
       double      sum   = 0.;
       const auto &scene = model.parameters().scene;
       for (unsigned int b = 0; b < model.body_matrices().size(); ++b)
-        sum += scene.bodies[b].shape == BodyParameters::Shape::rigid ?
-                 scene.bodies[b].mass :
-                 scene.bodies[b].density * model.body_matrices()[b].volume;
+        sum += scene.bodies[b].shape == BodyParameters::Shape::rigid
+                 ? scene.bodies[b].mass
+                 : scene.bodies[b].density * model.body_matrices()[b].volume;
       return sum;
     }
 
@@ -75,11 +75,11 @@ namespace squeal
                            const ComplexPairs    &pairs,
                            const Eigen::VectorXd &masses)
     {
-      const Eigen::Index  n = pairs.size();
-      Eigen::VectorXd     tangential = Eigen::VectorXd::Zero(n);
-      Eigen::VectorXd     normal     = tangential;
-      unsigned int        n_points   = 0;
-      const auto         &contacts   = model.linearized().contacts;
+      const Eigen::Index n          = pairs.size();
+      Eigen::VectorXd    tangential = Eigen::VectorXd::Zero(n);
+      Eigen::VectorXd    normal     = tangential;
+      unsigned int       n_points   = 0;
+      const auto        &contacts   = model.linearized().contacts;
       if (contacts.empty())
         return std::vector<double>(n, std::nan(""));
       ComplexBlock full;
@@ -98,8 +98,8 @@ namespace squeal
           for (std::size_t p = 0; p < g.points.size(); ++p)
             {
               const auto &[tx, ty] = g.slip_direction[p];
-              source.push_back(
-                combine({{tx, &g.source_rows[p][0]}, {ty, &g.source_rows[p][1]}}));
+              source.push_back(combine(
+                {{tx, &g.source_rows[p][0]}, {ty, &g.source_rows[p][1]}}));
               target.push_back(g.target_rows[p][2]);
             }
           const auto &space = model.discretization()->space();
@@ -148,12 +148,13 @@ namespace squeal
     const auto      masses = modal_masses(*modes.pencil, pairs.right, MX);
     const RowSpace &space  = *modes.pencil->space();
     q.energy_shares        = model.energy_shares(pairs.right);
-    ComplexBlock full(model.linearized().expand(Block(pairs.right.real())).rows(),
-                      pairs.right.cols());
-    full.real() = model.linearized().expand(Block(pairs.right.real()));
-    full.imag() = model.linearized().expand(Block(pairs.right.imag()));
-    q.names                 = model.namer().name(full, q.energy_shares);
-    q.energy_per_cycle      = friction_energies(*modes.pencil, pairs, masses);
+    ComplexBlock full(
+      model.linearized().expand(Block(pairs.right.real())).rows(),
+      pairs.right.cols());
+    full.real()        = model.linearized().expand(Block(pairs.right.real()));
+    full.imag()        = model.linearized().expand(Block(pairs.right.imag()));
+    q.names            = model.namer().name(full, q.energy_shares);
+    q.energy_per_cycle = friction_energies(*modes.pencil, pairs, masses);
     q.contact_participation = contact_participations(model, pairs, masses);
 
     const ComplexBlock     shapes       = modes.modes.shapes.cast<Complex>();
@@ -168,8 +169,8 @@ namespace squeal
           else if (best[1] < 0 || mac[i] > mac[best[1]])
             best[1] = i;
         q.partners.push_back(best);
-        q.partner_mac.push_back({{best[0] < 0 ? 0. : mac[best[0]],
-                                  best[1] < 0 ? 0. : mac[best[1]]}});
+        q.partner_mac.push_back(
+          {{best[0] < 0 ? 0. : mac[best[0]], best[1] < 0 ? 0. : mac[best[1]]}});
         // The mesh's error of the pair, weighed by what it is made of.
         double error = 0., weight = 0.;
         for (const int i : best)
@@ -178,8 +179,8 @@ namespace squeal
               error += mac[i] * modes.discretisation_error[i];
               weight += mac[i];
             }
-        q.discretisation_error.push_back(weight > 0.5 ? error / weight :
-                                                        std::nan(""));
+        q.discretisation_error.push_back(weight > 0.5 ? error / weight
+                                                      : std::nan(""));
       }
     return q;
   }
@@ -237,17 +238,18 @@ namespace squeal
                       "",
                       "-2 sigma / |omega|, as Abaqus prints it",
                       4});
-    table.add_column({"unstable", Type::integer, "", "1: sigma beyond its error"});
+    table.add_column(
+      {"unstable", Type::integer, "", "1: sigma beyond its error"});
     std::string state = "none";
     if (!model.parameters().scene.contacts.empty())
       state = model.parameters().scene.contacts[0].state ==
-                  ContactParameters::State::stick ?
-                "stick" :
-                "full";
+                  ContactParameters::State::stick
+                ? "stick"
+                : "full";
     const auto partner = [&](const unsigned int j, const unsigned int k) {
       const int i = q.partners[j][k];
-      return i < 0 ? std::string() :
-                     modes.names[i].text + " " +
+      return i < 0 ? std::string()
+                   : modes.names[i].text + " " +
                        rounded_text(modes.modes.frequency(i), 5) + " Hz, MAC " +
                        rounded_text(q.partner_mac[j][k], 2);
     };
@@ -271,9 +273,10 @@ namespace squeal
         row.emplace_back(state);
         row.emplace_back(q.discretisation_error[j]);
         row.emplace_back(pairs.condition[j]);
-        row.emplace_back(pairs.lambda[j].imag() == 0. ?
-                           Cell() :
-                           Cell(-2. * pairs.sigma(j) / pairs.lambda[j].imag()));
+        row.emplace_back(
+          pairs.lambda[j].imag() == 0.
+            ? Cell()
+            : Cell(-2. * pairs.sigma(j) / pairs.lambda[j].imag()));
         row.emplace_back(is_unstable(pairs, j) ? 1 : 0);
         table.add_row(row);
       }

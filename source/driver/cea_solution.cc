@@ -29,17 +29,18 @@ namespace squeal
   ComplexPairs
   solve_direct(const Model &model, const ModeSolution &modes)
   {
-    const auto  &p = model.parameters().eigen;
-    const double f = p.direct_shift_frequency >= 0. ?
-                       p.direct_shift_frequency :
-                       0.5 * (p.lowest_frequency + p.highest_frequency);
+    const auto        &p = model.parameters().eigen;
+    const double       f = p.direct_shift_frequency >= 0.
+                             ? p.direct_shift_frequency
+                             : 0.5 * (p.lowest_frequency + p.highest_frequency);
     const DirectSolver solver(*modes.pencil, {0., 2. * M_PI * f});
     // Within the distance to the farther edge of the band there may be as many
     // modes on the other side of it.
     unsigned int n = p.number_of_pairs;
     if (n == 0)
       {
-        const double reach = std::max(p.highest_frequency - f, f - p.lowest_frequency);
+        const double reach =
+          std::max(p.highest_frequency - f, f - p.lowest_frequency);
         for (unsigned int i = 0; i < modes.modes.omega_squared.size(); ++i)
           if (std::abs(modes.modes.frequency(i) - f) <= 1.02 * reach)
             ++n;
@@ -95,18 +96,18 @@ namespace squeal
   {
     Timers::Section    section(timers, "Solve: direct check");
     const ComplexPairs direct = solve_direct(model, modes);
-    using Type = Table::Type;
-    Table table({{"index", Type::integer, "", "number of the pair, from 1"},
-                 {"frequency_hz", Type::real, "Hz", "certified", 7},
-                 {"sigma_per_s", Type::real, "1/s", "certified", 6},
-                 {"direct_frequency_hz", Type::real, "Hz", "direct", 7},
-                 {"direct_sigma_per_s", Type::real, "1/s", "direct", 6},
-                 {"difference_rel", Type::real, "", "|d lambda| / |lambda|", 2},
-                 {"error_estimate_rel", Type::real, "", "estimated", 2},
-                 {"noise_floor_rel", Type::real, "", "rounding", 2},
-                 {"condition", Type::real, "", "of the eigenvalue", 2}});
-    double       worst = 0.;
-    ComplexPairs copy  = certified;
+    using Type                = Table::Type;
+    Table  table({{"index", Type::integer, "", "number of the pair, from 1"},
+                  {"frequency_hz", Type::real, "Hz", "certified", 7},
+                  {"sigma_per_s", Type::real, "1/s", "certified", 6},
+                  {"direct_frequency_hz", Type::real, "Hz", "direct", 7},
+                  {"direct_sigma_per_s", Type::real, "1/s", "direct", 6},
+                  {"difference_rel", Type::real, "", "|d lambda| / |lambda|", 2},
+                  {"error_estimate_rel", Type::real, "", "estimated", 2},
+                  {"noise_floor_rel", Type::real, "", "rounding", 2},
+                  {"condition", Type::real, "", "of the eigenvalue", 2}});
+    double worst      = 0.;
+    ComplexPairs copy = certified;
     estimate_errors(copy, direct.lambda);
     for (unsigned int i = 0; i < certified.size(); ++i)
       {
@@ -130,10 +131,10 @@ namespace squeal
                        certified.noise_floor[i],
                        certified.condition[i]});
       }
-    log.info("  direct solver: " + std::to_string(direct.size()) +
-             " pairs in the band (certified: " +
-             std::to_string(certified.size()) +
-             "), largest relative difference " + rounded_text(worst, 2));
+    log.info(
+      "  direct solver: " + std::to_string(direct.size()) +
+      " pairs in the band (certified: " + std::to_string(certified.size()) +
+      "), largest relative difference " + rounded_text(worst, 2));
     return table;
   }
 } // namespace squeal

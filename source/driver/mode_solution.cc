@@ -36,9 +36,9 @@ namespace squeal
             Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
           for (std::size_t p = 0; p < g.points.size(); ++p)
             forces.row(3 * p + 2) = contact.normal_stiffness * approach.row(p);
-          const double spacing =
-            g.points.size() > 1 ? std::sqrt(g.areas[0]) :
-                                  std::numeric_limits<double>::infinity();
+          const double spacing = g.points.size() > 1
+                                   ? std::sqrt(g.areas[0])
+                                   : std::numeric_limits<double>::infinity();
           // z_d - z_p > 0 pushes the source up and the target down.
           result.push_back({body_index(scene, contact.source_body),
                             g.points,
@@ -59,16 +59,15 @@ namespace squeal
             for (unsigned int k = 0; k < spring.number; ++k)
               {
                 dealii::Point<3> x;
-                const double     s = spring.number > 1 ?
-                                       double(k) / (spring.number - 1) :
-                                       0.;
+                const double     s =
+                  spring.number > 1 ? double(k) / (spring.number - 1) : 0.;
                 for (unsigned int c = 0; c < 3; ++c)
-                  x[c] = (1. - s) * spring.first_point[c] +
-                         s * spring.last_point[c];
+                  x[c] =
+                    (1. - s) * spring.first_point[c] + s * spring.last_point[c];
                 points.push_back(x);
               }
-            length = points.front().distance(points.back());
-            const unsigned int body = body_index(scene, spring.body);
+            length                   = points.front().distance(points.back());
+            const unsigned int body  = body_index(scene, spring.body);
             const auto         found = evaluator.displacements(body, points);
             Eigen::MatrixXd    forces(3 * points.size(), full_shapes.cols());
             for (std::size_t p = 0; p < points.size(); ++p)
@@ -86,9 +85,9 @@ namespace squeal
             result.push_back({body,
                               points,
                               forces,
-                              spring.number > 1 ?
-                                length / (spring.number - 1) :
-                                std::numeric_limits<double>::infinity()});
+                              spring.number > 1
+                                ? length / (spring.number - 1)
+                                : std::numeric_limits<double>::infinity()});
           }
       return result;
     }
@@ -119,12 +118,12 @@ namespace squeal
   {
     const Parameters &parameters = model.parameters();
     ModeSolution      solution;
-    solution.pencil = std::make_unique<Pencil>(model.linearized().system,
-                                               parameters.scene);
+    solution.pencil =
+      std::make_unique<Pencil>(model.linearized().system, parameters.scene);
     {
       Timers::Section section(timers, "Solve: factorisation");
-      solution.inverse =
-        std::make_unique<ShiftedInverse>(*solution.pencil, shift_of(parameters));
+      solution.inverse = std::make_unique<ShiftedInverse>(*solution.pencil,
+                                                          shift_of(parameters));
     }
     log.info("  " + std::to_string(solution.inverse->n_modes_below()) +
              " modes below " +
@@ -147,9 +146,8 @@ namespace squeal
       solution.modes.shapes =
         model.namer().separate_multiple(solution.modes.shapes, frequencies);
     solution.energy_shares = model.energy_shares(solution.modes.shapes);
-    solution.names =
-      model.namer().name(model.linearized().expand(solution.modes.shapes),
-                         solution.energy_shares);
+    solution.names         = model.namer().name(
+      model.linearized().expand(solution.modes.shapes), solution.energy_shares);
     solution.discretisation_error.assign(frequencies.size(), not_known);
     return solution;
   }
@@ -157,7 +155,10 @@ namespace squeal
 
 
   ModeSolution
-  solve_modes_adaptively(Model &model, RunLog &log, Timers &timers, Table *steps)
+  solve_modes_adaptively(Model  &model,
+                         RunLog &log,
+                         Timers &timers,
+                         Table  *steps)
   {
     const auto &parameters = model.parameters();
     const auto &p          = parameters.discretization;
@@ -175,8 +176,8 @@ namespace squeal
         ModeErrors errors;
         {
           Timers::Section section(timers, "Solve: discretisation error");
-          const Block     full = model.linearized().expand(
-            Block(solution.modes.shapes.leftCols(n)));
+          const Block     full =
+            model.linearized().expand(Block(solution.modes.shapes.leftCols(n)));
           errors = estimate_mode_errors(*model.discretization(),
                                         full,
                                         solution.modes.omega_squared.head(n),
@@ -186,7 +187,8 @@ namespace squeal
         for (unsigned int i = 0; i < n; ++i)
           {
             solution.discretisation_error[i] = errors.frequency[i];
-            if (solution.modes.frequency(i) >= parameters.eigen.lowest_frequency)
+            if (solution.modes.frequency(i) >=
+                parameters.eigen.lowest_frequency)
               worst = std::max(worst, solution.discretisation_error[i]);
           }
         log.info("  mesh " + std::to_string(cycle) + ": " +
@@ -194,10 +196,12 @@ namespace squeal
                  " unknowns, estimated relative frequency error at most " +
                  rounded_text(worst, 3));
         if (steps)
-          steps->add_row({cycle, model.n_unknowns(), worst, timers.total_cpu()});
+          steps->add_row(
+            {cycle, model.n_unknowns(), worst, timers.total_cpu()});
         if (!adaptive || worst <= p.tolerance)
           return solution;
-        if (cycle + 1 >= p.maximum_cycles || model.n_unknowns() >= p.maximum_dofs)
+        if (cycle + 1 >= p.maximum_cycles ||
+            model.n_unknowns() >= p.maximum_dofs)
           {
             log.warning("the mesh was not refined to the asked tolerance: "
                         "raise Discretization/Maximum dofs or Maximum cycles");
@@ -237,7 +241,7 @@ namespace squeal
     table.add_column({"family", Type::text, "", "kind of motion"});
     table.add_column(
       {"residual_rel", Type::real, "", "relative residual of the pair", 2});
-    const auto  &p = model.parameters().eigen;
+    const auto  &p      = model.parameters().eigen;
     unsigned int number = 0;
     for (unsigned int i = 0; i < solution.n_up_to(p.highest_frequency); ++i)
       {
@@ -248,7 +252,8 @@ namespace squeal
                               solution.modes.frequency(i),
                               name.text,
                               name.is_disc ? Cell(name.nodal_circles) : Cell(),
-                              name.is_disc ? Cell(name.nodal_diameters) : Cell(),
+                              name.is_disc ? Cell(name.nodal_diameters)
+                                           : Cell(),
                               name.parity};
         for (Eigen::Index b = 0; b < solution.energy_shares.rows(); ++b)
           row.emplace_back(solution.energy_shares(b, i));

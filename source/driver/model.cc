@@ -16,10 +16,11 @@ namespace squeal
     if (parameters.scene.kind == SceneParameters::Kind::bodies)
       {
         Timers::Section section(timers, "Setup: mesh and unknowns");
-        space = std::make_unique<Discretization>(parameters.scene,
-                                                 parameters.discretization,
-                                                 parameters.discretization.degree,
-                                                 MPI_COMM_WORLD);
+        space =
+          std::make_unique<Discretization>(parameters.scene,
+                                           parameters.discretization,
+                                           parameters.discretization.degree,
+                                           MPI_COMM_WORLD);
         for (const auto &body : parameters.scene.bodies)
           names.push_back(body.name);
       }
@@ -73,34 +74,32 @@ namespace squeal
       {
         const auto role         = model.parts[i].role;
         const auto coefficients = [i, role](const SceneParameters &s) {
-          const double     f    = s.matrix_parts[i].factor;
-          const bool       whole =
+          const double f = s.matrix_parts[i].factor;
+          const bool   whole =
             s.damping.model == DampingParameters::Model::whole_model;
           TermCoefficients c;
           switch (role)
             {
-              case MatrixPartParameters::Role::mass:
-                c = {f, whole ? s.damping.mass_damping * f : 0., 0.};
-                break;
-              case MatrixPartParameters::Role::damping:
-                c = {0., f, 0.};
-                break;
-              case MatrixPartParameters::Role::stiffness:
-              case MatrixPartParameters::Role::normal_contact:
-                c = elastic_coefficients(s, f, 0., 0.);
-                break;
-              case MatrixPartParameters::Role::friction:
-                c = elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
-                break;
+            case MatrixPartParameters::Role::mass:
+              c = {f, whole ? s.damping.mass_damping * f : 0., 0.};
+              break;
+            case MatrixPartParameters::Role::damping:
+              c = {0., f, 0.};
+              break;
+            case MatrixPartParameters::Role::stiffness:
+            case MatrixPartParameters::Role::normal_contact:
+              c = elastic_coefficients(s, f, 0., 0.);
+              break;
+            case MatrixPartParameters::Role::friction:
+              c = elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
+              break;
             }
           return c;
         };
         const auto symmetric = std::make_shared<const SparseMatrix>(
           rows, lower_symmetric_part(model.parts[i]));
         const auto skew = std::make_shared<const SparseMatrix>(
-          rows,
-          lower_skew_part(model.parts[i]),
-          SparseMatrix::Symmetry::skew);
+          rows, lower_skew_part(model.parts[i]), SparseMatrix::Symmetry::skew);
         if (role == MatrixPartParameters::Role::mass)
           masses.emplace_back(model.parts[i].factor, symmetric);
         if (skew->n_nonzeros() == 0)
@@ -124,9 +123,8 @@ namespace squeal
           std::make_shared<const Functionals>(rows, contact.normal);
         const auto sliding =
           std::make_shared<const Functionals>(rows, contact.sliding);
-        const Eigen::VectorXd weights =
-          Eigen::Map<const Eigen::VectorXd>(contact.stiffness_factors.data(),
-                                            contact.stiffness_factors.size());
+        const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(
+          contact.stiffness_factors.data(), contact.stiffness_factors.size());
         system.system.terms.push_back(
           {"normal contact",
            std::make_shared<LowRankMatrix>(normal, weights, normal),
@@ -202,10 +200,9 @@ namespace squeal
             const auto  &p = all_parameters.scene.bodies[b];
             const double density =
               p.shape == BodyParameters::Shape::rigid ? 1. : p.density;
-            energy.row(b) = density * full.cwiseProduct(
-                                            bodies[b].mass->multiply(full))
-                                        .colwise()
-                                        .sum();
+            energy.row(b) =
+              density *
+              full.cwiseProduct(bodies[b].mass->multiply(full)).colwise().sum();
           }
         space->space()->sum(energy);
       }
@@ -265,9 +262,9 @@ namespace squeal
                        {"unknowns", Table::Type::integer, "", ""}});
     for (unsigned int b = 0; b < names.size(); ++b)
       {
-        const auto  &p     = scene.bodies[b];
-        const bool   rigid = p.shape == BodyParameters::Shape::rigid;
-        const auto   mm    = [](const double x) {
+        const auto &p     = scene.bodies[b];
+        const bool  rigid = p.shape == BodyParameters::Shape::rigid;
+        const auto  mm    = [](const double x) {
           return std::abs(x) < 1e-9 ? 0. : 1e3 * x;
         };
         table.add_row({names[b],
@@ -283,17 +280,18 @@ namespace squeal
     RunLog::Lines lines;
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {
-        const auto &c = scene.contacts[i];
+        const auto &c    = scene.contacts[i];
         double      area = 0.;
         for (const double a : system.contacts[i].areas)
           area += a;
-        lines.emplace_back(
-          "contact " + c.name,
-          std::to_string(system.contacts[i].points.size()) + " points, " +
-            rounded_text(1e6 * area, 6) + " mm2, friction coefficient " +
-            rounded_text(c.friction_coefficient, 6));
+        lines.emplace_back("contact " + c.name,
+                           std::to_string(system.contacts[i].points.size()) +
+                             " points, " + rounded_text(1e6 * area, 6) +
+                             " mm2, friction coefficient " +
+                             rounded_text(c.friction_coefficient, 6));
       }
-    lines.emplace_back("degree of the elements", std::to_string(space->degree()));
+    lines.emplace_back("degree of the elements",
+                       std::to_string(space->degree()));
     lines.emplace_back("degrees of freedom", std::to_string(space->n_dofs()));
     lines.emplace_back("free unknowns", std::to_string(n_unknowns()));
     log.key_values(lines);

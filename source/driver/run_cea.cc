@@ -36,11 +36,11 @@ namespace squeal
     }
 
     void
-    draw_charts(RunContext                          &context,
-                const Model                         &model,
-                const std::vector<PlottedPair>      &pairs,
-                const std::vector<BasisEnrichment>  &history,
-                HtmlReport                          &report)
+    draw_charts(RunContext                         &context,
+                const Model                        &model,
+                const std::vector<PlottedPair>     &pairs,
+                const std::vector<BasisEnrichment> &history,
+                HtmlReport                         &report)
     {
       if (!context.is_root)
         return;
@@ -75,7 +75,9 @@ namespace squeal
     }
 
     void
-    write_signature(RunContext &context, const Model &model, const ComplexPairs &pairs)
+    write_signature(RunContext         &context,
+                    const Model        &model,
+                    const ComplexPairs &pairs)
     {
       const auto signature = model.namer().signature();
       if (!signature)
@@ -112,8 +114,9 @@ namespace squeal
       solve_cea(model, modes, context.log, context.timers);
     const ComplexPairs &pairs = solution.pairs;
     if (pairs.size() == 0)
-      throw InputError("Eigenvalues/Lowest frequency and Highest frequency: the "
-                       "band holds no eigenvalues");
+      throw InputError(
+        "Eigenvalues/Lowest frequency and Highest frequency: the "
+        "band holds no eigenvalues");
 
     PairQuantities quantities;
     {
@@ -123,7 +126,9 @@ namespace squeal
     const Table table = eigenvalue_table(model, modes, pairs, quantities);
     context.write_table("eigenvalues.csv", table);
     if (p.eigen.compare_direct)
-      context.write_table("direct_check.csv", compare_with_direct(model, modes, pairs, context.log, context.timers));
+      context.write_table(
+        "direct_check.csv",
+        compare_with_direct(model, modes, pairs, context.log, context.timers));
     write_signature(context, model, pairs);
 
     std::vector<bool> highlighted;
@@ -160,19 +165,20 @@ namespace squeal
       {"which", n_unstable ? which : "none"},
       {"pairs in the band", std::to_string(pairs.size())},
       {"worst residual", rounded_text(pairs.residual.maxCoeff(), 2)},
-      {"worst error estimate", rounded_text(pairs.error_estimate.maxCoeff(), 2)},
+      {"worst error estimate",
+       rounded_text(pairs.error_estimate.maxCoeff(), 2)},
       {"unknowns", std::to_string(model.n_unknowns())},
       {"basis", std::to_string(solution.basis_size)}};
 
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
-    report.set_verdict(n_unstable ? HtmlReport::Verdict::bad :
-                                    HtmlReport::Verdict::good,
-                       n_unstable == 0 ? "no unstable pair in the band" :
-                       n_unstable == 1 ? "1 unstable pair: " + which :
-                                         std::to_string(n_unstable) +
-                                           " unstable pairs: " + which,
-                       context.record.figures);
+    report.set_verdict(
+      n_unstable ? HtmlReport::Verdict::bad : HtmlReport::Verdict::good,
+      n_unstable == 0 ? "no unstable pair in the band"
+      : n_unstable == 1
+        ? "1 unstable pair: " + which
+        : std::to_string(n_unstable) + " unstable pairs: " + which,
+      context.record.figures);
     if (p.output.plots)
       {
         Timers::Section section(context.timers, "Write: charts");

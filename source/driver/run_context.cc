@@ -16,12 +16,12 @@ namespace squeal
     {
       switch (analysis)
         {
-          case Parameters::Analysis::modes:
-            return "modes";
-          case Parameters::Analysis::cea:
-            return "cea";
-          case Parameters::Analysis::work_precision:
-            return "work precision";
+        case Parameters::Analysis::modes:
+          return "modes";
+        case Parameters::Analysis::cea:
+          return "cea";
+        case Parameters::Analysis::work_precision:
+          return "work precision";
         }
       return "";
     }

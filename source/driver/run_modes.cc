@@ -15,14 +15,15 @@ namespace squeal
     const auto &p = context.parameters;
     Model       model(p, context.timers);
     model.print_summary(context.log);
-    Table steps({{"mesh", Table::Type::integer, "", "number of the mesh"},
-                 {"unknowns", Table::Type::integer, "", "free unknowns"},
-                 {"estimated_error_rel",
-                  Table::Type::real,
-                  "",
-                  "largest estimated relative frequency error in the band",
-                  3},
-                 {"cpu_seconds", Table::Type::real, "s", "since the start", 3}});
+    Table steps(
+      {{"mesh", Table::Type::integer, "", "number of the mesh"},
+       {"unknowns", Table::Type::integer, "", "free unknowns"},
+       {"estimated_error_rel",
+        Table::Type::real,
+        "",
+        "largest estimated relative frequency error in the band",
+        3},
+       {"cpu_seconds", Table::Type::real, "s", "since the start", 3}});
     ModeSolution solution =
       solve_modes_adaptively(model, context.log, context.timers, &steps);
     const Table table = mode_table(model, solution);
@@ -36,9 +37,10 @@ namespace squeal
     std::ostringstream text;
     table.print(text, {"index", "frequency_hz", "name", "error_estimate_rel"});
     context.log.info(text.str());
-    context.record.n_dofs = model.n_unknowns();
-    context.record.figures = {{"modes in the band", std::to_string(table.n_rows())},
-                              {"unknowns", std::to_string(model.n_unknowns())}};
+    context.record.n_dofs  = model.n_unknowns();
+    context.record.figures = {
+      {"modes in the band", std::to_string(table.n_rows())},
+      {"unknowns", std::to_string(model.n_unknowns())}};
 
     HtmlReport report("Modes of " + p.scene.name, "undamped, frictionless");
     report.set_verdict(HtmlReport::Verdict::neutral,

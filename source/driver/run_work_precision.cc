@@ -28,39 +28,41 @@ namespace squeal
     {
       switch (ladder)
         {
-          case Ladder::degree:
-            return "degree";
-          case Ladder::refinement:
-            return "refinement";
-          case Ladder::adaptive:
-            return "adaptive";
-          case Ladder::basis:
-            return "basis";
+        case Ladder::degree:
+          return "degree";
+        case Ladder::refinement:
+          return "refinement";
+        case Ladder::adaptive:
+          return "adaptive";
+        case Ladder::basis:
+          return "basis";
         }
       return "";
     }
 
     Parameters
-    parameters_of(const Parameters &all, const Ladder ladder, const double value)
+    parameters_of(const Parameters &all,
+                  const Ladder      ladder,
+                  const double      value)
     {
       Parameters p                    = all;
       p.discretization.estimate_error = false;
       switch (ladder)
         {
-          case Ladder::degree:
-            p.discretization.degree = static_cast<unsigned int>(value);
-            break;
-          case Ladder::refinement:
-            p.discretization.refinements = static_cast<unsigned int>(value);
-            break;
-          case Ladder::adaptive:
-            p.discretization.refinement =
-              DiscretizationParameters::Refinement::eigenvalue_error;
-            p.discretization.tolerance = value;
-            break;
-          case Ladder::basis:
-            p.eigen.residual_tolerance = p.eigen.error_tolerance = value;
-            break;
+        case Ladder::degree:
+          p.discretization.degree = static_cast<unsigned int>(value);
+          break;
+        case Ladder::refinement:
+          p.discretization.refinements = static_cast<unsigned int>(value);
+          break;
+        case Ladder::adaptive:
+          p.discretization.refinement =
+            DiscretizationParameters::Refinement::eigenvalue_error;
+          p.discretization.tolerance = value;
+          break;
+        case Ladder::basis:
+          p.eigen.residual_tolerance = p.eigen.error_tolerance = value;
+          break;
         }
       return p;
     }
@@ -68,9 +70,8 @@ namespace squeal
     Rung
     climb(RunContext &context, const Ladder ladder, const double value)
     {
-      const Parameters p =
-        parameters_of(context.parameters, ladder, value);
-      const double start = cpu_seconds();
+      const Parameters p     = parameters_of(context.parameters, ladder, value);
+      const double     start = cpu_seconds();
       context.log.info(ladder_name(ladder) + " = " + rounded_text(value, 6));
       Model              model(p, context.timers);
       const ModeSolution modes =
@@ -84,7 +85,8 @@ namespace squeal
             rung.values.push_back(cea.pairs.lambda[i]);
         }
       else
-        for (unsigned int i = 0; i < modes.n_up_to(p.eigen.highest_frequency); ++i)
+        for (unsigned int i = 0; i < modes.n_up_to(p.eigen.highest_frequency);
+             ++i)
           if (modes.modes.frequency(i) >= p.eigen.lowest_frequency)
             rung.values.emplace_back(0., 2. * M_PI * modes.modes.frequency(i));
       rung.seconds = cpu_seconds() - start;
@@ -120,8 +122,9 @@ namespace squeal
       for (const double value : p.values)
         rungs.push_back(climb(context, ladder, value));
     if (rungs.empty() || rungs.back().values.empty())
-      throw InputError("Work precision/Values: the ladder gave no values in the "
-                       "band");
+      throw InputError(
+        "Work precision/Values: the ladder gave no values in the "
+        "band");
 
     std::vector<std::complex<double>> reference;
     for (const double f : p.reference)
@@ -136,27 +139,28 @@ namespace squeal
         reference = finest->values;
       }
     using Type = Table::Type;
-    Table table({{"setting", Type::text, "", "ladder and value"},
-                 {"dofs", Type::integer, "", "unknowns"},
-                 {"seconds", Type::real, "s", "CPU time", 3},
-                 {"peak_memory_mb", Type::real, "MB", "of the process so far", 4},
-                 {"quantity", Type::text, "", "what is measured"},
-                 {"value", Type::real, "Hz", "first value of the band", 7},
-                 {"error_rel", Type::real, "", "largest relative error", 3},
-                 {"reference", Type::text, "", "what it is measured against"}});
+    Table table(
+      {{"setting", Type::text, "", "ladder and value"},
+       {"dofs", Type::integer, "", "unknowns"},
+       {"seconds", Type::real, "s", "CPU time", 3},
+       {"peak_memory_mb", Type::real, "MB", "of the process so far", 4},
+       {"quantity", Type::text, "", "what is measured"},
+       {"value", Type::real, "Hz", "first value of the band", 7},
+       {"error_rel", Type::real, "", "largest relative error", 3},
+       {"reference", Type::text, "", "what it is measured against"}});
     std::vector<WorkPrecisionSeries> series;
     for (const Rung &rung : rungs)
       {
-        const std::string name = ladder_name(rung.ladder);
+        const std::string name  = ladder_name(rung.ladder);
         const double      error = worst_error(rung.values, reference);
         table.add_row({name + " = " + rounded_text(rung.setting, 6),
                        rung.dofs,
                        rung.seconds,
                        rung.memory,
                        p.quantity,
-                       rung.values.empty() ?
-                         Cell() :
-                         Cell(rung.values[0].imag() / (2. * M_PI)),
+                       rung.values.empty()
+                         ? Cell()
+                         : Cell(rung.values[0].imag() / (2. * M_PI)),
                        error,
                        finest ? "costliest rung" : "given values"});
         if (&rung == finest)
@@ -180,7 +184,8 @@ namespace squeal
     if (context.is_root && context.parameters.output.plots)
       {
         context.output.file("plots/work_precision.png");
-        const std::string path = context.output.path() + "/plots/work_precision";
+        const std::string path =
+          context.output.path() + "/plots/work_precision";
         plot_work_precision(context.plotter,
                             series,
                             context.parameters.discretization.tolerance,

@@ -58,22 +58,25 @@ namespace squeal
                     const ModeSolution &solution)
   {
     const auto &p = context.parameters;
-    ShapeWriter writer(*model.discretization(), context.output, shape_options(p));
-    const Block full =
-      model.linearized().expand(solution.modes.shapes);
-    Progress     progress(context.log,
-                      "shapes",
-                      solution.n_up_to(p.eigen.highest_frequency));
+    ShapeWriter writer(
+      *model.discretization(), context.output, shape_options(p));
+    const Block full = model.linearized().expand(solution.modes.shapes);
+    Progress    progress(
+      context.log, "shapes", solution.n_up_to(p.eigen.highest_frequency));
     std::string  first;
     unsigned int number = 0;
-    for (unsigned int i = 0; i < solution.n_up_to(p.eigen.highest_frequency); ++i)
+    for (unsigned int i = 0; i < solution.n_up_to(p.eigen.highest_frequency);
+         ++i)
       {
         const double f = solution.modes.frequency(i);
         if (f < p.eigen.lowest_frequency)
           continue;
         const std::string name = shape_name(++number, f, false);
-        writer.write_shape(
-          name, full.col(i), Block(full.rows(), 0), f, p.output.animation_frames);
+        writer.write_shape(name,
+                           full.col(i),
+                           Block(full.rows(), 0),
+                           f,
+                           p.output.animation_frames);
         if (first.empty())
           first = name + ".pvd";
         progress.advance();
@@ -91,7 +94,8 @@ namespace squeal
                     HtmlReport           &report)
   {
     const auto &p = context.parameters;
-    ShapeWriter writer(*model.discretization(), context.output, shape_options(p));
+    ShapeWriter writer(
+      *model.discretization(), context.output, shape_options(p));
     const SurfaceQuads surface(*model.discretization(), 3);
     Progress           progress(context.log, "shapes", pairs.size());
     std::string        worst_name, first;
@@ -104,8 +108,10 @@ namespace squeal
           continue;
         const double      f    = pairs.frequency(i);
         const std::string name = shape_name(i + 1, f, unstable);
-        const Block re = model.linearized().expand(Block(pairs.right.col(i).real()));
-        const Block im = model.linearized().expand(Block(pairs.right.col(i).imag()));
+        const Block       re =
+          model.linearized().expand(Block(pairs.right.col(i).real()));
+        const Block im =
+          model.linearized().expand(Block(pairs.right.col(i).imag()));
         writer.write_shape(name,
                            re,
                            im,
@@ -123,12 +129,13 @@ namespace squeal
           }
         if (!p.output.plots)
           continue;
-        auto         quads   = surface.evaluate(re, im, 0.);
-        double       largest = largest_displacement(quads), phase = 0.;
+        auto   quads   = surface.evaluate(re, im, 0.);
+        double largest = largest_displacement(quads), phase = 0.;
         for (unsigned int k = 1; k < 12; ++k)
           {
             auto turned = surface.evaluate(re, im, M_PI * k / 12.);
-            if (const double size = largest_displacement(turned); size > largest)
+            if (const double size = largest_displacement(turned);
+                size > largest)
               {
                 largest = size;
                 phase   = M_PI * k / 12.;

@@ -78,8 +78,8 @@ namespace squeal
               column(1) = pencil.multiply_mass(column(0));
           }
         if (info != 0)
-          throw ComputationError("ARPACK did not converge (info = " +
-                                 std::to_string(info) + ")");
+          throw ComputationError(
+            "ARPACK did not converge (info = " + std::to_string(info) + ")");
       }
 
       UndampedModes
@@ -162,7 +162,7 @@ namespace squeal
     unsigned int       n_wanted = n_below + n_below / 2 + 4;
     while (true)
       {
-        n_wanted = std::min(n_wanted, n_total - 1);
+        n_wanted                     = std::min(n_wanted, n_total - 1);
         const unsigned int n_vectors = std::min(2 * n_wanted + 20, n_total);
         Arpack             arpack(pencil, inverse, n_wanted, n_vectors);
         arpack.iterate(options.tolerance);

@@ -7,12 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace squeal
 {
   namespace
   {
     using Complex = std::complex<double>;
+
+    /** Residual up to which a basis that can not grow any more is accepted. */
+    constexpr double exhausted_residual = 1e-5;
 
     /** Number of the value in @p values nearest to @p lambda. */
     int
@@ -40,7 +44,8 @@ namespace squeal
     {
       Block R(Z.rows(), 2 * Z.cols());
       R << Z.real(), Z.imag();
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(space.dot(R, R));
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
+        space.dot(R, R));
       const Eigen::VectorXd &values = gram.eigenvalues();
       const double limit = std::max(0.3, 1e-4 * std::sqrt(values.maxCoeff()));
       Eigen::Index first = 0;
@@ -70,11 +75,12 @@ namespace squeal
             continue;
           }
         // A nearly defective pair: mean and squared half-difference.
-        const int     j    = nearest(pairs.lambda, a, i);
-        const Complex b    = pairs.lambda[j];
-        const int     l    = nearest(better, b, k);
-        const Complex mean = 0.5 * (a + b), mean_2 = 0.5 * (better[k] + better[l]);
-        const Complex d2   = 0.25 * (a - b) * (a - b);
+        const int     j      = nearest(pairs.lambda, a, i);
+        const Complex b      = pairs.lambda[j];
+        const int     l      = nearest(better, b, k);
+        const Complex mean   = 0.5 * (a + b),
+                      mean_2 = 0.5 * (better[k] + better[l]);
+        const Complex d2     = 0.25 * (a - b) * (a - b);
         const Complex d2_2 =
           0.25 * (better[k] - better[l]) * (better[k] - better[l]);
         pairs.pair_partner[i] = j;
@@ -129,8 +135,7 @@ namespace squeal
         // frequency band as the basis grows; no mesh resolves them.
         const double f = dense.lambda[i].imag() / (2. * M_PI);
         if (f >= options.lowest_frequency && f <= options.highest_frequency &&
-            std::abs(dense.lambda[i]) <=
-              4. * M_PI * options.highest_frequency)
+            std::abs(dense.lambda[i]) <= 4. * M_PI * options.highest_frequency)
           kept.push_back(i);
       }
     const Eigen::Index n = kept.size();
@@ -138,8 +143,8 @@ namespace squeal
     ComplexPairs      &pairs = result.pairs;
     pairs.lambda.resize(n);
     pairs.condition.resize(n);
-    pairs.residual  = pairs.left_residual = Eigen::VectorXd::Zero(n);
-    pairs.error_estimate = Eigen::VectorXd::Zero(n);
+    pairs.residual = pairs.left_residual = Eigen::VectorXd::Zero(n);
+    pairs.error_estimate                 = Eigen::VectorXd::Zero(n);
     pairs.pair_partner.assign(n, -1);
     Eigen::MatrixXcd &right = result.right, &left = result.left;
     right.resize(dense.right.rows(), n);
@@ -161,9 +166,8 @@ namespace squeal
       }
     for (Eigen::Index k = 0; k < n; ++k)
       {
-        const Complex d =
-          (left.col(k).transpose() *
-           (2. * pairs.lambda[k] * Mx.col(k) + Cx.col(k)))(0);
+        const Complex d    = (left.col(k).transpose() *
+                           (2. * pairs.lambda[k] * Mx.col(k) + Cx.col(k)))(0);
         pairs.condition[k] = 2. * std::abs(pairs.lambda[k]) *
                              right.col(k).norm() * left.col(k).norm() /
                              std::max(std::abs(d), 1e-300);
@@ -224,7 +228,7 @@ namespace squeal
 
   ComplexPairs
   CertifiedSolver::solve(
-    const CertifiedOptions                            &options,
+    const CertifiedOptions                             &options,
     const std::function<void(const BasisEnrichment &)> &report)
   {
     DensePairs dense = reduced.solve();
@@ -234,7 +238,8 @@ namespace squeal
         ComplexPairs &pairs   = current.pairs;
         if (pairs.size() == 0)
           {
-            pairs.right = pairs.left = ComplexBlock(reduced.vectors().rows(), 0);
+            pairs.right = pairs.left =
+              ComplexBlock(reduced.vectors().rows(), 0);
             return pairs;
           }
         const unsigned int size       = reduced.size();
@@ -242,18 +247,24 @@ namespace squeal
         const unsigned int added = reduced.extend(inverse.solve(directions));
         dense                    = reduced.solve();
         estimate_errors(pairs, dense.lambda);
-        steps.push_back({size,
-                         pairs.residual.maxCoeff(),
-                         pairs.error_estimate.maxCoeff()});
+        steps.push_back(
+          {size, pairs.residual.maxCoeff(), pairs.error_estimate.maxCoeff()});
         if (report)
           report(steps.back());
-        const bool done = converged(pairs, options);
+        // Where no direction is new the basis holds all that rounding lets
+        // through, and the residuals in the table say how much that is.
+        const bool done =
+          converged(pairs, options) ||
+          (added == 0 && pairs.residual.maxCoeff() <= exhausted_residual);
         if (!done && (added == 0 || step >= options.maximum_enrichments))
-          throw ComputationError(
-            "the certified basis stalls at a residual of " +
-            std::to_string(pairs.residual.maxCoeff()) +
-            ": raise Eigenvalues/Maximum enrichments or Eigenvalues/Residual "
-            "tolerance");
+          {
+            std::ostringstream text;
+            text << "the certified basis stalls at a residual of "
+                 << pairs.residual.maxCoeff()
+                 << ": raise Eigenvalues/Maximum enrichments or Eigenvalues/"
+                    "Residual tolerance";
+            throw ComputationError(text.str());
+          }
         if (done)
           {
             pairs.right = reduced.lift(current.right);

@@ -9,36 +9,34 @@
 
 extern "C"
 {
-  void
-  dgeev_(const char *,
-         const char *,
-         const int *,
-         double *,
-         const int *,
-         double *,
-         double *,
-         double *,
-         const int *,
-         double *,
-         const int *,
-         double *,
-         const int *,
-         int *);
-  void
-  zgeev_(const char *,
-         const char *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         std::complex<double> *,
-         std::complex<double> *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         std::complex<double> *,
-         const int *,
-         double *,
-         int *);
+  void dgeev_(const char *,
+              const char *,
+              const int *,
+              double *,
+              const int *,
+              double *,
+              double *,
+              double *,
+              const int *,
+              double *,
+              const int *,
+              double *,
+              const int *,
+              int *);
+  void zgeev_(const char *,
+              const char *,
+              const int *,
+              std::complex<double> *,
+              const int *,
+              std::complex<double> *,
+              std::complex<double> *,
+              const int *,
+              std::complex<double> *,
+              const int *,
+              std::complex<double> *,
+              const int *,
+              double *,
+              int *);
 }
 
 namespace squeal
@@ -47,7 +45,8 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
-    /** All eigenvalues of A with right vectors and left ones, w^T A = mu w^T. */
+    /** All eigenvalues of A with right vectors and left ones, w^T A = mu w^T.
+     */
     struct StandardPairs
     {
       Eigen::VectorXcd values;
@@ -72,12 +71,36 @@ namespace squeal
       Eigen::MatrixXd L(n, n), R(n, n);
       double          best = 0.;
       int             size = -1, info = 0;
-      dgeev_("V", "V", &n, A.data(), &n, re.data(), im.data(), L.data(), &n,
-             R.data(), &n, &best, &size, &info);
+      dgeev_("V",
+             "V",
+             &n,
+             A.data(),
+             &n,
+             re.data(),
+             im.data(),
+             L.data(),
+             &n,
+             R.data(),
+             &n,
+             &best,
+             &size,
+             &info);
       size = static_cast<int>(best);
       std::vector<double> work(size);
-      dgeev_("V", "V", &n, A.data(), &n, re.data(), im.data(), L.data(), &n,
-             R.data(), &n, work.data(), &size, &info);
+      dgeev_("V",
+             "V",
+             &n,
+             A.data(),
+             &n,
+             re.data(),
+             im.data(),
+             L.data(),
+             &n,
+             R.data(),
+             &n,
+             work.data(),
+             &size,
+             &info);
       check(info);
       StandardPairs result;
       result.values.resize(n);
@@ -115,12 +138,36 @@ namespace squeal
       Complex             best = 0.;
       int                 size = -1, info = 0;
       result.values.resize(n);
-      zgeev_("V", "V", &n, A.data(), &n, result.values.data(), L.data(), &n,
-             R.data(), &n, &best, &size, real_work.data(), &info);
+      zgeev_("V",
+             "V",
+             &n,
+             A.data(),
+             &n,
+             result.values.data(),
+             L.data(),
+             &n,
+             R.data(),
+             &n,
+             &best,
+             &size,
+             real_work.data(),
+             &info);
       size = static_cast<int>(best.real());
       std::vector<Complex> work(size);
-      zgeev_("V", "V", &n, A.data(), &n, result.values.data(), L.data(), &n,
-             R.data(), &n, work.data(), &size, real_work.data(), &info);
+      zgeev_("V",
+             "V",
+             &n,
+             A.data(),
+             &n,
+             result.values.data(),
+             L.data(),
+             &n,
+             R.data(),
+             &n,
+             work.data(),
+             &size,
+             real_work.data(),
+             &info);
       check(info);
       result.right = R;
       result.left  = L.conjugate();
@@ -199,11 +246,12 @@ namespace squeal
                    const double                    alpha,
                    const double                    beta)
     {
-      const Eigen::MatrixXd M = sum(parts, mass_of);
-      const Eigen::MatrixXd K = sum(parts, stiffness_of);
+      const Eigen::MatrixXd                      M = sum(parts, mass_of);
+      const Eigen::MatrixXd                      K = sum(parts, stiffness_of);
       const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
-      const StandardPairs pairs = standard_pairs(Eigen::MatrixXd(factor.solve(K)));
-      const Eigen::Index  n     = pairs.values.size();
+      const StandardPairs                        pairs =
+        standard_pairs(Eigen::MatrixXd(factor.solve(K)));
+      const Eigen::Index     n = pairs.values.size();
       const Eigen::MatrixXcd left =
         M.transpose().cast<Complex>().partialPivLu().solve(pairs.left);
       Eigen::VectorXcd lambda(2 * n);
@@ -214,9 +262,8 @@ namespace squeal
           const Complex b     = alpha + beta * kappa;
           const Complex root  = std::sqrt(b * b - 4. * kappa);
           // The larger root first, the other from the product: no cancellation.
-          const Complex big   = -0.5 * (b + (std::real(std::conj(b) * root) >= 0. ?
-                                               root :
-                                               -root));
+          const Complex big =
+            -0.5 * (b + (std::real(std::conj(b) * root) >= 0. ? root : -root));
           const Complex small = big == 0. ? 0. : kappa / big;
           lambda[2 * i]       = big;
           lambda[2 * i + 1]   = small;
@@ -237,21 +284,21 @@ namespace squeal
                     const Eigen::MatrixXd &M,
                     const Eigen::MatrixXd &C)
     {
-      const Eigen::Index n = M.rows();
+      const Eigen::Index                         n = M.rows();
       const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
-      const auto solve = [&](const Matrix &B) {
+      const auto                                 solve = [&](const Matrix &B) {
         using Scalar = typename Matrix::Scalar;
         return Matrix(M.template cast<Scalar>().partialPivLu().solve(B));
       };
       // lambda = scale mu balances the blocks.
       const double scale =
         std::sqrt(std::max(1e-300, K.norm() / std::max(1e-300, M.norm())));
-      Matrix A                   = Matrix::Zero(2 * n, 2 * n);
-      A.topRightCorner(n, n)     = Matrix::Identity(n, n);
-      A.bottomLeftCorner(n, n)   = -solve(K) / (scale * scale);
-      A.bottomRightCorner(n, n)  = -factor.solve(C).template cast<
-                                     typename Matrix::Scalar>() / scale;
-      const StandardPairs pairs = standard_pairs(A);
+      Matrix A                 = Matrix::Zero(2 * n, 2 * n);
+      A.topRightCorner(n, n)   = Matrix::Identity(n, n);
+      A.bottomLeftCorner(n, n) = -solve(K) / (scale * scale);
+      A.bottomRightCorner(n, n) =
+        -factor.solve(C).template cast<typename Matrix::Scalar>() / scale;
+      const StandardPairs    pairs = standard_pairs(A);
       const Eigen::MatrixXcd left =
         M.transpose().cast<Complex>().partialPivLu().solve(
           pairs.left.bottomRows(n));
@@ -274,10 +321,7 @@ namespace squeal
     const Eigen::MatrixXd H = sum(parts, loss_of);
     if (H.isZero(0.))
       return solve_companion<Eigen::MatrixXd>(K, M, C);
-    return solve_companion<Eigen::MatrixXcd>(K.cast<Complex>() +
-                                               Complex(0., 1.) *
-                                                 H.cast<Complex>(),
-                                             M,
-                                             C);
+    return solve_companion<Eigen::MatrixXcd>(
+      K.cast<Complex>() + Complex(0., 1.) * H.cast<Complex>(), M, C);
   }
 } // namespace squeal

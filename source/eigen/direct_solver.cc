@@ -24,15 +24,15 @@ namespace squeal
     /** znaupd's reverse communication in the plain mode with a given map. */
     template <typename Operator>
     void
-    arnoldi(const Operator     &apply,
-            const a_int         n,
-            const a_int         nev,
-            const a_int         ncv,
-            const double        tolerance,
-            const MPI_Fint      comm,
-            const unsigned int  first_row,
-            Eigen::VectorXcd   &values,
-            Eigen::MatrixXcd   &vectors)
+    arnoldi(const Operator    &apply,
+            const a_int        n,
+            const a_int        nev,
+            const a_int        ncv,
+            const double       tolerance,
+            const MPI_Fint     comm,
+            const unsigned int first_row,
+            Eigen::VectorXcd  &values,
+            Eigen::MatrixXcd  &vectors)
     {
       Eigen::VectorXcd     residual(n), work(3 * n);
       Eigen::MatrixXcd     V(n, ncv);
@@ -49,29 +49,64 @@ namespace squeal
       parameters[6] = 1;
       while (true)
         {
-          pznaupd_c(comm, &ido, "I", n, "LM", nev, tolerance,
-                    raw(residual.data()), ncv, raw(V.data()), n, parameters,
-                    pointers, raw(work.data()), raw(small.data()),
-                    static_cast<a_int>(small.size()), raw(real_work.data()),
+          pznaupd_c(comm,
+                    &ido,
+                    "I",
+                    n,
+                    "LM",
+                    nev,
+                    tolerance,
+                    raw(residual.data()),
+                    ncv,
+                    raw(V.data()),
+                    n,
+                    parameters,
+                    pointers,
+                    raw(work.data()),
+                    raw(small.data()),
+                    static_cast<a_int>(small.size()),
+                    raw(real_work.data()),
                     &info);
           if (ido == 99)
             break;
           Eigen::Map<Eigen::VectorXcd>(work.data() + pointers[1] - 1, n) =
-            apply(Eigen::Map<Eigen::VectorXcd>(work.data() + pointers[0] - 1, n));
+            apply(
+              Eigen::Map<Eigen::VectorXcd>(work.data() + pointers[0] - 1, n));
         }
       if (info != 0)
         throw ComputationError(
           "the direct solver did not converge (ARPACK info " +
-          std::to_string(info) + "): ask for fewer pairs or move Eigenvalues/"
-                                 "Direct shift frequency");
+          std::to_string(info) +
+          "): ask for fewer pairs or move Eigenvalues/"
+          "Direct shift frequency");
       std::vector<a_int> select(ncv);
       Eigen::VectorXcd   d(nev + 1), workev(2 * ncv);
       vectors.resize(n, nev);
-      pzneupd_c(comm, 1, "A", select.data(), raw(d.data()), raw(vectors.data()),
-                n, 0., raw(workev.data()), "I", n, "LM", nev, tolerance,
-                raw(residual.data()), ncv, raw(V.data()), n, parameters,
-                pointers, raw(work.data()), raw(small.data()),
-                static_cast<a_int>(small.size()), raw(real_work.data()), &info);
+      pzneupd_c(comm,
+                1,
+                "A",
+                select.data(),
+                raw(d.data()),
+                raw(vectors.data()),
+                n,
+                0.,
+                raw(workev.data()),
+                "I",
+                n,
+                "LM",
+                nev,
+                tolerance,
+                raw(residual.data()),
+                ncv,
+                raw(V.data()),
+                n,
+                parameters,
+                pointers,
+                raw(work.data()),
+                raw(small.data()),
+                static_cast<a_int>(small.size()),
+                raw(real_work.data()),
+                &info);
       values = d.head(nev);
     }
   } // namespace

@@ -11,7 +11,8 @@ namespace squeal
 {
   GrowingBlock::GrowingBlock(const unsigned int rows)
     : n_rows(rows)
-  {}
+  {
+  }
 
   void
   GrowingBlock::append(const Block &columns)
@@ -39,7 +40,8 @@ namespace squeal
     : pencil(p)
     , Q(p.space()->n_owned())
     , MQ(p.space()->n_owned())
-  {}
+  {
+  }
 
   unsigned int
   MassBasis::size() const
@@ -87,7 +89,8 @@ namespace squeal
                   {
                     const Eigen::MatrixXd unscaled = h * sizes.asDiagonal();
                     *coefficients =
-                      i == 0 ? unscaled : Eigen::MatrixXd(*coefficients + unscaled);
+                      i == 0 ? unscaled
+                             : Eigen::MatrixXd(*coefficients + unscaled);
                   }
               }
             MW = pencil.multiply_mass(W);

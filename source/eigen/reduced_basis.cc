@@ -69,7 +69,7 @@ namespace squeal
     for (std::size_t i = 0; i < projected.size(); ++i)
       {
         const auto &part = pencil.parts()[i];
-        const Block AW = part.matrix->multiply(W);
+        const Block AW   = part.matrix->multiply(W);
         products[i].append(AW);
         Eigen::MatrixXd A(n + b, n + b);
         A.topLeftCorner(n, n) = projected[i].matrix;

@@ -14,27 +14,59 @@
 
 namespace squeal
 {
+  namespace
+  {
+    Block random_block(const RowSpace    &space,
+                       const unsigned int n_columns,
+                       const unsigned int seed);
+
+    /** True where the inverse amplifies a random vector so much that an
+     * eigenvalue must lie on the shift, to nine digits. */
+    bool
+    is_on_eigenvalue(const Pencil                     &pencil,
+                     const MumpsFactorization<double> &factor,
+                     const double                      shift)
+    {
+      const RowSpace &space = *pencil.space();
+      const Block     x     = random_block(space, 1, 7);
+      const Block     Mx    = pencil.multiply_mass(x);
+      const Block     y     = factor.solve(Mx);
+      Eigen::MatrixXd sizes(1, 2);
+      sizes << x.cwiseProduct(Mx).sum(),
+        y.cwiseProduct(pencil.multiply_mass(y)).sum();
+      space.sum(sizes);
+      return std::sqrt(std::abs(sizes(0, 1) / sizes(0, 0))) * std::abs(shift) >
+             1e9;
+    }
+  } // namespace
+
+
+
   ShiftedInverse::ShiftedInverse(const Pencil &pencil, const double shift)
     : shift_value(shift)
   {
     factor = std::make_unique<MumpsFactorization<double>>(
       pencil.space(), MumpsFactorization<double>::Symmetry::symmetric);
     for (unsigned int attempt = 0;; ++attempt)
-      try
-        {
-          Triplets entries = pencil.undamped_entries(shift_value);
-          factor->factorize(std::move(entries.rows),
-                            std::move(entries.columns),
-                            std::move(entries.values));
-          return;
-        }
-      catch (const ComputationError &)
-        {
-          if (attempt == 3)
-            throw;
-          shift_value = shift * (1. + 1e-6 * std::pow(10., attempt)) +
-                        (shift == 0. ? 1. : 0.);
-        }
+      {
+        const bool last = attempt == 4;
+        try
+          {
+            Triplets entries = pencil.undamped_entries(shift_value);
+            factor->factorize(std::move(entries.rows),
+                              std::move(entries.columns),
+                              std::move(entries.values));
+            if (last || !is_on_eigenvalue(pencil, *factor, shift_value))
+              return;
+          }
+        catch (const ComputationError &)
+          {
+            if (last)
+              throw;
+          }
+        shift_value = shift * (1. + 1e-6 * std::pow(10., attempt)) +
+                      (shift == 0. ? 1. : 0.);
+      }
   }
 
   Block
@@ -76,12 +108,15 @@ namespace squeal
     /** Random numbers that depend on the global row only, so that any number
      * of ranks starts alike. */
     Block
-    random_block(const RowSpace &space, const unsigned int n_columns)
+    random_block(const RowSpace    &space,
+                 const unsigned int n_columns,
+                 const unsigned int seed)
     {
       Block result(space.n_owned(), n_columns);
       for (unsigned int i = 0; i < space.n_owned(); ++i)
         {
-          std::minstd_rand generator(12345 + space.first_owned() + i);
+          std::minstd_rand generator(12345 + 1000003 * seed +
+                                     space.first_owned() + i);
           generator.discard(3);
           for (unsigned int j = 0; j < n_columns; ++j)
             result(i, j) =
@@ -105,11 +140,19 @@ namespace squeal
       {
         if (options.deflated.cols() > 0)
           n_deflated = basis.extend(options.deflated, 1e-8).cols();
-        // One solve filters rigid noise out of the random start.
+        add_random(pencil, options);
+      }
+
+      /** A fresh random block: the start, and again where the space has become
+       * invariant (a multiple eigenvalue has more shapes than a block). */
+      void
+      add_random(const Pencil &pencil, const ModeOptions &options)
+      {
+        // One solve filters rigid noise out of the random numbers.
         n_last = basis
-                   .extend(inverse.solve(pencil.multiply_mass(
-                             random_block(*pencil.space(), options.block_size))),
-                           1e-10)
+                   .extend(inverse.solve(pencil.multiply_mass(random_block(
+                             *space, options.block_size, n_starts++))),
+                           1e-8)
                    .cols();
       }
 
@@ -123,15 +166,14 @@ namespace squeal
           inverse.solve(Block(basis.mass_products().rightCols(b)));
         const Block next = basis.extend(W, 1e-13, &h);
 
-        Eigen::MatrixXd grown = Eigen::MatrixXd::Zero(n, n);
+        Eigen::MatrixXd grown                   = Eigen::MatrixXd::Zero(n, n);
         grown.topLeftCorner(T.rows(), T.cols()) = T;
-        grown.rightCols(b) = h.bottomRows(n);
-        grown.bottomRows(b) = h.bottomRows(n).transpose();
+        grown.rightCols(b)                      = h.bottomRows(n);
+        grown.bottomRows(b)                     = h.bottomRows(n).transpose();
         T        = 0.5 * (grown + grown.transpose());
-        coupling = inner_products(*space,
-                                  basis.mass_products().rightCols(next.cols()),
-                                  W);
-        n_last   = next.cols();
+        coupling = inner_products(
+          *space, basis.mass_products().rightCols(next.cols()), W);
+        n_last = next.cols();
       }
 
       const ShiftedInverse           &inverse;
@@ -139,7 +181,7 @@ namespace squeal
       MassBasis                       basis;
       Eigen::MatrixXd                 T;
       Eigen::MatrixXd coupling; /**< of the last block to what is left out */
-      unsigned int    n_last = 0, n_deflated = 0;
+      unsigned int    n_last = 0, n_deflated = 0, n_starts = 0;
     };
 
 
@@ -167,8 +209,9 @@ namespace squeal
         return shift + 1. / theta[a] < shift + 1. / theta[b];
       });
 
-      Eigen::MatrixXd Y(theta.size(), kept.size()), Z(theta.size(), rest.size());
-      UndampedModes   modes;
+      Eigen::MatrixXd Y(theta.size(), kept.size()),
+        Z(theta.size(), rest.size());
+      UndampedModes modes;
       modes.omega_squared.resize(kept.size());
       for (std::size_t k = 0; k < kept.size(); ++k)
         {
@@ -177,17 +220,16 @@ namespace squeal
         }
       for (std::size_t k = 0; k < rest.size(); ++k)
         Z.col(k) = ritz.eigenvectors().col(rest[k]);
-      modes.shapes     = Q * Y;
-      modes.supplement = Q * Z;
-      const Block  MX  = pencil.multiply_mass(modes.shapes);
-      const Block  KX  = pencil.multiply_undamped_stiffness(modes.shapes);
-      const auto   norms_K = pencil.space()->norms(KX);
-      const auto   norms_M = pencil.space()->norms(MX);
-      const Block  R       = KX - MX * modes.omega_squared.asDiagonal();
+      modes.shapes        = Q * Y;
+      modes.supplement    = Q * Z;
+      const Block MX      = pencil.multiply_mass(modes.shapes);
+      const Block KX      = pencil.multiply_undamped_stiffness(modes.shapes);
+      const auto  norms_K = pencil.space()->norms(KX);
+      const auto  norms_M = pencil.space()->norms(MX);
+      const Block R       = KX - MX * modes.omega_squared.asDiagonal();
       modes.residual =
         pencil.space()->norms(R).array() /
-        (norms_K.array() +
-         modes.omega_squared.array().abs() * norms_M.array());
+        (norms_K.array() + modes.omega_squared.array().abs() * norms_M.array());
       return modes;
     }
 
@@ -204,14 +246,16 @@ namespace squeal
       while (true)
         {
           krylov.extend();
-          const Eigen::Index n     = krylov.T.rows();
-          const bool         whole = krylov.n_last == 0 || n >= n_total;
+          const Eigen::Index n = krylov.T.rows();
+          if (krylov.n_last == 0 && n < n_total)
+            krylov.add_random(pencil, options);
+          const bool whole = krylov.n_last == 0 || n >= n_total;
           // A dense eigenproblem at every step would cost more than the steps.
           if (!whole && n < n_wanted + options.block_size)
             continue;
           const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(krylov.T);
           Eigen::VectorXd errors = Eigen::VectorXd::Zero(n);
-          if (!whole)
+          if (!whole && krylov.coupling.rows() > 0)
             errors = (krylov.coupling *
                       ritz.eigenvectors().bottomRows(krylov.coupling.cols()))
                        .colwise()
@@ -230,13 +274,13 @@ namespace squeal
           const bool stagnant =
             n_converged == n_negative && n > 3 * n_wanted + 200;
           if (n_converged >= n_wanted || whole || stagnant)
-            return ritz_modes(pencil,
-                              ritz,
-                              errors,
-                              krylov.basis.vectors().middleCols(
-                                krylov.n_deflated, n),
-                              inverse.shift(),
-                              options.tolerance);
+            return ritz_modes(
+              pencil,
+              ritz,
+              errors,
+              krylov.basis.vectors().middleCols(krylov.n_deflated, n),
+              inverse.shift(),
+              options.tolerance);
         }
     }
   } // namespace
@@ -248,11 +292,10 @@ namespace squeal
                  const ShiftedInverse &inverse,
                  const ModeOptions    &options)
   {
-    UndampedModes modes =
-      options.algorithm == ModeAlgorithm::arpack ?
-        arpack_modes(pencil, inverse, options) :
-        block_lanczos(pencil, inverse, options);
-    unsigned int n_below = 0;
+    UndampedModes modes   = options.algorithm == ModeAlgorithm::arpack
+                              ? arpack_modes(pencil, inverse, options)
+                              : block_lanczos(pencil, inverse, options);
+    unsigned int  n_below = 0;
     while (n_below < modes.omega_squared.size() &&
            modes.omega_squared[n_below] < inverse.shift())
       ++n_below;

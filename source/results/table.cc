@@ -288,13 +288,16 @@ namespace squeal
     const int n_decimals = column_list[column].n_decimals;
     if (n_decimals < 0 || !std::isfinite(*real))
       return rounded_text(*real, column_list[column].n_digits);
-    char       buffer[512];
-    const auto end = std::to_chars(buffer,
+    char              buffer[512];
+    const auto        end = std::to_chars(buffer,
                                    buffer + sizeof(buffer),
                                    *real,
                                    std::chars_format::fixed,
                                    n_decimals);
-    return std::string(buffer, end.ptr);
+    const std::string text(buffer, end.ptr);
+    // what rounds to zero has no sign
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    return is_zero && text.front() == '-' ? text.substr(1) : text;
   }
 
 

@@ -82,9 +82,10 @@ namespace squeal
         false,
         {{0, 1, 2, 3, 4, 5}},
         [&](const unsigned int i, const unsigned int j, const unsigned int k) {
-          return Point<3>(b.position[0] + b.size[0] * (double(i) / b.cells[0] - 0.5),
-                          b.position[1] + b.size[1] * (double(j) / b.cells[1] - 0.5),
-                          b.position[2] + b.size[2] * (double(k) / b.cells[2]));
+          return Point<3>(
+            b.position[0] + b.size[0] * (double(i) / b.cells[0] - 0.5),
+            b.position[1] + b.size[1] * (double(j) / b.cells[1] - 0.5),
+            b.position[2] + b.size[2] * (double(k) / b.cells[2]));
         });
     }
 
@@ -104,9 +105,8 @@ namespace squeal
         {{-1, -1, 0, 1, 2, 3}},
         [&](const unsigned int i, const unsigned int j, const unsigned int k) {
           const double theta = -2. * M_PI * i / b.cells[0];
-          const double r =
-            b.inner_radius +
-            (b.outer_radius - b.inner_radius) * (double(j) / b.cells[1]);
+          const double r = b.inner_radius + (b.outer_radius - b.inner_radius) *
+                                              (double(j) / b.cells[1]);
           return Point<3>(b.position[0] + r * std::cos(theta),
                           b.position[1] + r * std::sin(theta),
                           b.position[2] + b.height * (double(k) / b.cells[2]));
@@ -121,10 +121,8 @@ namespace squeal
     cylinder_mesh(const BodyParameters &b)
     {
       dealii::Triangulation<2> disc;
-      dealii::GridGenerator::hyper_ball(disc,
-                                        dealii::Point<2>(b.position[0],
-                                                         b.position[1]),
-                                        b.outer_radius);
+      dealii::GridGenerator::hyper_ball(
+        disc, dealii::Point<2>(b.position[0], b.position[1]), b.outer_radius);
       for (unsigned int n = 4; n < b.cells[0]; n *= 2)
         disc.refine_global();
       dealii::Triangulation<2> flat;
@@ -134,10 +132,8 @@ namespace squeal
       const unsigned int n_2d = flat.n_vertices();
       for (unsigned int k = 0; k <= b.cells[2]; ++k)
         for (const auto &p : flat.get_vertices())
-          mesh.vertices.emplace_back(p[0],
-                                     p[1],
-                                     b.position[2] +
-                                       b.height * (double(k) / b.cells[2]));
+          mesh.vertices.emplace_back(
+            p[0], p[1], b.position[2] + b.height * (double(k) / b.cells[2]));
       for (unsigned int k = 0; k < b.cells[2]; ++k)
         for (const auto &quad : flat.active_cell_iterators())
           {
@@ -183,15 +179,15 @@ namespace squeal
   {
     switch (shape)
       {
-        case BodyParameters::Shape::annulus:
-          return {"inner", "outer", "bottom", "top"};
-        case BodyParameters::Shape::block:
-          return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
-        case BodyParameters::Shape::cylinder:
-          return {"side", "bottom", "top"};
-        case BodyParameters::Shape::gmsh:
-        case BodyParameters::Shape::rigid:
-          break;
+      case BodyParameters::Shape::annulus:
+        return {"inner", "outer", "bottom", "top"};
+      case BodyParameters::Shape::block:
+        return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+      case BodyParameters::Shape::cylinder:
+        return {"side", "bottom", "top"};
+      case BodyParameters::Shape::gmsh:
+      case BodyParameters::Shape::rigid:
+        break;
       }
     return {};
   }
@@ -204,19 +200,19 @@ namespace squeal
     BodyMesh mesh;
     switch (body.shape)
       {
-        case BodyParameters::Shape::annulus:
-          mesh = annulus_mesh(body);
-          break;
-        case BodyParameters::Shape::block:
-          mesh = block_mesh(body);
-          break;
-        case BodyParameters::Shape::cylinder:
-          mesh = cylinder_mesh(body);
-          break;
-        case BodyParameters::Shape::gmsh:
-          return read_gmsh_body(body);
-        case BodyParameters::Shape::rigid:
-          return mesh;
+      case BodyParameters::Shape::annulus:
+        mesh = annulus_mesh(body);
+        break;
+      case BodyParameters::Shape::block:
+        mesh = block_mesh(body);
+        break;
+      case BodyParameters::Shape::cylinder:
+        mesh = cylinder_mesh(body);
+        break;
+      case BodyParameters::Shape::gmsh:
+        return read_gmsh_body(body);
+      case BodyParameters::Shape::rigid:
+        return mesh;
       }
     mesh.face_names = face_names(body.shape);
     return mesh;

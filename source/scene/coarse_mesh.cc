@@ -34,9 +34,8 @@ namespace squeal
     {
       double size = 0.;
       for (const unsigned int v : vertices)
-        size = std::max(size,
-                        mesh.vertices[v].distance(
-                          mesh.vertices[*vertices.begin()]));
+        size = std::max(
+          size, mesh.vertices[v].distance(mesh.vertices[*vertices.begin()]));
       return size;
     }
 
@@ -158,9 +157,8 @@ namespace squeal
         const BodyMesh     body  = make_body_mesh(scene.bodies[b]);
         const unsigned int first = mesh.vertices.size();
         mesh.face_names.push_back(body.face_names);
-        mesh.vertices.insert(mesh.vertices.end(),
-                             body.vertices.begin(),
-                             body.vertices.end());
+        mesh.vertices.insert(
+          mesh.vertices.end(), body.vertices.begin(), body.vertices.end());
         for (auto cell : body.cells)
           {
             for (auto &v : cell.vertices)
@@ -183,15 +181,13 @@ namespace squeal
           face_id(mesh, scene, tie.source_body, tie.source_face);
         const unsigned int target =
           face_id(mesh, scene, tie.target_body, tie.target_face);
-        const auto partner = matching_vertices(mesh,
-                                               vertices_of_face(mesh, source),
-                                               vertices_of_face(mesh, target));
+        const auto partner = matching_vertices(
+          mesh, vertices_of_face(mesh, source), vertices_of_face(mesh, target));
         const bool join_it =
           !partner.empty() && tie.kind != TieParameters::Kind::mortar;
         if (partner.empty() && tie.kind == TieParameters::Kind::conforming)
-          throw InputError("Scene/Tie " + tie.name +
-                           ": the face meshes of '" + tie.source_body +
-                           "' and '" + tie.target_body +
+          throw InputError("Scene/Tie " + tie.name + ": the face meshes of '" +
+                           tie.source_body + "' and '" + tie.target_body +
                            "' do not match: give both the same cells or set "
                            "Kind = mortar");
         if (join_it)

@@ -28,7 +28,7 @@ namespace
     /** Every entry in two pieces: duplicates are to be summed. */
     explicit Entries(
       const Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> &A,
-      const bool lower_only)
+      const bool                                                   lower_only)
     {
       for (int i = 0; i < A.rows(); ++i)
         for (int j = 0; j < (lower_only ? i + 1 : A.cols()); ++j)
@@ -46,11 +46,11 @@ namespace
   void
   test_general()
   {
-    using Matrix     = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
-    const auto space = std::make_shared<RowSpace>(n);
+    using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+    const auto                 space = std::make_shared<RowSpace>(n);
     MumpsFactorization<Number> factor(
       space, MumpsFactorization<Number>::Symmetry::general);
-    Matrix A = Matrix::Random(n, n) + 2. * Matrix::Identity(n, n);
+    Matrix       A = Matrix::Random(n, n) + 2. * Matrix::Identity(n, n);
     const Matrix b = Matrix::Random(n, 5);
     for (const bool again : {false, true})
       {
@@ -77,8 +77,8 @@ namespace
     const Eigen::MatrixXd Q =
       Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd::Random(n, n))
         .householderQ();
-    const Eigen::MatrixXd b     = Eigen::MatrixXd::Random(n, 3);
-    const auto            space = std::make_shared<RowSpace>(n);
+    const Eigen::MatrixXd      b     = Eigen::MatrixXd::Random(n, 3);
+    const auto                 space = std::make_shared<RowSpace>(n);
     MumpsFactorization<double> factor(
       space, MumpsFactorization<double>::Symmetry::symmetric);
     for (int n_negative = 0; n_negative <= n; ++n_negative)
@@ -110,7 +110,7 @@ namespace
     check(saddle.n_negative_pivots() == 3,
           "a saddle point has one negative pivot a multiplier");
 
-    Eigen::MatrixXd   singular = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd            singular = Eigen::MatrixXd::Zero(n, n);
     MumpsFactorization<double> broken(
       space, MumpsFactorization<double>::Symmetry::symmetric);
     singular.diagonal().head(n - 1).setOnes();

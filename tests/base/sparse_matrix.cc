@@ -49,11 +49,10 @@ namespace
       {
         const Block X = Block::Random(n, columns);
         check_equal(A.multiply(X), D * X, name + ": A X");
-        check_equal(A.multiply_transposed(X),
-                    D.transpose() * X,
-                    name + ": A^T X");
+        check_equal(
+          A.multiply_transposed(X), D.transpose() * X, name + ": A^T X");
       }
-    const Block X = Block::Random(n, 3);
+    const Block X     = Block::Random(n, 3);
     const Block bound = D.cwiseAbs() * X.cwiseAbs();
     check((A.multiply_absolute(X) - bound).minCoeff() >= -1e-14,
           name + ": multiply_absolute bounds |A| |X|");
@@ -100,8 +99,8 @@ main(int argc, char **argv)
           if (t.rows[k] != t.columns[k])
             D(t.columns[k], t.rows[k]) += (skew ? -1. : 1.) * t.values[k];
         }
-      const auto kind = skew ? SparseMatrix::Symmetry::skew :
-                               SparseMatrix::Symmetry::symmetric;
+      const auto kind =
+        skew ? SparseMatrix::Symmetry::skew : SparseMatrix::Symmetry::symmetric;
       SparseMatrix A(space, t, kind);
       check_operator(A, D, skew ? "skew" : "symmetric");
       check_equal(A.multiply_absolute(Block::Ones(n, 1)),
@@ -114,16 +113,16 @@ main(int argc, char **argv)
       check_operator(A, -2. * D, "after add");
     }
 
-  std::vector<Functionals::Row> left_rows = {{{0, 1.}, {4, -2.}},
-                                             {{8, .5}},
-                                             {},
-                                             {{1, 1.}, {2, 1.}, {3, 3.}}},
+  std::vector<Functionals::Row> left_rows  = {{{0, 1.}, {4, -2.}},
+                                              {{8, .5}},
+                                              {},
+                                              {{1, 1.}, {2, 1.}, {3, 3.}}},
                                 right_rows = {{{7, 1.}},
                                               {{0, 1.}, {8, 1.}},
                                               {{3, 1.}},
                                               {{5, -1.}, {6, 1.}}};
-  const auto L = std::make_shared<const Functionals>(space, left_rows);
-  const auto R = std::make_shared<const Functionals>(space, right_rows);
+  const auto      L  = std::make_shared<const Functionals>(space, left_rows);
+  const auto      R  = std::make_shared<const Functionals>(space, right_rows);
   Eigen::MatrixXd DL = Eigen::MatrixXd::Zero(4, n), DR = DL;
   for (int r = 0; r < 4; ++r)
     {
@@ -137,14 +136,15 @@ main(int argc, char **argv)
   check_equal(L->apply_transposed(Eigen::MatrixXd(Eigen::Matrix4d::Identity())),
               DL.transpose(),
               "functionals: B^T G");
-  const LowRankMatrix general(L, weights, R), symmetric(L, weights, L);
+  const LowRankMatrix   general(L, weights, R), symmetric(L, weights, L);
   const Eigen::MatrixXd G = DL.transpose() * weights.asDiagonal() * DR;
   check_operator(general, G, "low rank");
   check_operator(symmetric,
                  DL.transpose() * weights.asDiagonal() * DL,
                  "symmetric low rank");
 
-  const auto A = std::make_shared<const SparseMatrix>(space, some_entries(true));
+  const auto A =
+    std::make_shared<const SparseMatrix>(space, some_entries(true));
   const SumOperator sum(
     {{2., A}, {-1., std::make_shared<const LowRankMatrix>(L, weights, R)}});
   check_operator(sum, 2. * dense(*A, 1., false) - G, "sum");

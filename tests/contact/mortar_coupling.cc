@@ -26,10 +26,8 @@ namespace
     SceneParameters s;
     s.bodies = {
       make_block("source", {{.001, -.002, 0.}}, {{.02, .01, .005}}, source),
-      make_block("target",
-                 {{.001, -.002, -.005}},
-                 {{target_width, .01, .005}},
-                 target)};
+      make_block(
+        "target", {{.001, -.002, -.005}}, {{target_width, .01, .005}}, target)};
     return s;
   }
 
@@ -38,12 +36,12 @@ namespace
                  const double          area,
                  const std::string    &name)
   {
-    const MortarCoupling m =
-      make_mortar_coupling(d,
-                           PointEvaluator(d),
-                           face_id(d.coarse_mesh(), d.scene(), "source", "z_min"),
-                           1,
-                           "test");
+    const MortarCoupling m = make_mortar_coupling(
+      d,
+      PointEvaluator(d),
+      face_id(d.coarse_mesh(), d.scene(), "source", "z_min"),
+      1,
+      "test");
     check_close(std::accumulate(m.weights.begin(), m.weights.end(), 0.),
                 area,
                 1e-13,
@@ -73,8 +71,8 @@ namespace
               double sum = 0.;
               for (const auto &[row, weight] : m.target_rows[j][c])
                 sum += weight * u[row];
-              worst = std::max(worst,
-                               std::abs(sum - (c + 1.) * value(m.nodes[j])));
+              worst =
+                std::max(worst, std::abs(sum - (c + 1.) * value(m.nodes[j])));
             }
         check_below(worst,
                     2e-12,
@@ -126,9 +124,8 @@ main(int argc, char **argv)
       const std::string p = ", p = " + std::to_string(degree);
       {
         const auto s = two_blocks({{3, 2, 1}}, {{3, 2, 1}}, .02);
-        check_transfer(Discretization(s, {}, degree, MPI_COMM_SELF),
-                       2e-4,
-                       "matching" + p);
+        check_transfer(
+          Discretization(s, {}, degree, MPI_COMM_SELF), 2e-4, "matching" + p);
       }
       {
         const auto s = two_blocks({{3, 3, 1}}, {{2, 5, 1}}, .025);

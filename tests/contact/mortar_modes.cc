@@ -22,21 +22,20 @@ namespace
   void
   test_contact()
   {
-    SceneParameters springs  = coarse_brake(0.3);
-    springs.bodies[0].cells  = {{16, 2, 1}};
+    SceneParameters springs    = coarse_brake(0.3);
+    springs.bodies[0].cells    = {{16, 2, 1}};
     springs.contacts[0].layout = ContactParameters::SpringLayout::quadrature;
     springs.contacts[0].normal_stiffness_per_area = 1e16;
-    SceneParameters mortar              = springs;
-    mortar.contacts[0].formulation      = ContactParameters::Formulation::mortar;
-    const Eigen::VectorXcd a = spectrum(springs, 8000.),
-                           b = spectrum(mortar, 8000.);
+    SceneParameters mortar                        = springs;
+    mortar.contacts[0].formulation = ContactParameters::Formulation::mortar;
+    const Eigen::VectorXcd a       = spectrum(springs, 6000.),
+                           b       = spectrum(mortar, 6000.);
     check(a.size() == b.size() && a.size() > 8,
           "as many pairs with stiff springs as with mortar contact: " +
             std::to_string(a.size()) + ", " + std::to_string(b.size()));
     double worst_omega = 0., worst_sigma = 0., largest_sigma = 0.;
     for (Eigen::Index i = 0; i < a.size(); ++i)
       {
-        std::cout << a[i] << " " << b[i] << "\n";
         worst_omega =
           std::max(worst_omega, std::abs(a[i].imag() / b[i].imag() - 1.));
         worst_sigma =
@@ -44,10 +43,10 @@ namespace
         largest_sigma = std::max(largest_sigma, std::abs(b[i].real()));
       }
     check_below(worst_omega,
-                0.01,
+                1e-3,
                 "frequencies of stiff springs and of mortar contact agree");
     check_below(worst_sigma / largest_sigma,
-                0.1,
+                1e-2,
                 "real parts agree, over the largest of " +
                   number(largest_sigma) + " 1/s");
   }
@@ -58,8 +57,9 @@ namespace
        const TieParameters::Kind          kind)
   {
     SceneParameters s;
-    s.bodies = {make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, pad),
-                make_block("support", {{0., 0., .01}}, {{.01, .01, .04}}, support)};
+    s.bodies = {
+      make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, pad),
+      make_block("support", {{0., 0., .01}}, {{.01, .01, .04}}, support)};
     s.bodies[0].young_modulus = 2e10;
     s.supports                = {make_clamp("pad", "z_min")};
     s.ties = {make_tie("pad", "z_max", "support", "z_min", kind)};
@@ -72,7 +72,7 @@ namespace
   void
   test_tie()
   {
-    using Kind = TieParameters::Kind;
+    using Kind        = TieParameters::Kind;
     const auto exact  = beam({{2, 2, 2}}, {{2, 2, 4}}, Kind::conforming),
                mortar = beam({{2, 2, 2}}, {{2, 2, 4}}, Kind::mortar);
     check(exact.size() == mortar.size() && exact.size() >= 4,
@@ -81,17 +81,23 @@ namespace
                 1e-9,
                 "a mortar tie of matching meshes is the conforming one");
 
+    // Against a finer conforming mesh, the mesh error of the coarser body
+    // included: that of conforming coarse meshes is the measure.
     const auto fine  = beam({{3, 3, 2}}, {{3, 3, 4}}, Kind::conforming),
                mixed = beam({{3, 3, 2}}, {{2, 2, 4}}, Kind::automatic),
                other = beam({{2, 2, 2}}, {{3, 3, 4}}, Kind::automatic);
-    for (const auto &f : {mixed, other})
-      {
-        check(f.size() >= fine.size(), "no mode is lost at a mortar tie");
-        check_below(
-          (f.head(fine.size()).array() / fine.array() - 1.).abs().maxCoeff(),
-          5e-3,
-          "a mortar tie of non-matching meshes gives the conforming modes");
-      }
+    const auto error = [&](const Eigen::VectorXd &f) {
+      check(f.size() >= fine.size() - 1, "no mode is lost at a mortar tie");
+      const Eigen::Index n = std::min(f.size(), fine.size());
+      return (f.head(n).array() / fine.head(n).array() - 1.).abs().maxCoeff();
+    };
+    const double coarse = error(exact);
+    check_below(
+      error(mixed), 1e-3, "a coarse support on a fine pad changes little");
+    check_below(error(other),
+                1.1 * coarse,
+                "a fine support on a coarse pad is no worse than the pad");
+    check_below(coarse, 1e-2, "conforming coarse meshes");
   }
 } // namespace
 

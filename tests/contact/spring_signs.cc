@@ -45,7 +45,8 @@ namespace
       : s(scene)
       , d(s, {}, 1, MPI_COMM_SELF)
       , linearized(linearized_system(d, assemble_bodies(d)))
-    {}
+    {
+    }
 
     Eigen::VectorXd
     unit(const unsigned int body, const unsigned int c) const
@@ -62,11 +63,11 @@ namespace
 
     /** Force on component @p c of @p body when the other moves by one. */
     double
-    operator()(const std::string        &term,
-               const unsigned int        body,
-               const unsigned int        c,
-               const Eigen::VectorXd    &u,
-               const bool                damping = false) const
+    operator()(const std::string     &term,
+               const unsigned int     body,
+               const unsigned int     c,
+               const Eigen::VectorXd &u,
+               const bool             damping = false) const
     {
       double result = 0.;
       for (const auto &t : linearized.system.terms)
@@ -124,7 +125,7 @@ namespace
   void
   test_slip_rate_terms()
   {
-    SceneParameters s               = pad_on_plate();
+    SceneParameters s                  = pad_on_plate();
     s.contacts[0].transverse_slip_term = true;
     s.contacts[0].normal_force         = 100.;
     s.contacts[0].sliding_speed        = 0.5;
@@ -150,8 +151,8 @@ namespace
   void
   test_stick()
   {
-    SceneParameters s   = pad_on_plate();
-    s.contacts[0].state = ContactParameters::State::stick;
+    SceneParameters s                  = pad_on_plate();
+    s.contacts[0].state                = ContactParameters::State::stick;
     s.contacts[0].tangential_stiffness = 7e5;
     const Forces f(s);
     for (const unsigned int c : {0u, 1u})
@@ -190,7 +191,7 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
-  SceneParameters s = pad_on_plate();
+  SceneParameters                          s = pad_on_plate();
   check_drag(Forces(s), 20 * k_n, "grid");
   s.contacts[0].layout = ContactParameters::SpringLayout::quadrature;
   s.contacts[0].normal_stiffness_per_area = 1e12;

@@ -47,7 +47,7 @@ namespace
         element.reinit(cell);
         element.stiffness(elastic_tensor(body), K);
         element.mass(M);
-        const auto     &fe = d.dof_handler().get_fe();
+        const auto           &fe    = d.dof_handler().get_fe();
         const Eigen::MatrixXd whole = K.selfadjointView<Eigen::Upper>();
         check((whole - K).norm() <= 1e-13 * K.norm(), "K is symmetric");
         Eigen::MatrixXd R(fe.n_dofs_per_cell(), 6);
@@ -125,8 +125,8 @@ namespace
         marks[0] = 1.;
         d.refine(marks, 0.9);
       }
-    const auto matrices = assemble_bodies(d);
-    const unsigned int n = d.space()->n_global();
+    const auto         matrices = assemble_bodies(d);
+    const unsigned int n        = d.space()->n_global();
     check(n < d.n_dofs(), body.name + ": hanging nodes are no unknowns");
     const Block R = rigid_motions(d);
     check_below(rigid_force(*matrices[0].stiffness, R),
@@ -148,7 +148,7 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
-  BodyParameters block =
+  BodyParameters                           block =
     make_block("block", {{1., 2., 3.}}, {{.3, .2, .1}}, {{2, 2, 2}});
   BodyParameters annulus = make_annulus({{8, 2, 1}});
   BodyParameters cylinder;

@@ -154,7 +154,9 @@ namespace
 
   /** The clamped disc: bending (0, 0..4), from a Fourier x p-FEM code. */
   void
-  test_disc(const std::array<unsigned int, 3> &cells, const unsigned int degree)
+  test_disc(const std::array<unsigned int, 3> &cells,
+            const unsigned int                 degree,
+            const unsigned int                 n_cycles)
   {
     const std::array<double, 9> reference{{1629.68,
                                            1638.31,
@@ -168,7 +170,7 @@ namespace
     const SceneParameters       scene = disc(cells);
     Discretization d(scene, DiscretizationParameters(), degree, MPI_COMM_SELF);
     double         first_error = 0.;
-    for (unsigned int cycle = 0; cycle < 3; ++cycle)
+    for (unsigned int cycle = 0; cycle < n_cycles; ++cycle)
       {
         const Modes      modes = lowest_modes(d, reference.size());
         const ModeErrors errors =
@@ -188,7 +190,7 @@ namespace
         else
           check(exact.maxCoeff() < (cycle == 1 ? 0.75 : 0.55) * first_error,
                 "refinement by the indicators lowers the largest error");
-        if (cycle < 2)
+        if (cycle + 1 < n_cycles)
           d.refine(errors.cell, 0.5);
       }
   }
@@ -318,6 +320,13 @@ namespace
       1.;
     check_factor(with.frequency, exact, 3., "block on a bed of springs");
 
+    const auto without =
+      estimate_mode_errors(d, modes.shapes, modes.omega_squared);
+    check(
+      (without.frequency.array() / exact.array()).maxCoeff() > 3.,
+      "with the springs left out the estimate is too large: " +
+        std::to_string((without.frequency.array() / exact.array()).maxCoeff()));
+
     SprungBlock          lone(1);
     const Discretization e(
       lone.scene, DiscretizationParameters(), 2, MPI_COMM_SELF);
@@ -353,7 +362,7 @@ namespace
         for (unsigned int j = 1; j < 9; j += 2)
           worst = std::max(worst, std::abs(difference[j] + difference[j + 1]));
         check(worst < 1e-6 * there.frequency.maxCoeff(),
-              "two ranks estimate as one does: " + std::to_string(worst));
+              "two ranks estimate as one does");
         // Not every cell of a ring of equal ones need be above the threshold:
         // marks by radius are the same for all ranks.
         std::vector<double> marks(d.triangulation().n_active_cells(), 0.),
@@ -384,9 +393,9 @@ main(int argc, char **argv)
       test_ranks();
       return 0;
     }
-  test_disc({{24, 4, 1}}, 2);
-  test_disc({{16, 4, 1}}, 3);
-  test_disc({{12, 3, 1}}, 4);
+  test_disc({{24, 4, 1}}, 2, 3);
+  test_disc({{16, 4, 1}}, 3, 3);
+  test_disc({{12, 3, 1}}, 4, 2);
   test_stiff_and_soft_blocks();
   test_free_orthotropic_block();
   test_springs();

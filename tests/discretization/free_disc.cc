@@ -19,7 +19,7 @@ namespace
                       const double           highest,
                       const unsigned int     n_rigid)
   {
-    const Model         model(scene, degree, highest, MPI_COMM_SELF, refinements);
+    const Model model(scene, degree, highest, MPI_COMM_SELF, refinements);
     const UndampedModes modes  = undamped_modes(model.pencil, model.inverse);
     const double        lowest = modes.frequency(n_rigid);
     if (n_rigid > 0)
@@ -42,14 +42,14 @@ namespace
     const double          top    = 7000.;
     const Eigen::VectorXd coarse = elastic_frequencies(scene, 2, 0, top, 6),
                           fine   = elastic_frequencies(scene, 2, 1, top, 6),
-                          exact  = elastic_frequencies(scene, 5, 0, top, 6);
+                          exact  = elastic_frequencies(scene, 4, 0, top, 6);
     check(exact.size() >= 4, "several modes in the band");
     for (unsigned int i = 0; i < std::min<Eigen::Index>(6, coarse.size()); ++i)
       {
-        const double e1 = coarse[i] / exact[i] - 1.,
-                     e2 = fine[i] / exact[i] - 1.;
+        const double e1    = coarse[i] / exact[i] - 1.,
+                     e2    = fine[i] / exact[i] - 1.;
         const double order = std::log2(e1 / e2);
-        check(e1 > e2 && e2 > 0. && order > 3.4 && order < 4.6,
+        check(e1 > e2 && e2 > 0. && order > 3.2 && order < 4.8,
               "free disc, mode " + std::to_string(i) + " at " +
                 number(exact[i]) + " Hz: errors " + number(e1) + ", " +
                 number(e2) + ", order " + number(order) + " of 4");
@@ -69,22 +69,31 @@ namespace
       }
   }
 
+  /** A free block: without the singular edges of a clamp both degrees would be
+   * close to the exact values, and locking would show. */
   void
   test_locking()
   {
     SceneParameters scene;
-    scene.bodies = {make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, {{4, 4, 4}})};
-    scene.bodies[0].poisson_ratio = .49;
+    scene.bodies = {
+      make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, {{4, 4, 4}})};
     scene.bodies[0].young_modulus = 1e9;
     scene.bodies[0].density       = 2500.;
-    scene.supports                = {make_clamp("pad", "z_max")};
-    const Eigen::VectorXd f2 = elastic_frequencies(scene, 2, 0, 25e3, 0),
-                          f3 = elastic_frequencies(scene, 3, 0, 25e3, 0);
-    check(f2.size() >= 3, "modes of the pad: " + std::to_string(f2.size()));
-    for (Eigen::Index i = 0; i < std::min(f2.size(), f3.size()); ++i)
-      check_below(std::abs(f2[i] / f3[i] - 1.),
-                  0.01,
-                  "nu = 0.49 does not lock at p = 2, " + number(f3[i]) + " Hz");
+    std::vector<double> differences;
+    for (const double nu : {.3, .49})
+      {
+        scene.bodies[0].poisson_ratio = nu;
+        const Eigen::VectorXd f2 = elastic_frequencies(scene, 2, 0, 30e3, 6),
+                              f3 = elastic_frequencies(scene, 3, 0, 30e3, 6);
+        check(f3.size() >= 4 && f2.size() >= 4,
+              "modes: " + std::to_string(f3.size()));
+        const Eigen::Index n = std::min(f2.size(), f3.size());
+        differences.push_back(
+          (f2.head(n).array() / f3.head(n).array() - 1.).abs().maxCoeff());
+      }
+    // Locking would make p = 2 far worse near incompressibility than at 0.3.
+    check_below(
+      differences[1], 3. * differences[0], "nu = 0.49 does not lock at p = 2");
   }
 } // namespace
 

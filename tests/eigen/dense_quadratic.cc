@@ -28,12 +28,11 @@ namespace
         const double    alpha    = 0.,
         const double    beta     = 0.)
   {
-    return solve_dense_quadratic({{m.M, {1., 0., 0.}},
-                                  {m.C, {0., 1., 0.}},
-                                  {m.K, {0., 0., {1., m.loss}}}},
-                                 rayleigh,
-                                 alpha,
-                                 beta);
+    return solve_dense_quadratic(
+      {{m.M, {1., 0., 0.}}, {m.C, {0., 1., 0.}}, {m.K, {0., 0., {1., m.loss}}}},
+      rayleigh,
+      alpha,
+      beta);
   }
 
   Matrices
@@ -51,17 +50,19 @@ namespace
   }
 
   void
-  check_vectors(const Matrices &m, const DensePairs &pairs, const std::string &text)
+  check_vectors(const Matrices    &m,
+                const DensePairs  &pairs,
+                const std::string &text)
   {
     const Complex i(0., 1.);
     for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
       {
         const Complex          l = pairs.lambda[k];
-        const Eigen::MatrixXcd Q =
-          l * l * m.M.cast<Complex>() + l * m.C.cast<Complex>() +
-          (1. + i * m.loss) * m.K.cast<Complex>();
-        const double size = std::norm(l) * m.M.norm() +
-                            std::abs(l) * m.C.norm() + m.K.norm();
+        const Eigen::MatrixXcd Q = l * l * m.M.cast<Complex>() +
+                                   l * m.C.cast<Complex>() +
+                                   (1. + i * m.loss) * m.K.cast<Complex>();
+        const double size =
+          std::norm(l) * m.M.norm() + std::abs(l) * m.C.norm() + m.K.norm();
         check((Q * pairs.right.col(k)).norm() < 1e-12 * size,
               text + ": Q x = 0");
         check((pairs.left.col(k).transpose() * Q).norm() < 1e-12 * size,
@@ -78,8 +79,8 @@ namespace
     check(pairs.lambda.size() == 1, "one of a conjugate pair");
     check_lambda(pairs.lambda[0], {-c / (2. * m), omega}, "damped oscillator");
 
-    pairs              = solve(one_dof(m, 40., k));
-    const double root  = std::sqrt(1600. - 4. * m * k);
+    pairs             = solve(one_dof(m, 40., k));
+    const double root = std::sqrt(1600. - 4. * m * k);
     check(pairs.lambda.size() == 2, "both overdamped motions");
     check_lambda(pairs.lambda[0], (-40. - root) / (2. * m), "fast decay");
     check_lambda(pairs.lambda[1], (-40. + root) / (2. * m), "slow decay");
@@ -105,9 +106,9 @@ namespace
     Matrices m{Eigen::MatrixXd::Identity(2, 2),
                Eigen::MatrixXd::Zero(2, 2),
                Eigen::MatrixXd::Constant(2, 2, 2.)};
-    m.K(1, 0)          = 1.;
-    m.K(0, 1)          = -1. / 3.;
-    const double a     = 2., b2 = 1. / 3.;
+    m.K(1, 0)      = 1.;
+    m.K(0, 1)      = -1. / 3.;
+    const double a = 2., b2 = 1. / 3.;
     const double sigma = std::sqrt((std::sqrt(a * a + b2) - a) / 2.),
                  omega = std::sqrt((std::sqrt(a * a + b2) + a) / 2.);
     check(std::abs(sigma - 0.2020718) < 1e-7, "published growth rate");
@@ -115,8 +116,10 @@ namespace
       {
         const DensePairs pairs = solve(m, rayleigh);
         check(pairs.lambda.size() == 2, "both members of the coalesced pair");
-        check_lambda(pairs.lambda[0], {-sigma, omega}, "decaying member");
-        check_lambda(pairs.lambda[1], {sigma, omega}, "growing member");
+        // Equal but for rounding in frequency: their order is open.
+        const int growing = pairs.lambda[1].real() > 0. ? 1 : 0;
+        check_lambda(pairs.lambda[1 - growing], {-sigma, omega}, "decaying");
+        check_lambda(pairs.lambda[growing], {sigma, omega}, "growing");
         check_vectors(m, pairs, "flutter");
       }
   }
@@ -134,8 +137,8 @@ namespace
     // The second case has overdamped motions.
     for (const auto &[alpha, beta] : {std::make_pair(.5, 1e-3), {3., .2}})
       {
-        m.C           = alpha * m.M + beta * m.K;
-        const auto  x = solve(m, true, alpha, beta), y = solve(m);
+        m.C          = alpha * m.M + beta * m.K;
+        const auto x = solve(m, true, alpha, beta), y = solve(m);
         check(x.lambda.size() == y.lambda.size(), "as many eigenvalues");
         check(x.lambda.size() >= n, "all eigenvalues");
         for (Eigen::Index i = 0; i < x.lambda.size(); ++i)

@@ -264,7 +264,7 @@ namespace
   void
   brake_modes_are_named_by_disc_and_support()
   {
-    Model model(brake_scene(), 2);
+    Model model(brake_scene(), 3);
     add_contact_and_guide(model);
     const Modes modes = modes_of(model, 7000.);
     const auto  names = names_of(model, modes.shapes);

@@ -145,9 +145,9 @@ namespace
           const auto   pairs = solve(mode_coupling(.75 * (1. + delta)));
           check(pairs.size() == 2, "the pair stays a pair");
           const Complex root = std::sqrt(Complex(-delta, 0.));
-          Complex       a = std::sqrt(-(2. + root)), b = std::sqrt(-(2. - root));
-          a = a.imag() < 0. ? -a : a;
-          b = b.imag() < 0. ? -b : b;
+          Complex a = std::sqrt(-(2. + root)), b = std::sqrt(-(2. - root));
+          a                = a.imag() < 0. ? -a : a;
+          b                = b.imag() < 0. ? -b : b;
           const auto &l    = pairs.lambda;
           const auto  mean = .5 * (l[0] + l[1]);
           const auto  d2   = .25 * (l[0] - l[1]) * (l[0] - l[1]);

@@ -168,6 +168,10 @@ namespace
                        "  12  long     3.1\n"
                        "  ... and 1 more\n",
           "the printed table is aligned and cut");
+    table.add_row({"y", -0.04, 1});
+    table.add_row({"y", -0.06, 1});
+    check(table.display(3, 1) == "0.0" && table.display(4, 1) == "-0.1",
+          "what rounds to zero has no sign");
   }
 } // namespace
 

@@ -18,7 +18,8 @@ namespace squeal
   public:
     explicit InputError(const std::string &text)
       : std::runtime_error(text)
-    {}
+    {
+    }
   };
 
   /**
@@ -31,7 +32,8 @@ namespace squeal
   public:
     explicit ComputationError(const std::string &text)
       : std::runtime_error(text)
-    {}
+    {
+    }
   };
 
   /**
@@ -43,7 +45,8 @@ namespace squeal
   public:
     explicit CheckError(const std::string &text)
       : std::runtime_error(text)
-    {}
+    {
+    }
   };
 } // namespace squeal
 

@@ -33,37 +33,30 @@ namespace squeal
     MumpsFactorization(std::shared_ptr<const RowSpace> space,
                        const Symmetry                  symmetry);
     ~MumpsFactorization();
-    MumpsFactorization(const MumpsFactorization &) = delete;
-    MumpsFactorization &
-    operator=(const MumpsFactorization &) = delete;
+    MumpsFactorization(const MumpsFactorization &)            = delete;
+    MumpsFactorization &operator=(const MumpsFactorization &) = delete;
 
     /** Analyses and factorises. Throws ComputationError when the matrix is
      * numerically singular or memory runs out. */
-    void
-    factorize(std::vector<int>    rows,
-              std::vector<int>    columns,
-              std::vector<Number> values);
+    void factorize(std::vector<int>    rows,
+                   std::vector<int>    columns,
+                   std::vector<Number> values);
 
     /** Factorises new values of the pattern given before, in that order. */
-    void
-    refactorize(std::vector<Number> values);
+    void refactorize(std::vector<Number> values);
 
     /** Solves for all columns at once; blocks hold this rank's owned rows. */
-    Matrix
-    solve(const Matrix &right_hand_sides) const;
+    Matrix solve(const Matrix &right_hand_sides) const;
 
     /** Solves with the transposed matrix (general matrices). */
-    Matrix
-    solve_transposed(const Matrix &right_hand_sides) const;
+    Matrix solve_transposed(const Matrix &right_hand_sides) const;
 
     /** Number of negative eigenvalues of a real symmetric matrix, by
      * Sylvester's law of inertia. */
-    unsigned int
-    n_negative_pivots() const;
+    unsigned int n_negative_pivots() const;
 
     /** Entries of the factors over all ranks. */
-    double
-    n_factor_entries() const;
+    double n_factor_entries() const;
 
   private:
     struct Implementation;

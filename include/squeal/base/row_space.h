@@ -46,61 +46,44 @@ namespace squeal
              const MPI_Comm          communicator);
     ~RowSpace();
 
-    MPI_Comm
-    communicator() const;
-    unsigned int
-    rank() const;
-    unsigned int
-    n_ranks() const;
-    unsigned int
-    n_global() const;
-    unsigned int
-    n_owned() const;
+    MPI_Comm     communicator() const;
+    unsigned int rank() const;
+    unsigned int n_ranks() const;
+    unsigned int n_global() const;
+    unsigned int n_owned() const;
     /** Owned plus ghost rows. */
-    unsigned int
-    n_local() const;
+    unsigned int n_local() const;
     /** Global number of this rank's first owned row. */
-    unsigned int
-    first_owned() const;
+    unsigned int first_owned() const;
     /** Local number of a global row that is owned or ghost here. */
-    unsigned int
-    local(const unsigned int global) const;
-    unsigned int
-    global(const unsigned int local) const;
+    unsigned int local(const unsigned int global) const;
+    unsigned int global(const unsigned int local) const;
 
     /** Owned rows and the current values of the ghost rows. */
-    Eigen::MatrixXd
-    gather(const Block &owned) const;
+    Eigen::MatrixXd gather(const Block &owned) const;
 
     /** Adds the ghost rows of @p local to their owners and returns the owned
      * rows. */
-    Block
-    scatter_add(const Eigen::MatrixXd &local) const;
+    Block scatter_add(const Eigen::MatrixXd &local) const;
 
     /** X^T Y summed over the ranks: (columns of X) x (columns of Y). */
-    Eigen::MatrixXd
-    dot(const Block &X, const Block &Y) const;
-    Eigen::MatrixXcd
-    dot(const ComplexBlock &X, const ComplexBlock &Y) const;
+    Eigen::MatrixXd  dot(const Block &X, const Block &Y) const;
+    Eigen::MatrixXcd dot(const ComplexBlock &X, const ComplexBlock &Y) const;
 
     /** Euclidean norm of every column. */
-    Eigen::VectorXd
-    norms(const Block &X) const;
-    Eigen::VectorXd
-    norms(const ComplexBlock &X) const;
+    Eigen::VectorXd norms(const Block &X) const;
+    Eigen::VectorXd norms(const ComplexBlock &X) const;
 
     /** Sums @p small over the ranks in place. */
-    void
-    sum(Eigen::MatrixXd &small) const;
+    void sum(Eigen::MatrixXd &small) const;
 
     /** All rows on rank 0 (empty elsewhere), and back. */
-    Eigen::MatrixXd
-    to_root(const Block &owned) const;
-    Block
-    from_root(const Eigen::MatrixXd &all, const unsigned int n_columns) const;
+    Eigen::MatrixXd to_root(const Block &owned) const;
+    Block           from_root(const Eigen::MatrixXd &all,
+                              const unsigned int     n_columns) const;
 
   private:
-    MPI_Comm                                                  comm;
+    MPI_Comm                                                   comm;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
     std::vector<int> rows_of_rank, first_of_rank;
   };

@@ -37,28 +37,23 @@ namespace squeal
     virtual ~LinearOperator() = default;
 
     /** A X. */
-    virtual Block
-    multiply(const Block &X) const = 0;
+    virtual Block multiply(const Block &X) const = 0;
 
     /** A^T X. */
-    virtual Block
-    multiply_transposed(const Block &X) const = 0;
+    virtual Block multiply_transposed(const Block &X) const = 0;
 
     /** |A| |X|, entry by entry: the size that rounding errors of A X have in
      * units of the machine precision. */
-    virtual Block
-    multiply_absolute(const Block &X) const = 0;
+    virtual Block multiply_absolute(const Block &X) const = 0;
 
     /** True where A^T = A. */
-    virtual bool
-    is_symmetric() const = 0;
+    virtual bool is_symmetric() const = 0;
 
     /** Appends this rank's entries of factor * A in global numbering; of a
      * symmetric operator only the lower triangle when @p lower_only. */
-    virtual void
-    append_to(Triplets    &triplets,
-              const double factor,
-              const bool   lower_only) const = 0;
+    virtual void append_to(Triplets    &triplets,
+                           const double factor,
+                           const bool   lower_only) const = 0;
   };
 
 
@@ -91,38 +86,27 @@ namespace squeal
                  const Triplets                 &lower,
                  const Symmetry symmetry = Symmetry::symmetric);
 
-    Block
-    multiply(const Block &X) const override;
-    Block
-    multiply_transposed(const Block &X) const override;
-    Block
-    multiply_absolute(const Block &X) const override;
-    bool
-    is_symmetric() const override;
-    void
-    append_to(Triplets    &triplets,
-              const double factor,
-              const bool   lower_only) const override;
+    Block multiply(const Block &X) const override;
+    Block multiply_transposed(const Block &X) const override;
+    Block multiply_absolute(const Block &X) const override;
+    bool  is_symmetric() const override;
+    void  append_to(Triplets    &triplets,
+                    const double factor,
+                    const bool   lower_only) const override;
 
     /** this += factor * other; the two share one pattern. */
-    void
-    add(const double factor, const SparseMatrix &other);
+    void add(const double factor, const SparseMatrix &other);
 
     /** True where @p other has the same rows and columns. */
-    bool
-    same_pattern(const SparseMatrix &other) const;
+    bool same_pattern(const SparseMatrix &other) const;
 
-    Symmetry
-    symmetry() const;
-    std::size_t
-    n_nonzeros() const;
-    const RowSpace &
-    space() const;
+    Symmetry        symmetry() const;
+    std::size_t     n_nonzeros() const;
+    const RowSpace &space() const;
 
   private:
     template <bool absolute>
-    Block
-    product(const Block &X) const;
+    Block product(const Block &X) const;
 
     std::shared_ptr<const RowSpace> row_space;
     std::vector<std::size_t>        row_starts;
@@ -145,25 +129,23 @@ namespace squeal
     /** @p rows in global numbering, the same on every rank. */
     Functionals(std::shared_ptr<const RowSpace> space, std::vector<Row> rows);
 
-    unsigned int
-    n_rows() const;
+    unsigned int n_rows() const;
     /** B X: n_rows x columns, the same on every rank. */
-    Eigen::MatrixXd
-    apply(const Block &X) const;
-    Eigen::MatrixXcd
-    apply(const ComplexBlock &X) const;
+    Eigen::MatrixXd  apply(const Block &X) const;
+    Eigen::MatrixXcd apply(const ComplexBlock &X) const;
+    /** |B| |X|, entry by entry. */
+    Eigen::MatrixXd apply_absolute(const Block &X) const;
+    /** |B|^T |G|. */
+    Block apply_transposed_absolute(const Eigen::MatrixXd &G) const;
     /** B^T G. */
-    Block
-    apply_transposed(const Eigen::MatrixXd &G) const;
-    ComplexBlock
-    apply_transposed(const Eigen::MatrixXcd &G) const;
+    Block        apply_transposed(const Eigen::MatrixXd &G) const;
+    ComplexBlock apply_transposed(const Eigen::MatrixXcd &G) const;
 
-    const std::vector<Row> &
-    rows() const;
+    const std::vector<Row> &rows() const;
 
   private:
-    std::shared_ptr<const RowSpace> row_space;
-    std::vector<Row>                all_rows;
+    std::shared_ptr<const RowSpace>              row_space;
+    std::vector<Row>                             all_rows;
     Eigen::SparseMatrix<double, Eigen::RowMajor> owned;
   };
 
@@ -180,19 +162,14 @@ namespace squeal
                   Eigen::VectorXd                    weights,
                   std::shared_ptr<const Functionals> right);
 
-    Block
-    multiply(const Block &X) const override;
-    Block
-    multiply_transposed(const Block &X) const override;
-    Block
-    multiply_absolute(const Block &X) const override;
-    bool
-    is_symmetric() const override;
+    Block multiply(const Block &X) const override;
+    Block multiply_transposed(const Block &X) const override;
+    Block multiply_absolute(const Block &X) const override;
+    bool  is_symmetric() const override;
     /** All entries come from rank 0. */
-    void
-    append_to(Triplets    &triplets,
-              const double factor,
-              const bool   lower_only) const override;
+    void append_to(Triplets    &triplets,
+                   const double factor,
+                   const bool   lower_only) const override;
 
     std::shared_ptr<const Functionals> left, right;
     Eigen::VectorXd                    weights;
@@ -210,18 +187,13 @@ namespace squeal
     using Part = std::pair<double, std::shared_ptr<const LinearOperator>>;
     explicit SumOperator(std::vector<Part> parts);
 
-    Block
-    multiply(const Block &X) const override;
-    Block
-    multiply_transposed(const Block &X) const override;
-    Block
-    multiply_absolute(const Block &X) const override;
-    bool
-    is_symmetric() const override;
-    void
-    append_to(Triplets    &triplets,
-              const double factor,
-              const bool   lower_only) const override;
+    Block multiply(const Block &X) const override;
+    Block multiply_transposed(const Block &X) const override;
+    Block multiply_absolute(const Block &X) const override;
+    bool  is_symmetric() const override;
+    void  append_to(Triplets    &triplets,
+                    const double factor,
+                    const bool   lower_only) const override;
 
   private:
     std::vector<Part> parts;

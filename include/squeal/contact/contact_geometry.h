@@ -39,7 +39,7 @@ namespace squeal
   struct ContactGeometry
   {
     std::vector<dealii::Point<3>>      points;
-    std::vector<double>                areas; /**< m^2 */
+    std::vector<double>                areas;          /**< m^2 */
     std::vector<std::array<double, 2>> slip_direction; /**< unit, x and y */
     /** |V| at the point over |V| at the centre of the source face. */
     std::vector<double>                speed_ratio;
@@ -53,23 +53,21 @@ namespace squeal
    * face. Throws InputError where the faces do not meet or the source face
    * leaves the target.
    */
-  ContactGeometry
-  make_contact_geometry(const Discretization    &discretization,
-                        const PointEvaluator    &evaluator,
-                        const ContactParameters &contact);
+  ContactGeometry make_contact_geometry(const Discretization    &discretization,
+                                        const PointEvaluator    &evaluator,
+                                        const ContactParameters &contact);
 
   /** Full slip or full stick with an even pressure. */
-  ContactState
-  uniform_state(const ContactGeometry &geometry, const ContactStatus status);
+  ContactState uniform_state(const ContactGeometry &geometry,
+                             const ContactStatus    status);
 
   /** Unit slip directions and speed ratios of points, by the friction
    * direction of the pair: fixed y, or Omega x r about the target's axis. */
-  void
-  slip_directions(const SceneParameters               &scene,
-                  const ContactParameters             &contact,
-                  const std::vector<dealii::Point<3>> &points,
-                  std::vector<std::array<double, 2>>  &direction,
-                  std::vector<double>                 &speed_ratio);
+  void slip_directions(const SceneParameters               &scene,
+                       const ContactParameters             &contact,
+                       const std::vector<dealii::Point<3>> &points,
+                       std::vector<std::array<double, 2>>  &direction,
+                       std::vector<double>                 &speed_ratio);
 } // namespace squeal
 
 #endif

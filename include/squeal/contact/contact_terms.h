@@ -15,23 +15,21 @@ namespace squeal
    * across the sliding direction and N_i dmu/dV along it; at sticking ones
    * springs k_t in both tangential directions.
    */
-  void
-  add_spring_contact(const Discretization  &discretization,
-                     const unsigned int     number,
-                     const ContactGeometry &geometry,
-                     const ContactState    &state,
-                     AffineSystem          &system);
+  void add_spring_contact(const Discretization  &discretization,
+                          const unsigned int     number,
+                          const ContactGeometry &geometry,
+                          const ContactState    &state,
+                          AffineSystem          &system);
 
   /**
    * The slip-rate terms of the friction law alone (transverse slip and slope),
    * with normal forces @p state.force_share times the pair's normal force.
    */
-  void
-  add_slip_rate_terms(const Discretization  &discretization,
-                      const unsigned int     number,
-                      const ContactGeometry &geometry,
-                      const ContactState    &state,
-                      AffineSystem          &system);
+  void add_slip_rate_terms(const Discretization  &discretization,
+                           const unsigned int     number,
+                           const ContactGeometry &geometry,
+                           const ContactState    &state,
+                           AffineSystem          &system);
 
   /**
    * The whole linearised problem of a scene: bodies, springs and every contact
@@ -48,9 +46,8 @@ namespace squeal
      * where nothing was eliminated). */
     std::function<Block(const Block &)> expand;
   };
-  LinearizedSystem
-  linearized_system(const Discretization            &discretization,
-                    const std::vector<BodyMatrices> &bodies);
+  LinearizedSystem linearized_system(const Discretization &discretization,
+                                     const std::vector<BodyMatrices> &bodies);
 } // namespace squeal
 
 #endif

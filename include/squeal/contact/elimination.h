@@ -30,51 +30,41 @@ namespace squeal
     Elimination(std::shared_ptr<const RowSpace> full,
                 DependentUnknowns               dependent);
 
-    std::shared_ptr<const RowSpace>
-    full_space() const;
-    std::shared_ptr<const RowSpace>
-    reduced_space() const;
-    unsigned int
-    n_dependent() const;
+    std::shared_ptr<const RowSpace> full_space() const;
+    std::shared_ptr<const RowSpace> reduced_space() const;
+    unsigned int                    n_dependent() const;
 
     /** u = P v. */
-    Block
-    expand(const Block &v) const;
+    Block expand(const Block &v) const;
     /** P^T f. */
-    Block
-    restrict_forces(const Block &f) const;
+    Block restrict_forces(const Block &f) const;
     /** The dependent rows of f, the same on every rank. */
-    Eigen::MatrixXd
-    dependent_rows(const Block &f) const;
+    Eigen::MatrixXd dependent_rows(const Block &f) const;
     /** E_s g: values on the dependent rows, zero elsewhere. */
-    Block
-    from_dependent_rows(const Eigen::MatrixXd &g) const;
+    Block from_dependent_rows(const Eigen::MatrixXd &g) const;
 
     /** Functionals of all unknowns as functionals of the independent ones. */
-    std::shared_ptr<const Functionals>
-    reduce(const Functionals &functionals) const;
+    std::shared_ptr<const Functionals> reduce(
+      const Functionals &functionals) const;
 
     /** P^T A P with entries of A given in full numbering: appends to
      * @p reduced. Of a symmetric A both triangles must be given. */
-    void
-    reduce_entries(const Triplets &full,
-                   const bool      lower_only,
-                   Triplets       &reduced) const;
+    void reduce_entries(const Triplets &full,
+                        const bool      lower_only,
+                        Triplets       &reduced) const;
 
     /** L^T (E_s^T A) P for functionals L (one a dependent row), entries. */
-    void
-    friction_entries(const Triplets    &full,
-                     const Functionals &left,
-                     Triplets          &reduced) const;
+    void friction_entries(const Triplets    &full,
+                          const Functionals &left,
+                          Triplets          &reduced) const;
 
   private:
-    int
-    dependent_index(const unsigned int row) const;
+    int dependent_index(const unsigned int row) const;
 
-    std::shared_ptr<const RowSpace>    full, reduced;
-    DependentUnknowns                  dependent;
-    std::vector<int>                   new_number; /**< of every full row; -1-k
-                                                      for dependent number k */
+    std::shared_ptr<const RowSpace> full, reduced;
+    DependentUnknowns               dependent;
+    std::vector<int>                new_number; /**< of every full row; -1-k
+                                                   for dependent number k */
     std::shared_ptr<const Functionals> combinations; /**< in reduced rows */
   };
 
@@ -84,18 +74,13 @@ namespace squeal
   public:
     EliminatedOperator(std::shared_ptr<const LinearOperator> matrix,
                        std::shared_ptr<const Elimination>    elimination);
-    Block
-    multiply(const Block &X) const override;
-    Block
-    multiply_transposed(const Block &X) const override;
-    Block
-    multiply_absolute(const Block &X) const override;
-    bool
-    is_symmetric() const override;
-    void
-    append_to(Triplets    &triplets,
-              const double factor,
-              const bool   lower_only) const override;
+    Block multiply(const Block &X) const override;
+    Block multiply_transposed(const Block &X) const override;
+    Block multiply_absolute(const Block &X) const override;
+    bool  is_symmetric() const override;
+    void  append_to(Triplets    &triplets,
+                    const double factor,
+                    const bool   lower_only) const override;
 
   private:
     std::shared_ptr<const LinearOperator> matrix;
@@ -113,18 +98,13 @@ namespace squeal
     MultiplierFriction(std::shared_ptr<const LinearOperator> matrix,
                        std::shared_ptr<const Elimination>    elimination,
                        std::shared_ptr<const Functionals>    tangential);
-    Block
-    multiply(const Block &X) const override;
-    Block
-    multiply_transposed(const Block &X) const override;
-    Block
-    multiply_absolute(const Block &X) const override;
-    bool
-    is_symmetric() const override;
-    void
-    append_to(Triplets    &triplets,
-              const double factor,
-              const bool   lower_only) const override;
+    Block multiply(const Block &X) const override;
+    Block multiply_transposed(const Block &X) const override;
+    Block multiply_absolute(const Block &X) const override;
+    bool  is_symmetric() const override;
+    void  append_to(Triplets    &triplets,
+                    const double factor,
+                    const bool   lower_only) const override;
 
   private:
     std::shared_ptr<const LinearOperator> matrix;

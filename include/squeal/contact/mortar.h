@@ -32,13 +32,12 @@ namespace squeal
    * transferred exactly. Throws InputError (its text begins with @p where)
    * where the source face leaves the target or carries hanging nodes.
    */
-  MortarCoupling
-  make_mortar_coupling(const Discretization &discretization,
-                       const PointEvaluator &evaluator,
-                       const unsigned int    source_face_id,
-                       const unsigned int    target_body,
-                       const std::string    &where,
-                       const unsigned int    subdivisions = 2);
+  MortarCoupling make_mortar_coupling(const Discretization &discretization,
+                                      const PointEvaluator &evaluator,
+                                      const unsigned int    source_face_id,
+                                      const unsigned int    target_body,
+                                      const std::string    &where,
+                                      const unsigned int    subdivisions = 2);
 } // namespace squeal
 
 #endif

@@ -33,8 +33,8 @@ namespace squeal
    */
   struct AffineTerm
   {
-    std::string                           name;
-    std::shared_ptr<const LinearOperator> matrix;
+    std::string                                              name;
+    std::shared_ptr<const LinearOperator>                    matrix;
     std::function<TermCoefficients(const SceneParameters &)> coefficients;
   };
 
@@ -50,17 +50,15 @@ namespace squeal
 
   /** Stiffness, mass and turning terms of all bodies, springs, dashpots and
    * lumped masses of a scene (everything but contact). */
-  AffineSystem
-  body_system(const Discretization            &discretization,
-              const std::vector<BodyMatrices> &bodies);
+  AffineSystem body_system(const Discretization            &discretization,
+                           const std::vector<BodyMatrices> &bodies);
 
   /** Coefficients of an elastic part k A with its damping: beta k and
    * (1 + i eta) k by the damping model of the scene. */
-  TermCoefficients
-  elastic_coefficients(const SceneParameters &scene,
-                       const double           stiffness,
-                       const double           part_stiffness_damping,
-                       const double           part_structural_damping);
+  TermCoefficients elastic_coefficients(const SceneParameters &scene,
+                                        const double           stiffness,
+                                        const double part_stiffness_damping,
+                                        const double part_structural_damping);
 
 
 
@@ -82,63 +80,51 @@ namespace squeal
     Pencil(const AffineSystem &system, const SceneParameters &parameters);
 
     /** Keeps every term apart and in order, for affine reduced models. */
-    static Pencil
-    unmerged(const AffineSystem &system, const SceneParameters &parameters);
+    static Pencil unmerged(const AffineSystem    &system,
+                           const SceneParameters &parameters);
 
-    const std::vector<Part> &
-    parts() const;
-    std::shared_ptr<const RowSpace>
-    space() const;
+    const std::vector<Part>        &parts() const;
+    std::shared_ptr<const RowSpace> space() const;
     /** True where some stiffness coefficient is complex. */
-    bool
-    has_structural_damping() const;
+    bool has_structural_damping() const;
     /**
      * True where C = alpha M + beta K holds for the whole pencil, friction
      * included, and K is real: the eigenvectors are then those of K x =
      * kappa M x.
      */
-    bool
-    is_rayleigh_damped(double &alpha, double &beta) const;
+    bool is_rayleigh_damped(double &alpha, double &beta) const;
 
     /** M X, C X and K X (imaginary part of K left out of the real ones). */
     struct Products
     {
       ComplexBlock mass, damping, stiffness;
     };
-    Products
-    apply(const ComplexBlock &X) const;
-    Products
-    apply_transposed(const ComplexBlock &X) const;
+    Products apply(const ComplexBlock &X) const;
+    Products apply_transposed(const ComplexBlock &X) const;
 
     /** M_0 X, the symmetric part of the mass (the multipliers of an eliminated
      * contact add a non-symmetric one). */
-    Block
-    multiply_mass(const Block &X) const;
+    Block multiply_mass(const Block &X) const;
     /** K_0 X, the real symmetric part of the stiffness (no friction). */
-    Block
-    multiply_undamped_stiffness(const Block &X) const;
+    Block multiply_undamped_stiffness(const Block &X) const;
 
     /** || |K| |x| || for every column: the rounding size of K x over the
      * machine precision. */
-    Eigen::VectorXd
-    stiffness_rounding_size(const ComplexBlock &X) const;
+    Eigen::VectorXd stiffness_rounding_size(const ComplexBlock &X) const;
 
     /** Lower triangle of K_0 - shift M_0 of the undamped, frictionless
      * problem. */
-    Triplets
-    undamped_entries(const double shift) const;
+    Triplets undamped_entries(const double shift) const;
 
     /** All entries of Q(lambda). */
-    void
-    quadratic_entries(const std::complex<double>         lambda,
-                      std::vector<int>                  &rows,
-                      std::vector<int>                  &columns,
-                      std::vector<std::complex<double>> &values) const;
+    void quadratic_entries(const std::complex<double>         lambda,
+                           std::vector<int>                  &rows,
+                           std::vector<int>                  &columns,
+                           std::vector<std::complex<double>> &values) const;
 
   private:
     Pencil() = default;
-    Products
-    apply(const ComplexBlock &X, const bool transposed) const;
+    Products apply(const ComplexBlock &X, const bool transposed) const;
 
     std::shared_ptr<const RowSpace> row_space;
     std::vector<Part>               all_parts;

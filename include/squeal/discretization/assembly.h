@@ -17,16 +17,16 @@ namespace squeal
                                                       null for rigid bodies */
     std::shared_ptr<const SparseMatrix> mass;      /**< density 1 kg/m^3, or the
                                                       whole mass if rigid */
-    std::shared_ptr<const SparseMatrix> gyroscopic; /**< density 1, 1 rad/s;
-                                                       null unless turning */
-    std::shared_ptr<const SparseMatrix> convective; /**< as gyroscopic */
+    std::shared_ptr<const SparseMatrix> gyroscopic;  /**< density 1, 1 rad/s;
+                                                        null unless turning */
+    std::shared_ptr<const SparseMatrix> convective;  /**< as gyroscopic */
     double                              volume = 0.; /**< m^3; 0 if rigid */
     dealii::Point<3>                    centre;      /**< of gravity, m */
   };
 
   /** Assembles every body of the scene. */
-  std::vector<BodyMatrices>
-  assemble_bodies(const Discretization &discretization);
+  std::vector<BodyMatrices> assemble_bodies(
+    const Discretization &discretization);
 } // namespace squeal
 
 #endif

@@ -57,71 +57,54 @@ namespace squeal
 
     /** Refines the cells that hold the given share of the summed squared
      * indicator (one number per active cell, owned cells count). */
-    void
-    refine(const std::vector<double> &indicators, const double share);
+    void refine(const std::vector<double> &indicators, const double share);
 
     /** The same mesh with another polynomial degree. */
-    std::unique_ptr<Discretization>
-    with_degree(const unsigned int degree) const;
+    std::unique_ptr<Discretization> with_degree(
+      const unsigned int degree) const;
 
     // -- accessors
-    const SceneParameters &
-    scene() const;
-    const CoarseMesh &
-    coarse_mesh() const;
-    bool
-    has_mesh() const;
-    unsigned int
-    degree() const;
-    const Triangulation &
-    triangulation() const;
-    const dealii::DoFHandler<3> &
-    dof_handler() const;
-    const dealii::Mapping<3, 3> &
-    mapping() const;
-    std::shared_ptr<const RowSpace>
-    space() const;
+    const SceneParameters          &scene() const;
+    const CoarseMesh               &coarse_mesh() const;
+    bool                            has_mesh() const;
+    unsigned int                    degree() const;
+    const Triangulation            &triangulation() const;
+    const dealii::DoFHandler<3>    &dof_handler() const;
+    const dealii::Mapping<3, 3>    &mapping() const;
+    std::shared_ptr<const RowSpace> space() const;
     /** All displacement components of the mesh before removals. */
-    unsigned int
-    n_dofs() const;
+    unsigned int n_dofs() const;
     /** Free unknowns of each body (shared ones count for the first). */
-    const std::vector<unsigned int> &
-    n_free_of_body() const;
+    const std::vector<unsigned int> &n_free_of_body() const;
 
     /** The free unknowns that make up one degree of freedom of the mesh (owned
      * or on a ghost cell); empty where it is held. Global rows. */
-    const Combination &
-    expansion(const dealii::types::global_dof_index dof) const;
+    const Combination &expansion(
+      const dealii::types::global_dof_index dof) const;
 
     /** Row of a rigid body's motion 0..5 (x y z rx ry rz), or -1u if held. */
-    unsigned int
-    rigid_row(const unsigned int body, const unsigned int motion) const;
+    unsigned int rigid_row(const unsigned int body,
+                           const unsigned int motion) const;
 
     /** Values of all locally relevant degrees of freedom of the mesh for a
      * vector of free unknowns, in the order of relevant_dofs(). */
-    std::vector<double>
-    expand(const Eigen::VectorXd &free_with_ghosts) const;
-    const dealii::IndexSet &
-    relevant_dofs() const;
+    std::vector<double> expand(const Eigen::VectorXd &free_with_ghosts) const;
+    const dealii::IndexSet &relevant_dofs() const;
 
   private:
     Discretization(const Discretization &other, const unsigned int degree);
-    void
-    create_mesh();
-    void
-    attach_manifolds();
-    void
-    distribute();
-    void
-    number_free_unknowns(
+    void create_mesh();
+    void attach_manifolds();
+    void distribute();
+    void number_free_unknowns(
       const std::vector<Combination> &master_combinations,
       const dealii::IndexSet         &free_owned);
 
-    const SceneParameters          *scene_parameters;
-    DiscretizationParameters        parameters;
-    MPI_Comm                        comm;
-    CoarseMesh                      coarse;
-    std::shared_ptr<Triangulation>  mesh;
+    const SceneParameters                   *scene_parameters;
+    DiscretizationParameters                 parameters;
+    MPI_Comm                                 comm;
+    CoarseMesh                               coarse;
+    std::shared_ptr<Triangulation>           mesh;
     std::unique_ptr<dealii::FESystem<3>>     fe;
     std::unique_ptr<dealii::Mapping<3, 3>>   curved_mapping;
     std::unique_ptr<dealii::DoFHandler<3>>   dofs;

@@ -23,8 +23,7 @@ namespace squeal
 
   /** Hooke's law with Young modulus 1 Pa (isotropic), or in full
    * (orthotropic, axes along x, y, z). */
-  ElasticTensor
-  elastic_tensor(const BodyParameters &body);
+  ElasticTensor elastic_tensor(const BodyParameters &body);
 
   /**
    * Stiffness and mass matrices of one hexahedron of degree p. The integrals
@@ -37,20 +36,17 @@ namespace squeal
   class ElementMatrices
   {
   public:
-    ElementMatrices(const dealii::DoFHandler<3>   &dofs,
-                    const dealii::Mapping<3, 3>   &mapping);
+    ElementMatrices(const dealii::DoFHandler<3> &dofs,
+                    const dealii::Mapping<3, 3> &mapping);
 
     /** Computes H_kl and the scalar mass on @p cell. */
-    void
-    reinit(const dealii::DoFHandler<3>::active_cell_iterator &cell);
+    void reinit(const dealii::DoFHandler<3>::active_cell_iterator &cell);
 
     /** 3n x 3n stiffness for the elastic law @p C. */
-    void
-    stiffness(const ElasticTensor &C, Eigen::MatrixXd &K) const;
+    void stiffness(const ElasticTensor &C, Eigen::MatrixXd &K) const;
 
     /** 3n x 3n mass for density 1. */
-    void
-    mass(Eigen::MatrixXd &M) const;
+    void mass(Eigen::MatrixXd &M) const;
 
     /**
      * Terms of a body that turns about the axis through (x0, y0) along z, in
@@ -59,11 +55,10 @@ namespace squeal
      * flux through the boundary, zero for an axisymmetric body) and convective
      * N = - int d phi_a d phi_b.
      */
-    void
-    rotation(const double     x0,
-             const double     y0,
-             Eigen::MatrixXd &G,
-             Eigen::MatrixXd &N) const;
+    void rotation(const double     x0,
+                  const double     y0,
+                  Eigen::MatrixXd &G,
+                  Eigen::MatrixXd &N) const;
 
     /** Component 0..2 of degree of freedom @p i of a cell. */
     unsigned int
@@ -75,8 +70,7 @@ namespace squeal
   private:
     /** Spreads scalar matrices over the components: out_(a i)(b j) = s_ab for
      * i = j. */
-    void
-    spread(const Eigen::MatrixXd &scalar, Eigen::MatrixXd &out) const;
+    void spread(const Eigen::MatrixXd &scalar, Eigen::MatrixXd &out) const;
 
     dealii::FE_Q<3>                               fe;
     dealii::QGauss<3>                             quadrature;

@@ -15,21 +15,18 @@ namespace squeal
     std::vector<dealii::Point<3>> points;
     std::vector<double>           areas; /**< m^2 */
 
-    double
-    total_area() const;
-    dealii::Point<3>
-    centre() const;
+    double           total_area() const;
+    dealii::Point<3> centre() const;
   };
 
   /** @p n_points Gauss points in each direction; 0: degree + 1. */
-  FaceQuadrature
-  face_quadrature(const Discretization &discretization,
-                  const unsigned int    face_id,
-                  const unsigned int    n_points = 0);
+  FaceQuadrature face_quadrature(const Discretization &discretization,
+                                 const unsigned int    face_id,
+                                 const unsigned int    n_points = 0);
 
   /** Joins the pieces of all ranks, in rank order. */
-  std::vector<double>
-  all_gather(const std::vector<double> &mine, const MPI_Comm communicator);
+  std::vector<double> all_gather(const std::vector<double> &mine,
+                                 const MPI_Comm             communicator);
 } // namespace squeal
 
 #endif

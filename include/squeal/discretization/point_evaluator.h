@@ -31,10 +31,9 @@ namespace squeal
       std::vector<std::array<Functionals::Row, 3>> rows;
       std::vector<bool>                            found;
     };
-    Result
-    displacements(const unsigned int                   body,
-                  const std::vector<dealii::Point<3>> &points,
-                  const double tolerance = 1e-6) const;
+    Result displacements(const unsigned int                   body,
+                         const std::vector<dealii::Point<3>> &points,
+                         const double tolerance = 1e-6) const;
 
   private:
     struct CellBox
@@ -43,23 +42,21 @@ namespace squeal
       std::array<double, 3>        lower, upper;
     };
 
-    bool
-    evaluate_in(const CellBox                     &box,
-                const dealii::Point<3>            &point,
-                const double                       tolerance,
-                std::array<Functionals::Row, 3>   &rows) const;
+    bool evaluate_in(const CellBox                   &box,
+                     const dealii::Point<3>          &point,
+                     const double                     tolerance,
+                     std::array<Functionals::Row, 3> &rows) const;
 
-    Result
-    rigid(const unsigned int                   body,
-          const std::vector<dealii::Point<3>> &points) const;
+    Result rigid(const unsigned int                   body,
+                 const std::vector<dealii::Point<3>> &points) const;
 
     const Discretization             &discretization;
     std::vector<std::vector<CellBox>> boxes; /**< owned cells of each body */
   };
 
   /** a x + b y + ... of functional rows; equal columns are merged. */
-  Functionals::Row
-  combine(const std::vector<std::pair<double, const Functionals::Row *>> &parts);
+  Functionals::Row combine(
+    const std::vector<std::pair<double, const Functionals::Row *>> &parts);
 } // namespace squeal
 
 #endif

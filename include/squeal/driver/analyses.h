@@ -10,16 +10,13 @@
 namespace squeal
 {
   /** `Analysis = modes`: undamped modes with names and errors. */
-  void
-  run_modes(RunContext &context);
+  void run_modes(RunContext &context);
 
   /** `Analysis = cea`: the complex eigenvalue analysis. */
-  void
-  run_cea(RunContext &context);
+  void run_cea(RunContext &context);
 
   /** `Analysis = work precision`: a ladder of settings, error against work. */
-  void
-  run_work_precision(RunContext &context);
+  void run_work_precision(RunContext &context);
 } // namespace squeal
 
 #endif

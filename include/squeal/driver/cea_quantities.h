@@ -30,21 +30,18 @@ namespace squeal
     std::vector<double> discretisation_error;
   };
 
-  PairQuantities
-  pair_quantities(const Model        &model,
-                  const ModeSolution &modes,
-                  const ComplexPairs &pairs);
+  PairQuantities pair_quantities(const Model        &model,
+                                 const ModeSolution &modes,
+                                 const ComplexPairs &pairs);
 
   /** True where sigma exceeds its own error estimate. */
-  bool
-  is_unstable(const ComplexPairs &pairs, const unsigned int i);
+  bool is_unstable(const ComplexPairs &pairs, const unsigned int i);
 
   /** eigenvalues.csv. */
-  Table
-  eigenvalue_table(const Model          &model,
-                   const ModeSolution   &modes,
-                   const ComplexPairs   &pairs,
-                   const PairQuantities &quantities);
+  Table eigenvalue_table(const Model          &model,
+                         const ModeSolution   &modes,
+                         const ComplexPairs   &pairs,
+                         const PairQuantities &quantities);
 } // namespace squeal
 
 #endif

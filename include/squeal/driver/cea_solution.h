@@ -22,24 +22,21 @@ namespace squeal
   };
 
   /** Solves with the solver of the parameters (certified or direct). */
-  CeaSolution
-  solve_cea(const Model        &model,
-            const ModeSolution &modes,
-            RunLog             &log,
-            Timers             &timers);
+  CeaSolution solve_cea(const Model        &model,
+                        const ModeSolution &modes,
+                        RunLog             &log,
+                        Timers             &timers);
 
   /** Pairs of the band by the direct solver. */
-  ComplexPairs
-  solve_direct(const Model &model, const ModeSolution &modes);
+  ComplexPairs solve_direct(const Model &model, const ModeSolution &modes);
 
   /** direct_check.csv: every certified pair beside the direct one; nearly
    * coalesced pairs by mean and squared half-difference. */
-  Table
-  compare_with_direct(const Model        &model,
-                      const ModeSolution &modes,
-                      const ComplexPairs &certified,
-                      RunLog             &log,
-                      Timers             &timers);
+  Table compare_with_direct(const Model        &model,
+                            const ModeSolution &modes,
+                            const ComplexPairs &certified,
+                            RunLog             &log,
+                            Timers             &timers);
 } // namespace squeal
 
 #endif

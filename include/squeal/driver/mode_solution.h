@@ -27,8 +27,7 @@ namespace squeal
     std::vector<double> discretisation_error;
 
     /** Number of modes with frequency up to @p highest (Hz). */
-    unsigned int
-    n_up_to(const double highest) const;
+    unsigned int n_up_to(const double highest) const;
   };
 
   /**
@@ -36,8 +35,7 @@ namespace squeal
    * proven complete by the inertia. Doublets are turned into "+" and "-" shapes
    * and all modes named.
    */
-  ModeSolution
-  solve_modes(const Model &model, RunLog &log, Timers &timers);
+  ModeSolution solve_modes(const Model &model, RunLog &log, Timers &timers);
 
   /**
    * Refines the mesh of @p model, if its parameters ask for it, until the
@@ -45,15 +43,13 @@ namespace squeal
    * tolerance; returns the modes on the last mesh, with error estimates where
    * asked for. @p steps (optional) receives one row a mesh.
    */
-  ModeSolution
-  solve_modes_adaptively(Model  &model,
-                         RunLog &log,
-                         Timers &timers,
-                         Table  *steps = nullptr);
+  ModeSolution solve_modes_adaptively(Model  &model,
+                                      RunLog &log,
+                                      Timers &timers,
+                                      Table  *steps = nullptr);
 
   /** modes.csv of the modes within the band. */
-  Table
-  mode_table(const Model &model, const ModeSolution &solution);
+  Table mode_table(const Model &model, const ModeSolution &solution);
 } // namespace squeal
 
 #endif

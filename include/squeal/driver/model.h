@@ -26,50 +26,37 @@ namespace squeal
     Model(const Parameters &parameters, Timers &timers);
 
     /** Assembles again on a (refined) mesh. */
-    void
-    assemble(Timers &timers);
+    void assemble(Timers &timers);
 
     /** Null for imported models. */
-    Discretization *
-    discretization() const;
-    const LinearizedSystem &
-    linearized() const;
-    const std::vector<BodyMatrices> &
-    body_matrices() const;
-    const ModeNamer &
-    namer() const;
-    const std::vector<std::string> &
-    body_names() const;
+    Discretization                  *discretization() const;
+    const LinearizedSystem          &linearized() const;
+    const std::vector<BodyMatrices> &body_matrices() const;
+    const ModeNamer                 &namer() const;
+    const std::vector<std::string>  &body_names() const;
     /** Unknowns of the system that is solved. */
-    unsigned int
-    n_unknowns() const;
-    const Parameters &
-    parameters() const;
+    unsigned int      n_unknowns() const;
+    const Parameters &parameters() const;
 
     /** Share of the kinetic energy of every body in real or complex shapes of
      * the system: bodies x shapes, columns of sum 1. */
-    Eigen::MatrixXd
-    energy_shares(const Block &shapes) const;
-    Eigen::MatrixXd
-    energy_shares(const ComplexBlock &shapes) const;
+    Eigen::MatrixXd energy_shares(const Block &shapes) const;
+    Eigen::MatrixXd energy_shares(const ComplexBlock &shapes) const;
 
     /** Masses, centres, sizes, contact areas and unknowns. */
-    void
-    print_summary(RunLog &log) const;
+    void print_summary(RunLog &log) const;
 
   private:
-    void
-    assemble_bodies_scene(Timers &timers);
-    void
-    assemble_imported();
+    void assemble_bodies_scene(Timers &timers);
+    void assemble_imported();
 
-    const Parameters               &all_parameters;
-    std::unique_ptr<Discretization> space;
-    std::vector<BodyMatrices>       bodies;
-    LinearizedSystem                system;
-    std::unique_ptr<ModeNamer>      mode_namer;
-    std::vector<std::string>        names;
-    std::vector<unsigned int>       body_of_row; /**< imported models */
+    const Parameters                     &all_parameters;
+    std::unique_ptr<Discretization>       space;
+    std::vector<BodyMatrices>             bodies;
+    LinearizedSystem                      system;
+    std::unique_ptr<ModeNamer>            mode_namer;
+    std::vector<std::string>              names;
+    std::vector<unsigned int>             body_of_row; /**< imported models */
     std::shared_ptr<const LinearOperator> imported_mass;
   };
 } // namespace squeal

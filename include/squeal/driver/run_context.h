@@ -36,16 +36,14 @@ namespace squeal
     RunRecord         record;
 
     /** Writes @p table as a CSV and keeps it for the result checks. */
-    void
-    write_table(const std::string &name, const Table &table);
+    void write_table(const std::string &name, const Table &table);
 
     /**
      * Ends the run: result checks, run.json, the report (if there is one), the
      * summary. @p open_this names the file to open in ParaView; empty: none.
      * Throws CheckError when a result check failed.
      */
-    void
-    finish(HtmlReport *report, const std::string &open_this);
+    void finish(HtmlReport *report, const std::string &open_this);
 
   private:
     std::map<std::string, std::unique_ptr<Table>> tables;

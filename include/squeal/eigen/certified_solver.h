@@ -13,10 +13,10 @@ namespace squeal
 {
   struct CertifiedOptions
   {
-    double       lowest_frequency    = 0.;    /**< Hz */
-    double       highest_frequency   = 20e3;  /**< Hz */
+    double       lowest_frequency    = 0.;   /**< Hz */
+    double       highest_frequency   = 20e3; /**< Hz */
     double       residual_tolerance  = 1e-8;
-    double error_tolerance = 1e-8; /**< |d lambda| / |lambda| */
+    double       error_tolerance     = 1e-8; /**< |d lambda| / |lambda| */
     unsigned int maximum_enrichments = 30;
   };
 
@@ -35,11 +35,12 @@ namespace squeal
    * frequency. Every pair is lifted and its full residual evaluated; the
    * residuals of right and left vectors, solved with the one real factor at
    * hand and compressed, enrich the space, until residual and error estimate of
-   * every pair in the band are below the tolerances or at the rounding floor. The error of a pair is the
-   * change of lambda by the next enrichment: it holds an adjoint part outside
-   * the space, without which the estimate would vanish identically (y^T r = 0
-   * for y in the space). Nearly coalesced pairs are compared by mean and
-   * squared half-difference, which depend smoothly on perturbations.
+   * every pair in the band are below the tolerances or at the rounding floor.
+   * The error of a pair is the change of lambda by the next enrichment: it
+   * holds an adjoint part outside the space, without which the estimate would
+   * vanish identically (y^T r = 0 for y in the space). Nearly coalesced pairs
+   * are compared by mean and squared half-difference, which depend smoothly on
+   * perturbations.
    */
   class CertifiedSolver
   {
@@ -51,14 +52,12 @@ namespace squeal
     /** Pairs with frequency in the band (real eigenvalues where the band starts
      * at 0). Throws ComputationError where the tolerance is not met within the
      * allowed enrichments. */
-    ComplexPairs
-    solve(const CertifiedOptions                           &options,
-          const std::function<void(const BasisEnrichment &)> &report = {});
+    ComplexPairs solve(
+      const CertifiedOptions                             &options,
+      const std::function<void(const BasisEnrichment &)> &report = {});
 
-    const std::vector<BasisEnrichment> &
-    history() const;
-    const ReducedBasis &
-    basis() const;
+    const std::vector<BasisEnrichment> &history() const;
+    const ReducedBasis                 &basis() const;
 
   private:
     /** Pairs of the band with their coordinates in the basis. */
@@ -67,31 +66,29 @@ namespace squeal
       ComplexPairs     pairs;
       Eigen::MatrixXcd right, left;
     };
-    Candidates
-    candidates(const DensePairs &dense, const CertifiedOptions &options) const;
+    Candidates candidates(const DensePairs       &dense,
+                          const CertifiedOptions &options) const;
 
     /** Fills in the residuals; returns the residual vectors scaled by the
      * tolerances and compressed to the directions that matter. */
-    Block
-    residual_directions(Candidates             &candidates,
-                        const CertifiedOptions &options);
+    Block residual_directions(Candidates             &candidates,
+                              const CertifiedOptions &options);
 
-    bool
-    converged(const ComplexPairs &pairs, const CertifiedOptions &options) const;
+    bool converged(const ComplexPairs     &pairs,
+                   const CertifiedOptions &options) const;
 
-    const Pencil                &pencil;
-    const ShiftedInverse        &inverse;
-    ReducedBasis                 reduced;
+    const Pencil         &pencil;
+    const ShiftedInverse &inverse;
+    ReducedBasis          reduced;
     /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
      * one scene hardly change it from one basis to the next. */
-    Eigen::VectorXd rounding_sizes;
-    std::vector<BasisEnrichment>  steps;
+    Eigen::VectorXd              rounding_sizes;
+    std::vector<BasisEnrichment> steps;
   };
 
   /** Fills error_estimate of @p pairs from the eigenvalues of a better basis;
    * also finds the partners of nearly coalesced ones. */
-  void
-  estimate_errors(ComplexPairs &pairs, const Eigen::VectorXcd &better);
+  void estimate_errors(ComplexPairs &pairs, const Eigen::VectorXcd &better);
 } // namespace squeal
 
 #endif

@@ -44,28 +44,25 @@ namespace squeal
     {
       return lambda[i].real();
     }
-    double
-    frequency(const unsigned int i) const;
+    double frequency(const unsigned int i) const;
     /** zeta = -sigma / |lambda|. */
-    double
-    damping_ratio(const unsigned int i) const;
+    double damping_ratio(const unsigned int i) const;
   };
 
   /** Eigenvalue conditions above this are judged on the invariant pair. */
   constexpr double coalescence_condition = 1e4;
 
   /** Keeps the listed pairs, in that order. */
-  ComplexPairs
-  select_pairs(const ComplexPairs &pairs, const std::vector<int> &kept);
+  ComplexPairs select_pairs(const ComplexPairs     &pairs,
+                            const std::vector<int> &kept);
 
   /** residual_rel of right vectors (or left ones, with the transposed
    * pencil). */
-  Eigen::VectorXd
-  relative_residuals(const Pencil           &pencil,
-                     const Eigen::VectorXcd &lambda,
-                     const Pencil::Products &products,
-                     ComplexBlock           &residual_vectors,
-                     Eigen::VectorXd        &denominators);
+  Eigen::VectorXd relative_residuals(const Pencil           &pencil,
+                                     const Eigen::VectorXcd &lambda,
+                                     const Pencil::Products &products,
+                                     ComplexBlock           &residual_vectors,
+                                     Eigen::VectorXd        &denominators);
 } // namespace squeal
 
 #endif

@@ -34,11 +34,10 @@ namespace squeal
    * lambda^2 + lambda (alpha + beta kappa) + kappa = 0; otherwise a companion
    * form of twice the size is used.
    */
-  DensePairs
-  solve_dense_quadratic(const std::vector<ReducedPart> &parts,
-                        const bool                      rayleigh,
-                        const double                    alpha,
-                        const double                    beta);
+  DensePairs solve_dense_quadratic(const std::vector<ReducedPart> &parts,
+                                   const bool                      rayleigh,
+                                   const double                    alpha,
+                                   const double                    beta);
 } // namespace squeal
 
 #endif

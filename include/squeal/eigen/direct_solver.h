@@ -27,15 +27,14 @@ namespace squeal
      * half-planes may be among them. Throws ComputationError when ARPACK does
      * not converge.
      */
-    ComplexPairs
-    solve(const unsigned int n_pairs, const double tolerance = 1e-12) const;
+    ComplexPairs solve(const unsigned int n_pairs,
+                       const double       tolerance = 1e-12) const;
 
   private:
-    Eigen::VectorXcd
-    apply(const Eigen::VectorXcd &z) const;
+    Eigen::VectorXcd apply(const Eigen::VectorXcd &z) const;
 
-    const Pencil                                            &pencil;
-    std::complex<double>                                     shift;
+    const Pencil                                             &pencil;
+    std::complex<double>                                      shift;
     std::unique_ptr<MumpsFactorization<std::complex<double>>> factor;
   };
 } // namespace squeal

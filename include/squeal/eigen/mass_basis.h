@@ -11,17 +11,14 @@ namespace squeal
   {
   public:
     explicit GrowingBlock(const unsigned int n_rows = 0);
-    void
-    append(const Block &columns);
-    unsigned int
-    n_columns() const;
+    void         append(const Block &columns);
+    unsigned int n_columns() const;
     /** The columns as one matrix expression. */
-    Eigen::Map<const Block>
-    view() const;
+    Eigen::Map<const Block> view() const;
 
   private:
-    Eigen::Index       n_rows;
-    unsigned int       n_used = 0;
+    Eigen::Index        n_rows;
+    unsigned int        n_used = 0;
     std::vector<double> data;
   };
 
@@ -40,16 +37,14 @@ namespace squeal
      * their own size are dropped. Returns the columns added; @p coefficients
      * (optional) receives Q^T M W of the old basis.
      */
-    Block
-    extend(Block W, const double drop, Eigen::MatrixXd *coefficients = nullptr);
+    Block extend(Block            W,
+                 const double     drop,
+                 Eigen::MatrixXd *coefficients = nullptr);
 
-    unsigned int
-    size() const;
-    Eigen::Map<const Block>
-    vectors() const;
+    unsigned int            size() const;
+    Eigen::Map<const Block> vectors() const;
     /** M Q. */
-    Eigen::Map<const Block>
-    mass_products() const;
+    Eigen::Map<const Block> mass_products() const;
 
   private:
     const Pencil &pencil;

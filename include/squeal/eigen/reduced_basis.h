@@ -21,28 +21,22 @@ namespace squeal
 
     /** Adds the directions of @p W that V does not hold yet and projects.
      * Returns how many were added. */
-    unsigned int
-    extend(const Block &W);
+    unsigned int extend(const Block &W);
 
-    unsigned int
-    size() const;
-    Eigen::Map<const Block>
-    vectors() const;
-    const std::vector<ReducedPart> &
-    parts() const;
+    unsigned int                    size() const;
+    Eigen::Map<const Block>         vectors() const;
+    const std::vector<ReducedPart> &parts() const;
 
     /** All eigenpairs of the reduced pencil in basis coordinates. */
-    DensePairs
-    solve() const;
+    DensePairs solve() const;
 
     /** V z; coordinates of an earlier, smaller basis will do. */
-    ComplexBlock
-    lift(const Eigen::MatrixXcd &coordinates) const;
+    ComplexBlock lift(const Eigen::MatrixXcd &coordinates) const;
 
     /** M, C and K times V z (of the transposed pencil where @p transposed),
      * from the stored products of every part with V. */
-    Pencil::Products
-    apply(const Eigen::MatrixXcd &coordinates, const bool transposed) const;
+    Pencil::Products apply(const Eigen::MatrixXcd &coordinates,
+                           const bool              transposed) const;
 
   private:
     /** A V of one part on the rows where it is not zero: those of friction
@@ -51,15 +45,14 @@ namespace squeal
     {
       std::vector<Eigen::Index> rows; /**< empty: all */
       GrowingBlock              columns;
-      void
-      append(const Block &AW);
-      void
-      add_to(const Eigen::MatrixXcd &coordinates, ComplexBlock &result) const;
+      void                      append(const Block &AW);
+      void                      add_to(const Eigen::MatrixXcd &coordinates,
+                                       ComplexBlock           &result) const;
     };
 
-    const Pencil        &pencil;
-    MassBasis            basis;
-    std::vector<Product> products, transposed_products;
+    const Pencil            &pencil;
+    MassBasis                basis;
+    std::vector<Product>     products, transposed_products;
     std::vector<ReducedPart> projected;
     bool                     rayleigh;
     double                   alpha, beta;

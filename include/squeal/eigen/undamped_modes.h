@@ -21,16 +21,12 @@ namespace squeal
      * until the factor is regular. */
     ShiftedInverse(const Pencil &pencil, const double shift);
 
-    Block
-    solve(const Block &right_hand_sides) const;
+    Block solve(const Block &right_hand_sides) const;
     /** omega^2 of the shift, (rad/s)^2. */
-    double
-    shift() const;
+    double shift() const;
     /** Number of modes with omega^2 below the shift. */
-    unsigned int
-    n_modes_below() const;
-    double
-    n_factor_entries() const;
+    unsigned int n_modes_below() const;
+    double       n_factor_entries() const;
 
   private:
     std::unique_ptr<MumpsFactorization<double>> factor;
@@ -50,14 +46,14 @@ namespace squeal
     Block           shapes;        /**< owned rows x modes */
     Eigen::VectorXd residual;      /**< ||K phi - w2 M phi|| / (||K phi|| +
                                       |w2| ||M phi||) */
-    /** Modes below the shift, proven complete by the inertia; the first ones. */
+    /** Modes below the shift, proven complete by the inertia; the first ones.
+     */
     unsigned int n_certified = 0;
     /** Further Krylov directions, mass-orthonormal to the shapes: Ritz vectors
      * above the shift that have not converged, but enrich a basis. */
     Block supplement;
 
-    double
-    frequency(const unsigned int i) const;
+    double frequency(const unsigned int i) const;
   };
 
   /** How the spectrum is computed. */
@@ -69,8 +65,8 @@ namespace squeal
 
   struct ModeOptions
   {
-    double        tolerance = 1e-10; /**< relative residual */
-    ModeAlgorithm algorithm = ModeAlgorithm::block_lanczos;
+    double        tolerance  = 1e-10; /**< relative residual */
+    ModeAlgorithm algorithm  = ModeAlgorithm::block_lanczos;
     unsigned int  block_size = 16;
     /** Directions the iteration is kept away from (mass-orthonormal): to test
      * that the inertia count notices what is hidden. */
@@ -82,10 +78,9 @@ namespace squeal
    * number found is compared with the inertia; throws ComputationError when a
    * mode is missing.
    */
-  UndampedModes
-  undamped_modes(const Pencil         &pencil,
-                 const ShiftedInverse &inverse,
-                 const ModeOptions    &options = {});
+  UndampedModes undamped_modes(const Pencil         &pencil,
+                               const ShiftedInverse &inverse,
+                               const ModeOptions    &options = {});
 } // namespace squeal
 
 #endif

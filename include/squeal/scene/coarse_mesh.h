@@ -35,31 +35,27 @@ namespace squeal
 
   /** Names of the faces of @p shape in the order of their numbers (empty for
    * gmsh, whose names come from the file, and for rigid bodies). */
-  std::vector<std::string>
-  face_names(const BodyParameters::Shape shape);
+  std::vector<std::string> face_names(const BodyParameters::Shape shape);
 
   /** Boundary id of a face in the mesh of the scene. */
-  unsigned int
-  face_id(const unsigned int body, const unsigned int face);
+  unsigned int face_id(const unsigned int body, const unsigned int face);
 
   /** Number of the body of this name. Throws InputError. */
-  unsigned int
-  body_index(const SceneParameters &scene, const std::string &name);
+  unsigned int body_index(const SceneParameters &scene,
+                          const std::string     &name);
 
   /** Boundary id by names. Throws InputError naming the faces there are. */
-  unsigned int
-  face_id(const CoarseMesh      &mesh,
-          const SceneParameters &scene,
-          const std::string     &body,
-          const std::string     &face);
+  unsigned int face_id(const CoarseMesh      &mesh,
+                       const SceneParameters &scene,
+                       const std::string     &body,
+                       const std::string     &face);
 
   /**
    * Meshes every body and joins conforming ties. Throws InputError where a
    * mesh file is unusable (not hexahedral, inverted cells, unknown physical
    * name) or a conforming tie does not match.
    */
-  CoarseMesh
-  make_coarse_mesh(const SceneParameters &scene);
+  CoarseMesh make_coarse_mesh(const SceneParameters &scene);
 
   /** The mesh of one body; boundary ids are face numbers. */
   struct BodyMesh
@@ -69,12 +65,10 @@ namespace squeal
     std::vector<dealii::CellData<2>> boundary;
     std::vector<std::string>         face_names;
   };
-  BodyMesh
-  make_body_mesh(const BodyParameters &body);
+  BodyMesh make_body_mesh(const BodyParameters &body);
 
   /** Reads a hexahedral Gmsh mesh with physical names. */
-  BodyMesh
-  read_gmsh_body(const BodyParameters &body);
+  BodyMesh read_gmsh_body(const BodyParameters &body);
 } // namespace squeal
 
 #endif
