@@ -9,20 +9,18 @@ namespace squeal
 {
   /** Writes every mode of the band for ParaView; returns the name of the first
    * file. */
-  std::string
-  write_mode_shapes(RunContext         &context,
-                    const Model        &model,
-                    const ModeSolution &solution);
+  std::string write_mode_shapes(RunContext         &context,
+                                const Model        &model,
+                                const ModeSolution &solution);
 
   /** Writes the complex pairs (all, or the unstable ones) for ParaView and a
    * picture of every unstable one; returns the name of the file to open: that
    * of the most unstable pair, or the first. */
-  std::string
-  write_pair_shapes(RunContext           &context,
-                    const Model          &model,
-                    const ComplexPairs   &pairs,
-                    const PairQuantities &quantities,
-                    HtmlReport           &report);
+  std::string write_pair_shapes(RunContext           &context,
+                                const Model          &model,
+                                const ComplexPairs   &pairs,
+                                const PairQuantities &quantities,
+                                HtmlReport           &report);
 } // namespace squeal
 
 #endif

@@ -7,10 +7,9 @@
 namespace squeal
 {
   /** The modes below the shift by (P)ARPACK's dsaupd, shift-invert mode 3. */
-  UndampedModes
-  arpack_modes(const Pencil         &pencil,
-               const ShiftedInverse &inverse,
-               const ModeOptions    &options);
+  UndampedModes arpack_modes(const Pencil         &pencil,
+                             const ShiftedInverse &inverse,
+                             const ModeOptions    &options);
 } // namespace squeal
 
 #endif
