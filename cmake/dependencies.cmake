@@ -98,8 +98,9 @@ function(squeal_setup_target target)
   deal_ii_setup_target(${target})
   target_compile_options(${target} PRIVATE ${SQUEAL_FLAGS_NATIVE})
   # The C++ bindings of MPI are gone from the standard and slow to compile.
+  # Eigen hands large products to OpenBLAS.
   target_compile_definitions(${target} PRIVATE OMPI_SKIP_MPICXX
-                                               MPICH_SKIP_MPICXX)
+                                               MPICH_SKIP_MPICXX EIGEN_USE_BLAS)
   target_link_libraries(
     ${target} ${DMUMPS_LIBRARY} ${ZMUMPS_LIBRARY} ${MUMPS_COMMON_LIBRARY}
     ${PARPACK_LIBRARY} ${ARPACK_LIBRARY} ${HDF5_C_LIBRARIES} Eigen3::Eigen

@@ -10,38 +10,150 @@ namespace squeal
 {
   namespace
   {
-    constexpr int chunk = 8;
-    using RowBlock =
-      Eigen::Matrix<double, Eigen::Dynamic, chunk, Eigen::RowMajor>;
+    /** Rows that are multiplied together. */
+    constexpr int tile_height = 6;
 
-    /** Y += A X for @p chunk vectors at once, from the lower triangle. One
-     * pass over the matrix serves all of them: the product is bound by the
-     * traffic of the matrix. */
-    template <bool absolute>
+    template <int width>
+    using RowBlock =
+      Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor>;
+
+    /** One entry with the rows and columns of both triangles. */
+    template <bool absolute, int width>
+    inline void
+    multiply_entry(const double           value,
+                   const int              i,
+                   const int              j,
+                   const double           sign,
+                   const RowBlock<width> &X,
+                   RowBlock<width>       &Y)
+    {
+      const double a = absolute ? std::abs(value) : value;
+      Y.row(i) += a * X.row(j);
+      if (j != i)
+        Y.row(j) += (sign * a) * X.row(i);
+    }
+
+    /** The columns that @p height rows from @p first on share: their part of
+     * X and Y stays in registers. */
+    template <bool absolute, int height, int width>
     void
-    multiply_chunk(const std::vector<std::size_t> &row_starts,
+    multiply_tile(const int                       first,
+                  const std::size_t               n_shared,
+                  const std::vector<std::size_t> &row_starts,
+                  const std::vector<int>         &columns,
+                  const std::vector<double>      &values,
+                  const double                    sign,
+                  const RowBlock<width>          &X,
+                  RowBlock<width>                &Y)
+    {
+      using Vector = Eigen::Matrix<double, 1, width>;
+      Vector        x[height], sum[height];
+      const double *a[height];
+      for (int r = 0; r < height; ++r)
+        {
+          x[r]   = sign * X.row(first + r);
+          sum[r] = Vector::Zero();
+          a[r]   = values.data() + row_starts[first + r];
+        }
+      const int *column = columns.data() + row_starts[first];
+      for (std::size_t k = 0; k < n_shared; ++k)
+        {
+          const Vector x_k = X.row(column[k]);
+          Vector       y_k = Y.row(column[k]);
+          for (int r = 0; r < height; ++r)
+            {
+              const double v = absolute ? std::abs(a[r][k]) : a[r][k];
+              sum[r] += v * x_k;
+              y_k += v * x[r];
+            }
+          Y.row(column[k]) = y_k;
+        }
+      for (int r = 0; r < height; ++r)
+        {
+          Y.row(first + r) += sum[r];
+          for (std::size_t k = row_starts[first + r] + n_shared;
+               k < row_starts[first + r + 1];
+               ++k)
+            multiply_entry<absolute, width>(
+              values[k], first + r, columns[k], sign, X, Y);
+        }
+    }
+
+    /** Y += A X for @p width vectors at once, from the lower triangle. One
+     * pass over the matrix serves all of them: the product is bound by memory
+     * traffic. */
+    template <bool absolute, int width>
+    void
+    multiply_chunk(const std::vector<int>         &tiles,
+                   const std::vector<std::size_t> &row_starts,
                    const std::vector<int>         &columns,
                    const std::vector<double>      &values,
                    const double                    sign,
-                   const RowBlock                 &X,
-                   RowBlock                       &Y)
+                   const RowBlock<width>          &X,
+                   RowBlock<width>                &Y)
     {
-      const int n  = static_cast<int>(row_starts.size()) - 1;
-      using Vector = Eigen::Matrix<double, 1, chunk>;
-      for (int i = 0; i < n; ++i)
+      for (std::size_t t = 0; t + 1 < tiles.size(); ++t)
         {
-          const Vector x_i = X.row(i);
-          Vector       sum = Vector::Zero();
-          for (std::size_t k = row_starts[i]; k < row_starts[i + 1]; ++k)
+          const int         first = tiles[t];
+          const std::size_t n_shared =
+            std::lower_bound(columns.begin() + row_starts[first],
+                             columns.begin() + row_starts[first + 1],
+                             first) -
+            (columns.begin() + row_starts[first]);
+          const auto multiply = [&](auto height) {
+            multiply_tile<absolute, decltype(height)::value, width>(
+              first, n_shared, row_starts, columns, values, sign, X, Y);
+          };
+          switch (tiles[t + 1] - first)
             {
-              const int    j = columns[k];
-              const double a = absolute ? std::abs(values[k]) : values[k];
-              sum += a * X.row(j);
-              if (j != i)
-                Y.row(j) += (sign * a) * x_i;
+            case 1:
+              multiply(std::integral_constant<int, 1>());
+              break;
+            case 2:
+              multiply(std::integral_constant<int, 2>());
+              break;
+            case 3:
+              multiply(std::integral_constant<int, 3>());
+              break;
+            case 4:
+              multiply(std::integral_constant<int, 4>());
+              break;
+            case 5:
+              multiply(std::integral_constant<int, 5>());
+              break;
+            default:
+              multiply(std::integral_constant<int, tile_height>());
             }
-          Y.row(i) += sum;
         }
+    }
+
+    /** First rows of runs of at most tile_height rows with the same columns
+     * left of the run: the unknowns of one vertex, edge, face or cell. */
+    std::vector<int>
+    find_tiles(const std::vector<std::size_t> &row_starts,
+               const std::vector<int>         &columns)
+    {
+      const int        n = static_cast<int>(row_starts.size()) - 1;
+      std::vector<int> tiles;
+      for (int i = 0; i < n;)
+        {
+          tiles.push_back(i);
+          const int  first = i;
+          const auto begin = columns.begin() + row_starts[first];
+          const auto end   = std::lower_bound(
+            begin, columns.begin() + row_starts[first + 1], first);
+          const auto shared = end - begin;
+          for (++i; i < n && i < first + tile_height; ++i)
+            {
+              const auto other = columns.begin() + row_starts[i],
+                         stop  = columns.begin() + row_starts[i + 1];
+              if (stop - other < shared || !std::equal(begin, end, other) ||
+                  (stop - other > shared && other[shared] < first))
+                break;
+            }
+        }
+      tiles.push_back(n);
+      return tiles;
     }
   } // namespace
 
@@ -60,6 +172,7 @@ namespace squeal
   {
     AssertDimension(row_starts.size(), row_space->n_local() + 1);
     AssertDimension(columns.size(), values.size());
+    tiles = find_tiles(row_starts, columns);
   }
 
 
@@ -94,9 +207,28 @@ namespace squeal
     for (const int row : entry_rows)
       ++row_starts[row + 1];
     std::partial_sum(row_starts.begin(), row_starts.end(), row_starts.begin());
+    tiles = find_tiles(row_starts, columns);
   }
 
 
+
+  template <bool absolute, int width>
+  void
+  SparseMatrix::product_of_columns(const Eigen::MatrixXd &X,
+                                   const int              first,
+                                   Eigen::MatrixXd       &result) const
+  {
+    const double    sign = absolute || kind == Symmetry::symmetric ? 1. : -1.;
+    const int       n    = std::min<int>(width, X.cols() - first);
+    RowBlock<width> x(X.rows(), width);
+    if (n < width)
+      x.rightCols(width - n).setZero();
+    x.leftCols(n)     = X.middleCols(first, n);
+    RowBlock<width> y = RowBlock<width>::Zero(X.rows(), width);
+    multiply_chunk<absolute, width>(
+      tiles, row_starts, columns, values, sign, x, y);
+    result.middleCols(first, n) = y.leftCols(n);
+  }
 
   template <bool absolute>
   Block
@@ -104,17 +236,13 @@ namespace squeal
   {
     const Eigen::MatrixXd local = row_space->gather(X);
     Eigen::MatrixXd       result(local.rows(), local.cols());
-    const double sign = absolute || kind == Symmetry::symmetric ? 1. : -1.;
-    RowBlock     x(local.rows(), chunk), y(local.rows(), chunk);
-    for (int first = 0; first < local.cols(); first += chunk)
-      {
-        const int n = std::min<int>(chunk, local.cols() - first);
-        x.setZero();
-        x.leftCols(n) = local.middleCols(first, n);
-        y.setZero();
-        multiply_chunk<absolute>(row_starts, columns, values, sign, x, y);
-        result.middleCols(first, n) = y.leftCols(n);
-      }
+    int                   first = 0;
+    for (; local.cols() - first > 8; first += 16)
+      product_of_columns<absolute, 16>(local, first, result);
+    for (; local.cols() - first > 2; first += 8)
+      product_of_columns<absolute, 8>(local, first, result);
+    for (; first < local.cols(); first += 2)
+      product_of_columns<absolute, 2>(local, first, result);
     return row_space->scatter_add(result);
   }
 
@@ -283,6 +411,12 @@ namespace squeal
     return result;
   }
 
+  const RowSpace &
+  Functionals::space() const
+  {
+    return *row_space;
+  }
+
   const std::vector<Functionals::Row> &
   Functionals::rows() const
   {
@@ -300,9 +434,7 @@ namespace squeal
   {
     AssertDimension(left->n_rows(), right->n_rows());
     AssertDimension(left->n_rows(), weights.size());
-    int rank;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    on_root = rank == 0;
+    on_root = left->space().rank() == 0;
   }
 
   Block

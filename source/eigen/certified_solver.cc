@@ -36,24 +36,49 @@ namespace squeal
       return best;
     }
 
-    /** Directions of the columns of @p Z (scaled so that 1 is the tolerance),
-     * real and imaginary parts, with singular values above 0.3 and above
-     * 1e-4 of the largest: one enrichment does not contract by more. */
+    /** Directions of the columns of @p Z (scaled so that 1 matters), real and
+     * imaginary parts, with singular values above @p limit and above 1e-4 of
+     * the largest: one enrichment does not contract by more. */
     Block
-    compress(const RowSpace &space, const ComplexBlock &Z)
+    compress(const RowSpace &space, const ComplexBlock &Z, const double limit)
     {
+      if (Z.cols() == 0)
+        return Block(Z.rows(), 0);
       Block R(Z.rows(), 2 * Z.cols());
       R << Z.real(), Z.imag();
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
         space.dot(R, R));
       const Eigen::VectorXd &values = gram.eigenvalues();
-      const double limit = std::max(0.3, 1e-4 * std::sqrt(values.maxCoeff()));
+      const double           smallest =
+        std::max(limit, 1e-4 * std::sqrt(values.maxCoeff()));
       Eigen::Index first = 0;
-      while (first < values.size() && values[first] < limit * limit)
+      while (first < values.size() && values[first] < smallest * smallest)
         ++first;
       const Eigen::Index n = values.size() - first;
       return R * gram.eigenvectors().rightCols(n) *
              values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
+    }
+
+    /** The columns of @p Z with scale_j > 0, divided by it. */
+    ComplexBlock
+    scaled_columns(const ComplexBlock &Z, const Eigen::VectorXd &scales)
+    {
+      std::vector<int> kept;
+      for (Eigen::Index j = 0; j < scales.size(); ++j)
+        if (scales[j] > 0.)
+          kept.push_back(j);
+      ComplexBlock result(Z.rows(), kept.size());
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        result.col(k) = Z.col(kept[k]) / scales[kept[k]];
+      return result;
+    }
+
+    Block
+    side_by_side(const Block &a, const Block &b)
+    {
+      Block both(a.rows(), a.cols() + b.cols());
+      both << a, b;
+      return both;
     }
   } // namespace
 
@@ -177,36 +202,82 @@ namespace squeal
 
 
 
-  Block
-  CertifiedSolver::residual_directions(Candidates             &c,
-                                       const CertifiedOptions &options)
+  CertifiedSolver::Residuals
+  CertifiedSolver::evaluate_residuals(Candidates             &c,
+                                      const CertifiedOptions &options)
   {
     ComplexPairs      &pairs = c.pairs;
     const Eigen::Index n     = pairs.size();
-    ComplexBlock       R, L;
-    Eigen::VectorXd    scale_r, scale_l;
-    pairs.residual = relative_residuals(
-      pencil, pairs.lambda, reduced.apply(c.right, false), R, scale_r);
-    pairs.left_residual = relative_residuals(
-      pencil, pairs.lambda, reduced.apply(c.left, true), L, scale_l);
+    Residuals          result;
+    pairs.residual = relative_residuals(pencil,
+                                        pairs.lambda,
+                                        reduced.apply(c.right, false),
+                                        result.right,
+                                        result.right_scale);
     if (rounding_sizes.size() != n)
       rounding_sizes = pencil.stiffness_rounding_size(reduced.lift(c.right));
     pairs.noise_floor = 4. * std::numeric_limits<double>::epsilon() *
-                        rounding_sizes.array() / scale_r.array();
+                        rounding_sizes.array() / result.right_scale.array();
+    result.met = true;
+    for (Eigen::Index j = 0; j < n; ++j)
+      result.met = result.met &&
+                   pairs.residual[j] <=
+                     std::max(options.residual_tolerance, pairs.noise_floor[j]);
+    if (left_met && !result.met)
+      return result;
+    pairs.left_residual = relative_residuals(pencil,
+                                             pairs.lambda,
+                                             reduced.apply(c.left, true),
+                                             result.left,
+                                             result.left_scale);
+    left_met =
+      pairs.left_residual.maxCoeff() <= std::sqrt(options.residual_tolerance);
+    return result;
+  }
 
+
+
+  Block
+  CertifiedSolver::directions(const Candidates       &c,
+                              const Residuals        &residuals,
+                              const CertifiedOptions &options) const
+  {
+    const ComplexPairs &pairs = c.pairs;
+    const RowSpace     &space = *pencil.space();
+    const Eigen::Index  n     = pairs.size();
+    Eigen::VectorXd     right(n), left = Eigen::VectorXd::Zero(n);
+    if (residuals.met)
+      {
+        // What is left to know is by how much the eigenvalues still change:
+        // every residual counts, however small it is.
+        right = residuals.right_scale.cwiseProduct(pairs.residual);
+        return compress(space, scaled_columns(residuals.right, right), 0.1);
+      }
     // Left residuals enter the eigenvalue's error only as a product with the
     // right ones: the square root of the tolerance is enough for them.
     const double left_tolerance = std::sqrt(options.residual_tolerance);
     for (Eigen::Index j = 0; j < n; ++j)
       {
-        R.col(j) /= options.residual_tolerance * scale_r[j];
-        L.col(j) /= left_tolerance * scale_l[j];
+        right[j] = options.residual_tolerance * residuals.right_scale[j];
+        if (residuals.left.cols() > 0)
+          left[j] = left_tolerance * residuals.left_scale[j];
       }
-    const Block right = compress(*pencil.space(), R);
-    const Block left  = compress(*pencil.space(), L);
-    Block       all(right.rows(), right.cols() + left.cols());
-    all << right, left;
-    return all;
+    return side_by_side(
+      compress(space, scaled_columns(residuals.right, right), 0.3),
+      compress(space, scaled_columns(residuals.left, left), 0.3));
+  }
+
+
+
+  unsigned int
+  CertifiedSolver::enrich(const Block &directions, const bool twice)
+  {
+    const Block first = inverse.solve(directions);
+    if (!twice)
+      return reduced.extend(first);
+    // Two steps of the Krylov space for one evaluation of the residuals.
+    return reduced.extend(
+      side_by_side(first, inverse.solve(pencil.multiply_mass(first))));
   }
 
 
@@ -242,10 +313,11 @@ namespace squeal
               ComplexBlock(reduced.vectors().rows(), 0);
             return pairs;
           }
-        const unsigned int size       = reduced.size();
-        const Block        directions = residual_directions(current, options);
-        const unsigned int added = reduced.extend(inverse.solve(directions));
-        dense                    = reduced.solve();
+        const unsigned int size      = reduced.size();
+        const Residuals    residuals = evaluate_residuals(current, options);
+        const unsigned int added =
+          enrich(directions(current, residuals, options), !residuals.met);
+        dense = reduced.solve();
         estimate_errors(pairs, dense.lambda);
         steps.push_back(
           {size, pairs.residual.maxCoeff(), pairs.error_estimate.maxCoeff()});

@@ -63,6 +63,22 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Shortening below which products are not updated but computed afresh. */
+    constexpr double cancellation = 1e-3;
+
+    Eigen::VectorXd
+    mass_norms(const RowSpace &space, const Block &W, const Block &MW)
+    {
+      Eigen::MatrixXd squares = W.cwiseProduct(MW).colwise().sum();
+      space.sum(squares);
+      return squares.row(0).cwiseMax(1e-300).cwiseSqrt();
+    }
+  } // namespace
+
+
+
   Block
   MassBasis::extend(Block W, const double drop, Eigen::MatrixXd *coefficients)
   {
@@ -72,28 +88,16 @@ namespace squeal
       {
         // To unit size first: columns may differ by orders of magnitude, and
         // what counts is how much of each is new.
-        Eigen::MatrixXd squares = W.cwiseProduct(MW).colwise().sum();
-        space.sum(squares);
-        const Eigen::VectorXd sizes =
-          squares.row(0).cwiseMax(1e-300).cwiseSqrt();
+        const Eigen::VectorXd sizes = mass_norms(space, W, MW);
         W  = (W * sizes.cwiseInverse().asDiagonal()).eval();
         MW = (MW * sizes.cwiseInverse().asDiagonal()).eval();
         if (size() > 0)
           {
-            // Twice is enough against rounding.
-            for (unsigned int i = 0; i < 2; ++i)
-              {
-                const Eigen::MatrixXd h = inner_products(space, MQ.view(), W);
-                W.noalias() -= Q.view() * h;
-                if (coefficients && pass == 0)
-                  {
-                    const Eigen::MatrixXd unscaled = h * sizes.asDiagonal();
-                    *coefficients =
-                      i == 0 ? unscaled
-                             : Eigen::MatrixXd(*coefficients + unscaled);
-                  }
-              }
-            MW = pencil.multiply_mass(W);
+            const Eigen::MatrixXd h = inner_products(space, MQ.view(), W);
+            W.noalias() -= Q.view() * h;
+            MW.noalias() -= MQ.view() * h;
+            if (coefficients && pass == 0)
+              *coefficients = h * sizes.asDiagonal();
           }
         Eigen::MatrixXd gram = inner_products(space, W, MW);
         gram                 = 0.5 * (gram + gram.transpose()).eval();
@@ -107,8 +111,13 @@ namespace squeal
         const Eigen::MatrixXd T =
           solver.eigenvectors().rightCols(n) *
           values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
-        W  = (W * T).eval();
-        MW = (MW * T).eval();
+        W = (W * T).eval();
+        // A direction that is what remains of a much longer vector needs its
+        // product afresh: the update holds the rounding errors of the long one.
+        if (n > 0 && values[first] < cancellation * cancellation)
+          MW = pencil.multiply_mass(W);
+        else
+          MW = (MW * T).eval();
       }
     Q.append(W);
     MQ.append(MW);

@@ -107,10 +107,15 @@ namespace squeal
   private:
     template <bool absolute>
     Block product(const Block &X) const;
+    template <bool absolute, int width>
+    void product_of_columns(const Eigen::MatrixXd &X,
+                            const int              first,
+                            Eigen::MatrixXd       &result) const;
 
     std::shared_ptr<const RowSpace> row_space;
     std::vector<std::size_t>        row_starts;
     std::vector<int>                columns;
+    std::vector<int>                tiles; /**< first rows of equal patterns */
     std::vector<double>             values;
     Symmetry                        kind;
   };
@@ -142,6 +147,7 @@ namespace squeal
     ComplexBlock apply_transposed(const Eigen::MatrixXcd &G) const;
 
     const std::vector<Row> &rows() const;
+    const RowSpace         &space() const;
 
   private:
     std::shared_ptr<const RowSpace>              row_space;
@@ -166,7 +172,7 @@ namespace squeal
     Block multiply_transposed(const Block &X) const override;
     Block multiply_absolute(const Block &X) const override;
     bool  is_symmetric() const override;
-    /** All entries come from rank 0. */
+    /** All entries come from the first rank of the functionals' space. */
     void append_to(Triplets    &triplets,
                    const double factor,
                    const bool   lower_only) const override;

@@ -69,10 +69,27 @@ namespace squeal
     Candidates candidates(const DensePairs       &dense,
                           const CertifiedOptions &options) const;
 
-    /** Fills in the residuals; returns the residual vectors scaled by the
-     * tolerances and compressed to the directions that matter. */
-    Block residual_directions(Candidates             &candidates,
-                              const CertifiedOptions &options);
+    /** Residual vectors with their denominators; the left ones only where they
+     * are still needed. */
+    struct Residuals
+    {
+      ComplexBlock    right, left;
+      Eigen::VectorXd right_scale, left_scale;
+      bool            met; /**< all right ones below the tolerance */
+    };
+
+    /** Fills in the residuals of the pairs. */
+    Residuals evaluate_residuals(Candidates             &candidates,
+                                 const CertifiedOptions &options);
+
+    /** Residual directions that the basis needs next. */
+    Block directions(const Candidates       &candidates,
+                     const Residuals        &residuals,
+                     const CertifiedOptions &options) const;
+
+    /** Adds the responses to @p directions (and the responses to their inertia
+     * forces); returns how many vectors were new. */
+    unsigned int enrich(const Block &directions, const bool twice);
 
     bool converged(const ComplexPairs     &pairs,
                    const CertifiedOptions &options) const;
@@ -83,6 +100,7 @@ namespace squeal
     /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
      * one scene hardly change it from one basis to the next. */
     Eigen::VectorXd              rounding_sizes;
+    bool                         left_met = false;
     std::vector<BasisEnrichment> steps;
   };
 
