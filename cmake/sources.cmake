@@ -88,6 +88,7 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/mode_naming_profile.cc
     source/eigen/mode_naming_solid.cc
     source/eigen/reduced_basis.cc
+    source/eigen/sliding_inverse.cc
     source/eigen/undamped_modes.cc)
 
 set(SQUEAL_SOURCES_TRANSIENT)

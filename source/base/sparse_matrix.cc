@@ -425,6 +425,20 @@ namespace squeal
 
 
 
+  Block
+  LowRankOperator::multiply(const Block &X) const
+  {
+    return left_rows().apply_transposed(forces(X));
+  }
+
+  Block
+  LowRankOperator::multiply_transposed(const Block &X) const
+  {
+    return transposed_forces(left_rows().apply(X));
+  }
+
+
+
   LowRankMatrix::LowRankMatrix(std::shared_ptr<const Functionals> left_rows,
                                Eigen::VectorXd                    w,
                                std::shared_ptr<const Functionals> right_rows)
@@ -437,18 +451,22 @@ namespace squeal
     on_root = left->space().rank() == 0;
   }
 
-  Block
-  LowRankMatrix::multiply(const Block &X) const
+  const Functionals &
+  LowRankMatrix::left_rows() const
   {
-    return left->apply_transposed(
-      Eigen::MatrixXd(weights.asDiagonal() * right->apply(X)));
+    return *left;
+  }
+
+  Eigen::MatrixXd
+  LowRankMatrix::forces(const Block &X) const
+  {
+    return weights.asDiagonal() * right->apply(X);
   }
 
   Block
-  LowRankMatrix::multiply_transposed(const Block &X) const
+  LowRankMatrix::transposed_forces(const Eigen::MatrixXd &g) const
   {
-    return right->apply_transposed(
-      Eigen::MatrixXd(weights.asDiagonal() * left->apply(X)));
+    return right->apply_transposed(Eigen::MatrixXd(weights.asDiagonal() * g));
   }
 
   Block
@@ -484,6 +502,12 @@ namespace squeal
     : parts(std::move(p))
   {
     Assert(!parts.empty(), dealii::ExcInternalError());
+  }
+
+  const std::vector<SumOperator::Part> &
+  SumOperator::summands() const
+  {
+    return parts;
   }
 
   Block

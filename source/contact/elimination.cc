@@ -302,18 +302,24 @@ namespace squeal
     AssertDimension(left->n_rows(), elimination->n_dependent());
   }
 
-  Block
-  MultiplierFriction::multiply(const Block &X) const
+  const Functionals &
+  MultiplierFriction::left_rows() const
   {
-    return left->apply_transposed(
-      elimination->dependent_rows(matrix->multiply(elimination->expand(X))));
+    return *left;
+  }
+
+  Eigen::MatrixXd
+  MultiplierFriction::forces(const Block &X) const
+  {
+    return elimination->dependent_rows(
+      matrix->multiply(elimination->expand(X)));
   }
 
   Block
-  MultiplierFriction::multiply_transposed(const Block &X) const
+  MultiplierFriction::transposed_forces(const Eigen::MatrixXd &g) const
   {
-    return elimination->restrict_forces(matrix->multiply_transposed(
-      elimination->from_dependent_rows(left->apply(X))));
+    return elimination->restrict_forces(
+      matrix->multiply_transposed(elimination->from_dependent_rows(g)));
   }
 
   Block

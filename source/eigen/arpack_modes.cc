@@ -125,8 +125,9 @@ namespace squeal
             modes.omega_squared[k] = values[order[k]];
             modes.shapes.col(k)    = Z.col(order[k]);
           }
-        const Block MX = pencil.multiply_mass(modes.shapes);
-        const Block KX = pencil.multiply_undamped_stiffness(modes.shapes);
+        const Block MX      = pencil.multiply_mass(modes.shapes);
+        modes.mass_products = MX;
+        const Block KX      = pencil.multiply_undamped_stiffness(modes.shapes);
         modes.residual =
           pencil.space()
             ->norms(Block(KX - MX * modes.omega_squared.asDiagonal()))

@@ -126,13 +126,13 @@ namespace squeal
                                    const ShiftedInverse &s,
                                    const UndampedModes  &modes)
     : pencil(p)
-    , inverse(s)
+    , inverse(p, s)
     , reduced(p)
   {
     Block start(modes.shapes.rows(),
                 modes.shapes.cols() + modes.supplement.cols());
     start << modes.shapes, modes.supplement;
-    reduced.extend(start);
+    reduced.start(start, modes.mass_products);
   }
 
   const std::vector<BasisEnrichment> &
@@ -209,27 +209,20 @@ namespace squeal
     ComplexPairs      &pairs = c.pairs;
     const Eigen::Index n     = pairs.size();
     Residuals          result;
-    pairs.residual = relative_residuals(pencil,
-                                        pairs.lambda,
-                                        reduced.apply(c.right, false),
-                                        result.right,
-                                        result.right_scale);
+    result.right   = reduced.residuals(pairs.lambda, c.right, false);
+    pairs.residual = result.right.relative;
     if (rounding_sizes.size() != n)
       rounding_sizes = pencil.stiffness_rounding_size(reduced.lift(c.right));
     pairs.noise_floor = 4. * std::numeric_limits<double>::epsilon() *
-                        rounding_sizes.array() / result.right_scale.array();
-    result.met = true;
-    for (Eigen::Index j = 0; j < n; ++j)
-      result.met = result.met &&
-                   pairs.residual[j] <=
-                     std::max(options.residual_tolerance, pairs.noise_floor[j]);
+                        rounding_sizes.array() /
+                        result.right.denominators.array();
+    result.met = (pairs.residual.array() <=
+                  pairs.noise_floor.array().max(options.residual_tolerance))
+                   .all();
     if (left_met && !result.met)
       return result;
-    pairs.left_residual = relative_residuals(pencil,
-                                             pairs.lambda,
-                                             reduced.apply(c.left, true),
-                                             result.left,
-                                             result.left_scale);
+    result.left         = reduced.residuals(pairs.lambda, c.left, true);
+    pairs.left_residual = result.left.relative;
     left_met =
       pairs.left_residual.maxCoeff() <= std::sqrt(options.residual_tolerance);
     return result;
@@ -237,47 +230,41 @@ namespace squeal
 
 
 
-  Block
-  CertifiedSolver::directions(const Candidates       &c,
-                              const Residuals        &residuals,
-                              const CertifiedOptions &options) const
+  unsigned int
+  CertifiedSolver::enrich(const ComplexPairs     &pairs,
+                          const Residuals        &residuals,
+                          const CertifiedOptions &options)
   {
-    const ComplexPairs &pairs = c.pairs;
-    const RowSpace     &space = *pencil.space();
-    const Eigen::Index  n     = pairs.size();
-    Eigen::VectorXd     right(n), left = Eigen::VectorXd::Zero(n);
+    const RowSpace &space = *pencil.space();
     if (residuals.met)
       {
         // What is left to know is by how much the eigenvalues still change:
         // every residual counts, however small it is.
-        right = residuals.right_scale.cwiseProduct(pairs.residual);
-        return compress(space, scaled_columns(residuals.right, right), 0.1);
+        const Eigen::VectorXd scales =
+          residuals.right.denominators.cwiseProduct(pairs.residual);
+        return reduced.extend(inverse.solve(compress(
+          space, scaled_columns(residuals.right.vectors, scales), 0.1)));
       }
+    const Block right = inverse.solve(compress(
+      space,
+      scaled_columns(residuals.right.vectors,
+                     options.residual_tolerance * residuals.right.denominators),
+      0.3));
+    // The responses to the inertia forces too: two steps of the Krylov space
+    // for one evaluation of the residuals.
+    Block all = side_by_side(right, inverse.solve(pencil.multiply_mass(right)));
     // Left residuals enter the eigenvalue's error only as a product with the
     // right ones: the square root of the tolerance is enough for them.
-    const double left_tolerance = std::sqrt(options.residual_tolerance);
-    for (Eigen::Index j = 0; j < n; ++j)
-      {
-        right[j] = options.residual_tolerance * residuals.right_scale[j];
-        if (residuals.left.cols() > 0)
-          left[j] = left_tolerance * residuals.left_scale[j];
-      }
-    return side_by_side(
-      compress(space, scaled_columns(residuals.right, right), 0.3),
-      compress(space, scaled_columns(residuals.left, left), 0.3));
-  }
-
-
-
-  unsigned int
-  CertifiedSolver::enrich(const Block &directions, const bool twice)
-  {
-    const Block first = inverse.solve(directions);
-    if (!twice)
-      return reduced.extend(first);
-    // Two steps of the Krylov space for one evaluation of the residuals.
-    return reduced.extend(
-      side_by_side(first, inverse.solve(pencil.multiply_mass(first))));
+    if (residuals.left.vectors.cols() > 0)
+      all =
+        side_by_side(all,
+                     inverse.solve_transposed(compress(
+                       space,
+                       scaled_columns(residuals.left.vectors,
+                                      std::sqrt(options.residual_tolerance) *
+                                        residuals.left.denominators),
+                       0.3)));
+    return reduced.extend(all);
   }
 
 
@@ -315,9 +302,8 @@ namespace squeal
           }
         const unsigned int size      = reduced.size();
         const Residuals    residuals = evaluate_residuals(current, options);
-        const unsigned int added =
-          enrich(directions(current, residuals, options), !residuals.met);
-        dense = reduced.solve();
+        const unsigned int added     = enrich(pairs, residuals, options);
+        dense                        = reduced.solve();
         estimate_errors(pairs, dense.lambda);
         steps.push_back(
           {size, pairs.residual.maxCoeff(), pairs.error_estimate.maxCoeff()});

@@ -43,6 +43,14 @@ namespace squeal
   {
   }
 
+  void
+  MassBasis::adopt(const Block &W, const Block &MW)
+  {
+    AssertDimension(size(), 0);
+    Q.append(W);
+    MQ.append(MW);
+  }
+
   unsigned int
   MassBasis::size() const
   {

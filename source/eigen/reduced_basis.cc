@@ -8,6 +8,18 @@ namespace squeal
     , basis(p)
   {
     rayleigh = pencil.is_rayleigh_damped(alpha, beta);
+    // A lone mass keeps its product with the basis already.
+    mass_part             = pencil.parts().size();
+    unsigned int n_masses = 0;
+    for (std::size_t i = 0; i < pencil.parts().size(); ++i)
+      if (pencil.parts()[i].symmetric &&
+          pencil.parts()[i].coefficients.mass != 0.)
+        {
+          mass_part = i;
+          ++n_masses;
+        }
+    if (n_masses > 1)
+      mass_part = pencil.parts().size();
     for (const auto &part : pencil.parts())
       {
         projected.push_back({Eigen::MatrixXd(0, 0), part.coefficients});
@@ -37,55 +49,56 @@ namespace squeal
   }
 
   void
-  ReducedBasis::Product::add_to(const Eigen::MatrixXcd &z,
-                                ComplexBlock           &result) const
+  ReducedBasis::start(const Block &W, const Block &MW)
   {
-    // Coordinates of an earlier, smaller basis are the first of this one.
-    const Eigen::Index n = z.cols();
-    Eigen::MatrixXd    both(z.rows(), 2 * n);
-    both << z.real(), z.imag();
-    const Block product = columns.view().leftCols(z.rows()) * both;
-    if (rows.empty())
-      {
-        result.real() += product.leftCols(n);
-        result.imag() += product.rightCols(n);
-        return;
-      }
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      {
-        result.row(rows[k]).real() += product.row(k).head(n);
-        result.row(rows[k]).imag() += product.row(k).tail(n);
-      }
+    basis.adopt(W, MW);
+    project_all(W);
   }
-
-
 
   unsigned int
   ReducedBasis::extend(const Block &new_directions)
   {
-    const RowSpace    &space = *pencil.space();
-    const Block        W     = basis.extend(new_directions, 1e-9);
-    const Eigen::Index b = W.cols(), n = basis.size() - b;
+    const Block W = basis.extend(new_directions, 1e-9);
+    project_all(W);
+    return W.cols();
+  }
+
+  void
+  ReducedBasis::project_all(const Block &W)
+  {
     for (std::size_t i = 0; i < projected.size(); ++i)
+      project(i, W);
+  }
+
+  void
+  ReducedBasis::project(const std::size_t i, const Block &W)
+  {
+    const RowSpace    &space = *pencil.space();
+    const auto        &part  = pencil.parts()[i];
+    const Eigen::Index b = W.cols(), n = basis.size() - b;
+    Eigen::MatrixXd    A(n + b, n + b);
+    A.topLeftCorner(n, n) = projected[i].matrix;
+    if (i == mass_part)
+      A.rightCols(b) = inner_products(space,
+                                      basis.vectors(),
+                                      basis.mass_products().rightCols(b)) /
+                       part.coefficients.mass;
+    else
       {
-        const auto &part = pencil.parts()[i];
-        const Block AW   = part.matrix->multiply(W);
+        const Block AW = part.matrix->multiply(W);
         products[i].append(AW);
-        Eigen::MatrixXd A(n + b, n + b);
-        A.topLeftCorner(n, n) = projected[i].matrix;
-        A.rightCols(b)        = inner_products(space, basis.vectors(), AW);
-        if (part.symmetric)
-          A.bottomLeftCorner(b, n) = A.topRightCorner(n, b).transpose();
-        else
-          {
-            const Block AtW = part.matrix->multiply_transposed(W);
-            transposed_products[i].append(AtW);
-            A.bottomLeftCorner(b, n) =
-              inner_products(space, AtW, basis.vectors().leftCols(n));
-          }
-        projected[i].matrix = A;
+        A.rightCols(b) = inner_products(space, basis.vectors(), AW);
       }
-    return b;
+    if (part.symmetric)
+      A.bottomLeftCorner(b, n) = A.topRightCorner(n, b).transpose();
+    else
+      {
+        const Block AtW = part.matrix->multiply_transposed(W);
+        transposed_products[i].append(AtW);
+        A.bottomLeftCorner(b, n) =
+          inner_products(space, AtW, basis.vectors().leftCols(n));
+      }
+    projected[i].matrix = A;
   }
 
 
@@ -127,29 +140,88 @@ namespace squeal
     return X;
   }
 
-  Pencil::Products
-  ReducedBasis::apply(const Eigen::MatrixXcd &z, const bool transposed) const
+  Block
+  ReducedBasis::product_with(const std::size_t       i,
+                             const bool              transposed,
+                             const Eigen::MatrixXcd &z) const
   {
-    const Eigen::Index rows = basis.vectors().rows();
-    Pencil::Products   result{ComplexBlock::Zero(rows, z.cols()),
-                            ComplexBlock::Zero(rows, z.cols()),
-                            ComplexBlock::Zero(rows, z.cols())};
-    for (std::size_t i = 0; i < projected.size(); ++i)
+    // Coordinates of an earlier, smaller basis are the first of this one.
+    Eigen::MatrixXd both(z.rows(), 2 * z.cols());
+    both << z.real(), z.imag();
+    if (i == mass_part)
+      return basis.mass_products().leftCols(z.rows()) *
+             (both / pencil.parts()[i].coefficients.mass);
+    const bool     other   = transposed && !pencil.parts()[i].symmetric;
+    const Product &product = other ? transposed_products[i] : products[i];
+    return product.columns.view().leftCols(z.rows()) * both;
+  }
+
+  PairResiduals
+  ReducedBasis::residuals(const Eigen::VectorXcd &lambda,
+                          const Eigen::MatrixXcd &z,
+                          const bool              transposed) const
+  {
+    // A few pairs at a time, one after the other: all that one needs stays in
+    // the cache.
+    constexpr Eigen::Index chunk  = 16;
+    const Eigen::Index     n_rows = basis.vectors().rows(), n = z.cols();
+    PairResiduals          result{
+      ComplexBlock(n_rows, n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    Eigen::MatrixXd squares(4, n); // of M x, C x, K x and r
+    for (Eigen::Index first = 0; first < n; first += chunk)
       {
-        const auto    &part = pencil.parts()[i];
-        const auto    &c    = part.coefficients;
-        const Product &product =
-          transposed && !part.symmetric ? transposed_products[i] : products[i];
-        // One product serves the two matrices that a damped part adds to.
-        ComplexBlock own = ComplexBlock::Zero(rows, z.cols());
-        product.add_to(z, own);
-        if (c.mass != 0.)
-          result.mass += c.mass * own;
-        if (c.damping != 0.)
-          result.damping += c.damping * own;
-        if (c.stiffness != 0.)
-          result.stiffness += c.stiffness * own;
+        const Eigen::Index n_chunk = std::min(chunk, n - first);
+        std::vector<Block> own;
+        for (std::size_t i = 0; i < projected.size(); ++i)
+          own.push_back(
+            product_with(i, transposed, z.middleCols(first, n_chunk)));
+        for (Eigen::Index k = 0; k < n_chunk; ++k)
+          {
+            Eigen::VectorXcd Mx = Eigen::VectorXcd::Zero(n_rows), Cx = Mx,
+                             Kx = Mx;
+            for (std::size_t i = 0; i < projected.size(); ++i)
+              {
+                const auto &c     = pencil.parts()[i].coefficients;
+                const auto  re    = own[i].col(k);
+                const auto  im    = own[i].col(n_chunk + k);
+                const bool  other = transposed && !pencil.parts()[i].symmetric;
+                const auto &rows =
+                  (other ? transposed_products : products)[i].rows;
+                const auto add_to = [&](Eigen::VectorXcd          &x,
+                                        const std::complex<double> factor) {
+                  if (factor == 0.)
+                    return;
+                  if (rows.empty() && factor.imag() == 0.)
+                    {
+                      x.real() += factor.real() * re;
+                      x.imag() += factor.real() * im;
+                    }
+                  else if (rows.empty())
+                    for (Eigen::Index r = 0; r < n_rows; ++r)
+                      x[r] += factor * std::complex<double>(re[r], im[r]);
+                  else
+                    for (std::size_t r = 0; r < rows.size(); ++r)
+                      x[rows[r]] += factor * std::complex<double>(re[r], im[r]);
+                };
+                add_to(Mx, c.mass);
+                add_to(Cx, c.damping);
+                add_to(Kx, c.stiffness);
+              }
+            const Eigen::Index         j = first + k;
+            const std::complex<double> l = lambda[j];
+            result.vectors.col(j)        = l * l * Mx + l * Cx + Kx;
+            squares.col(j) << Mx.squaredNorm(), Cx.squaredNorm(),
+              Kx.squaredNorm(), result.vectors.col(j).squaredNorm();
+          }
       }
+    pencil.space()->sum(squares);
+    const Eigen::ArrayXd  size  = lambda.array().abs();
+    const Eigen::MatrixXd norms = squares.cwiseSqrt();
+    result.denominators = size.square() * norms.row(0).transpose().array() +
+                          size * norms.row(1).transpose().array() +
+                          norms.row(2).transpose().array();
+    result.relative = norms.row(3).transpose().array() /
+                      result.denominators.array().max(1e-300);
     return result;
   }
 } // namespace squeal

@@ -191,6 +191,7 @@ namespace squeal
                const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> &ritz,
                const Eigen::VectorXd                                &errors,
                const Eigen::Ref<const Block>                        &Q,
+               const Eigen::Ref<const Block>                        &MQ,
                const double                                          shift,
                const double                                          tolerance)
     {
@@ -220,9 +221,13 @@ namespace squeal
         }
       for (std::size_t k = 0; k < rest.size(); ++k)
         Z.col(k) = ritz.eigenvectors().col(rest[k]);
-      modes.shapes        = Q * Y;
-      modes.supplement    = Q * Z;
-      const Block MX      = pencil.multiply_mass(modes.shapes);
+      Eigen::MatrixXd all(theta.size(), kept.size() + rest.size());
+      all << Y, Z;
+      const Block both    = Q * all;
+      modes.mass_products = MQ * all;
+      modes.shapes        = both.leftCols(kept.size());
+      modes.supplement    = both.rightCols(rest.size());
+      const Block MX      = modes.mass_products.leftCols(kept.size());
       const Block KX      = pencil.multiply_undamped_stiffness(modes.shapes);
       const auto  norms_K = pencil.space()->norms(KX);
       const auto  norms_M = pencil.space()->norms(MX);
@@ -279,6 +284,7 @@ namespace squeal
               ritz,
               errors,
               krylov.basis.vectors().middleCols(krylov.n_deflated, n),
+              krylov.basis.mass_products().middleCols(krylov.n_deflated, n),
               inverse.shift(),
               options.tolerance);
         }

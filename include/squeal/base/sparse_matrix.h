@@ -158,18 +158,38 @@ namespace squeal
 
 
   /**
+   * An operator A = L^T G of few rows: the forces on the functionals L (point
+   * displacements, slips) follow from the motion by G.
+   */
+  class LowRankOperator : public LinearOperator
+  {
+  public:
+    virtual const Functionals &left_rows() const = 0;
+    /** G X, the same on every rank: A X = L^T (G X). */
+    virtual Eigen::MatrixXd forces(const Block &X) const = 0;
+    /** G^T g: A^T X = G^T (L X). */
+    virtual Block transposed_forces(const Eigen::MatrixXd &g) const = 0;
+
+    Block multiply(const Block &X) const override;
+    Block multiply_transposed(const Block &X) const override;
+  };
+
+
+
+  /**
    * The low-rank operator L^T diag(w) R of springs, contact and friction;
    * symmetric when L and R are the same object.
    */
-  class LowRankMatrix : public LinearOperator
+  class LowRankMatrix : public LowRankOperator
   {
   public:
     LowRankMatrix(std::shared_ptr<const Functionals> left,
                   Eigen::VectorXd                    weights,
                   std::shared_ptr<const Functionals> right);
 
-    Block multiply(const Block &X) const override;
-    Block multiply_transposed(const Block &X) const override;
+    const Functionals &left_rows() const override;
+    Eigen::MatrixXd    forces(const Block &X) const override;
+    Block transposed_forces(const Eigen::MatrixXd &g) const override;
     Block multiply_absolute(const Block &X) const override;
     bool  is_symmetric() const override;
     /** All entries come from the first rank of the functionals' space. */
@@ -192,6 +212,8 @@ namespace squeal
   public:
     using Part = std::pair<double, std::shared_ptr<const LinearOperator>>;
     explicit SumOperator(std::vector<Part> parts);
+
+    const std::vector<Part> &summands() const;
 
     Block multiply(const Block &X) const override;
     Block multiply_transposed(const Block &X) const override;

@@ -91,15 +91,16 @@ namespace squeal
    * What part A of the pencil adds to the friction of an eliminated contact:
    * B_t^T lambda_n with the recovered multipliers lambda_n = D^-1 E_s^T A P v.
    */
-  class MultiplierFriction : public LinearOperator
+  class MultiplierFriction : public LowRankOperator
   {
   public:
     /** @p tangential: one functional a dependent row, in full numbering. */
     MultiplierFriction(std::shared_ptr<const LinearOperator> matrix,
                        std::shared_ptr<const Elimination>    elimination,
                        std::shared_ptr<const Functionals>    tangential);
-    Block multiply(const Block &X) const override;
-    Block multiply_transposed(const Block &X) const override;
+    const Functionals &left_rows() const override;
+    Eigen::MatrixXd    forces(const Block &X) const override;
+    Block transposed_forces(const Eigen::MatrixXd &g) const override;
     Block multiply_absolute(const Block &X) const override;
     bool  is_symmetric() const override;
     void  append_to(Triplets    &triplets,

@@ -4,7 +4,7 @@
 
 #include <squeal/eigen/complex_pairs.h>
 #include <squeal/eigen/reduced_basis.h>
-#include <squeal/eigen/undamped_modes.h>
+#include <squeal/eigen/sliding_inverse.h>
 
 #include <functional>
 #include <vector>
@@ -33,14 +33,14 @@ namespace squeal
    *
    * The space starts from the undamped modes below sqrt(2) times the shift
    * frequency. Every pair is lifted and its full residual evaluated; the
-   * residuals of right and left vectors, solved with the one real factor at
-   * hand and compressed, enrich the space, until residual and error estimate of
-   * every pair in the band are below the tolerances or at the rounding floor.
-   * The error of a pair is the change of lambda by the next enrichment: it
-   * holds an adjoint part outside the space, without which the estimate would
-   * vanish identically (y^T r = 0 for y in the space). Nearly coalesced pairs
-   * are compared by mean and squared half-difference, which depend smoothly on
-   * perturbations.
+   * residuals of right and left vectors, compressed and solved with the one
+   * real factor at hand and friction as its low-rank change, enrich the space,
+   * until residual and error estimate of every pair in the band are below the
+   * tolerances or at the rounding floor. The error of a pair is the change of
+   * lambda by the next enrichment: it holds an adjoint part outside the space,
+   * without which the estimate would vanish identically (y^T r = 0 for y in the
+   * space). Nearly coalesced pairs are compared by mean and squared
+   * half-difference, which depend smoothly on perturbations.
    */
   class CertifiedSolver
   {
@@ -69,34 +69,27 @@ namespace squeal
     Candidates candidates(const DensePairs       &dense,
                           const CertifiedOptions &options) const;
 
-    /** Residual vectors with their denominators; the left ones only where they
-     * are still needed. */
     struct Residuals
     {
-      ComplexBlock    right, left;
-      Eigen::VectorXd right_scale, left_scale;
-      bool            met; /**< all right ones below the tolerance */
+      PairResiduals right, left; /**< left where it is still needed */
+      bool          met;         /**< all right ones below the tolerance */
     };
 
     /** Fills in the residuals of the pairs. */
     Residuals evaluate_residuals(Candidates             &candidates,
                                  const CertifiedOptions &options);
 
-    /** Residual directions that the basis needs next. */
-    Block directions(const Candidates       &candidates,
-                     const Residuals        &residuals,
-                     const CertifiedOptions &options) const;
-
-    /** Adds the responses to @p directions (and the responses to their inertia
-     * forces); returns how many vectors were new. */
-    unsigned int enrich(const Block &directions, const bool twice);
+    /** Adds what the residuals ask for; returns how many vectors were new. */
+    unsigned int enrich(const ComplexPairs     &pairs,
+                        const Residuals        &residuals,
+                        const CertifiedOptions &options);
 
     bool converged(const ComplexPairs     &pairs,
                    const CertifiedOptions &options) const;
 
-    const Pencil         &pencil;
-    const ShiftedInverse &inverse;
-    ReducedBasis          reduced;
+    const Pencil        &pencil;
+    const SlidingInverse inverse;
+    ReducedBasis         reduced;
     /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
      * one scene hardly change it from one basis to the next. */
     Eigen::VectorXd              rounding_sizes;

@@ -41,6 +41,10 @@ namespace squeal
                  const double     drop,
                  Eigen::MatrixXd *coefficients = nullptr);
 
+    /** Starts an empty basis with columns that are mass-orthonormal already and
+     * their products with the mass. */
+    void adopt(const Block &W, const Block &MW);
+
     unsigned int            size() const;
     Eigen::Map<const Block> vectors() const;
     /** M Q. */

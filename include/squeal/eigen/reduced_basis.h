@@ -10,6 +10,14 @@
 
 namespace squeal
 {
+  /** Residual vectors r of pairs, ||r|| over its denominator |lambda|^2 ||M x||
+   * + |lambda| ||C x|| + ||K x||, and that denominator. */
+  struct PairResiduals
+  {
+    ComplexBlock    vectors;
+    Eigen::VectorXd relative, denominators;
+  };
+
   /**
    * A mass-orthonormal basis V of a subspace and the operator parts projected
    * on it, V^T A V. `reduce` is solve(), `reconstruct` is lift().
@@ -18,6 +26,10 @@ namespace squeal
   {
   public:
     explicit ReducedBasis(const Pencil &pencil);
+
+    /** Starts with mass-orthonormal vectors and their products with the mass.
+     */
+    void start(const Block &W, const Block &MW);
 
     /** Adds the directions of @p W that V does not hold yet and projects.
      * Returns how many were added. */
@@ -33,10 +45,11 @@ namespace squeal
     /** V z; coordinates of an earlier, smaller basis will do. */
     ComplexBlock lift(const Eigen::MatrixXcd &coordinates) const;
 
-    /** M, C and K times V z (of the transposed pencil where @p transposed),
-     * from the stored products of every part with V. */
-    Pencil::Products apply(const Eigen::MatrixXcd &coordinates,
-                           const bool              transposed) const;
+    /** Residuals Q(lambda) V z of pairs (of the transposed pencil where
+     * @p transposed), from the stored products of every part with V. */
+    PairResiduals residuals(const Eigen::VectorXcd &lambda,
+                            const Eigen::MatrixXcd &coordinates,
+                            const bool              transposed) const;
 
   private:
     /** A V of one part on the rows where it is not zero: those of friction
@@ -46,13 +59,22 @@ namespace squeal
       std::vector<Eigen::Index> rows; /**< empty: all */
       GrowingBlock              columns;
       void                      append(const Block &AW);
-      void                      add_to(const Eigen::MatrixXcd &coordinates,
-                                       ComplexBlock           &result) const;
     };
 
-    const Pencil            &pencil;
-    MassBasis                basis;
-    std::vector<Product>     products, transposed_products;
+    /** Adds the projection of part @p i on the new vectors @p W. */
+    void project(const std::size_t i, const Block &W);
+    void project_all(const Block &W);
+    /** A V z of part @p i with z complex, on the rows of its product: real
+     * parts, then imaginary ones. */
+    Block product_with(const std::size_t       i,
+                       const bool              transposed,
+                       const Eigen::MatrixXcd &z) const;
+
+    const Pencil        &pencil;
+    MassBasis            basis;
+    std::vector<Product> products, transposed_products;
+    /** The part whose product is that of the basis with the mass, if any. */
+    std::size_t              mass_part;
     std::vector<ReducedPart> projected;
     bool                     rayleigh;
     double                   alpha, beta;

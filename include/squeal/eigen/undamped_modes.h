@@ -52,6 +52,8 @@ namespace squeal
     /** Further Krylov directions, mass-orthonormal to the shapes: Ritz vectors
      * above the shift that have not converged, but enrich a basis. */
     Block supplement;
+    /** Mass times shapes, then mass times supplement. */
+    Block mass_products;
 
     double frequency(const unsigned int i) const;
   };
@@ -65,7 +67,9 @@ namespace squeal
 
   struct ModeOptions
   {
-    double        tolerance  = 1e-10; /**< relative residual */
+    /** Error of the eigenvalues 1 / (omega^2 - shift) of the inverse, relative,
+     * as the Krylov space bounds it. */
+    double        tolerance  = 1e-10;
     ModeAlgorithm algorithm  = ModeAlgorithm::block_lanczos;
     unsigned int  block_size = 16;
     /** Directions the iteration is kept away from (mass-orthonormal): to test

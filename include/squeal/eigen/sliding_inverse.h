@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_eigen_sliding_inverse_h
+#define squeal_eigen_sliding_inverse_h
+
+#include <squeal/eigen/undamped_modes.h>
+
+#include <Eigen/LU>
+
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * (K_0 + N - shift M)^-1 with the friction N of low rank, and its transpose,
+   * from the one real LDL^T factor of the frictionless problem:
+   * with N = L^T G and S the frictionless inverse,
+   * (S^-1 + L^T G)^-1 = S - S L^T (1 + G S L^T)^-1 G S  (Woodbury).
+   * Friction moves the spectrum of a stiff contact far more than one step of
+   * an iteration with S can follow; with this inverse it is exact.
+   */
+  class SlidingInverse
+  {
+  public:
+    /** Solves once for every row of the friction operators. Non-symmetric
+     * terms that are not of low rank, or of more than 600 rows, are left out:
+     * the inverse is then that of a neighbouring problem. */
+    SlidingInverse(const Pencil &pencil, const ShiftedInverse &inverse);
+
+    Block solve(const Block &b) const;
+    Block solve_transposed(const Block &b) const;
+
+  private:
+    struct Term
+    {
+      double                 factor;
+      const LowRankOperator *friction;
+    };
+
+    void            collect(const Pencil &pencil);
+    Eigen::MatrixXd forces(const Block &X) const;
+    Block           transposed_forces(const Eigen::MatrixXd &g) const;
+
+    std::shared_ptr<const RowSpace>      space;
+    const ShiftedInverse                &inverse;
+    std::vector<Term>                    terms;
+    Block                                responses; /**< S L^T */
+    Eigen::PartialPivLU<Eigen::MatrixXd> capacitance;
+  };
+} // namespace squeal
+
+#endif
