@@ -126,6 +126,9 @@ namespace squeal
           MW = pencil.multiply_mass(W);
         else
           MW = (MW * T).eval();
+        // Once is enough where little was taken away.
+        if (n > 0 && values[first] > 100. * cancellation * cancellation)
+          break;
       }
     Q.append(W);
     MQ.append(MW);
