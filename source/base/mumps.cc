@@ -205,11 +205,12 @@ namespace squeal
         has_node_blocks(impl->rows, impl->columns, m.n))
       {
         // The graph of the nodes is ordered, nine times smaller than that of
-        // the unknowns. Scaling by the diagonal is enough for elasticity.
+        // the unknowns. Scaling by the diagonal, which the shift makes small
+        // here and there, would delay pivots and fill the factor by a third.
         impl->icntl(15) = -3;
         impl->icntl(6)  = 0;
         impl->icntl(12) = 1;
-        impl->icntl(8)  = 1;
+        impl->icntl(8)  = 7;
       }
     impl->run(job_analyze);
     impl->run(job_factorize);

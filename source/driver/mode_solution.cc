@@ -143,8 +143,13 @@ namespace squeal
     // Names look at the displacements of all unknowns, dependent ones too.
     if (model.discretization() && model.linearized().contacts.empty() &&
         model.n_unknowns() == model.discretization()->space()->n_global())
-      solution.modes.shapes =
-        model.namer().separate_multiple(solution.modes.shapes, frequencies);
+      {
+        auto &modes = solution.modes;
+        modes.shapes =
+          model.namer().separate_multiple(modes.shapes, frequencies);
+        modes.mass_products.leftCols(modes.shapes.cols()) =
+          solution.pencil->multiply_mass(modes.shapes);
+      }
     solution.energy_shares = model.energy_shares(solution.modes.shapes);
     solution.names         = model.namer().name(
       model.linearized().expand(solution.modes.shapes), solution.energy_shares);

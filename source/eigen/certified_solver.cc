@@ -132,7 +132,7 @@ namespace squeal
     Block start(modes.shapes.rows(),
                 modes.shapes.cols() + modes.supplement.cols());
     start << modes.shapes, modes.supplement;
-    reduced.start(start, modes.mass_products);
+    reduced.start(start, modes.mass_products.leftCols(start.cols()));
   }
 
   const std::vector<BasisEnrichment> &

@@ -4,8 +4,10 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 extern "C"
 {
@@ -211,13 +213,15 @@ namespace squeal
 
 
 
+    /** Each pair of conjugates once, ascending in frequency. */
     DensePairs
-    select(const Eigen::VectorXcd &lambda,
-           const Eigen::MatrixXcd &right,
-           const Eigen::MatrixXcd &left)
+    select(const std::vector<Complex> &lambda,
+           const std::vector<int>     &column,
+           const Eigen::MatrixXcd     &right,
+           const Eigen::MatrixXcd     &left)
     {
-      std::vector<Eigen::Index> kept;
-      for (Eigen::Index i = 0; i < lambda.size(); ++i)
+      std::vector<std::size_t> kept;
+      for (std::size_t i = 0; i < lambda.size(); ++i)
         if (lambda[i].imag() >= 0.)
           kept.push_back(i);
       std::sort(kept.begin(), kept.end(), [&](const auto a, const auto b) {
@@ -231,78 +235,143 @@ namespace squeal
       for (std::size_t k = 0; k < kept.size(); ++k)
         {
           result.lambda[k]    = lambda[kept[k]];
-          result.right.col(k) = right.col(kept[k]).normalized();
-          result.left.col(k)  = left.col(kept[k]).normalized();
+          result.right.col(k) = right.col(column[kept[k]]).normalized();
+          result.left.col(k)  = left.col(column[kept[k]]).normalized();
         }
       return result;
     }
 
+    /** A^-T B. */
+    template <typename Matrix>
+    Eigen::MatrixXcd
+    solve_transposed(const Eigen::PartialPivLU<Matrix> &factor,
+                     const Eigen::MatrixXcd            &B)
+    {
+      if constexpr (std::is_same<typename Matrix::Scalar, double>::value)
+        {
+          Eigen::MatrixXd both(B.rows(), 2 * B.cols());
+          both << B.real(), B.imag();
+          const Eigen::MatrixXd x = factor.transpose().solve(both);
+          Eigen::MatrixXcd      result(B.rows(), B.cols());
+          result.real() = x.leftCols(B.cols());
+          result.imag() = x.rightCols(B.cols());
+          return result;
+        }
+      else
+        return factor.transpose().solve(B);
+    }
 
 
-    /** lambda of each kappa; a conjugate pair of kappa gives, with the signs
-     * taken here, both members of the pair with Im lambda > 0. */
+
+    /** Column scales that give M + K / kappa_0 a unit diagonal. Directions of
+     * a stiff contact have Rayleigh quotients many orders above those of the
+     * band: unscaled, their rounding errors would drown the wanted ones. */
+    Eigen::VectorXd
+    unit_diagonal_scales(const Eigen::MatrixXd &A)
+    {
+      return A.diagonal()
+        .cwiseAbs()
+        .cwiseMax(1e-300)
+        .cwiseSqrt()
+        .cwiseInverse();
+    }
+
+    /** A square frequency (rad/s)^2 low in the spectrum: most vectors of an
+     * enriched basis are far above the band. */
+    double
+    typical_kappa(const Eigen::MatrixXd &K, const Eigen::MatrixXd &M)
+    {
+      std::vector<double> quotients;
+      for (Eigen::Index i = 0; i < K.rows(); ++i)
+        if (const double q = K(i, i) / M(i, i); q > 0. && std::isfinite(q))
+          quotients.push_back(q);
+      if (quotients.empty())
+        return 1.;
+      const auto low = quotients.begin() + quotients.size() / 20;
+      std::nth_element(quotients.begin(), low, quotients.end());
+      return *low;
+    }
+
+    /** Both lambda of each kappa; a conjugate pair of kappa gives, with the
+     * signs taken here, both members of the pair with Im lambda > 0. */
     DensePairs
     solve_rayleigh(const std::vector<ReducedPart> &parts,
                    const double                    alpha,
                    const double                    beta)
     {
-      const Eigen::MatrixXd                      M = sum(parts, mass_of);
-      const Eigen::MatrixXd                      K = sum(parts, stiffness_of);
-      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
-      const StandardPairs                        pairs =
-        standard_pairs(Eigen::MatrixXd(factor.solve(K)));
-      const Eigen::Index     n = pairs.values.size();
+      const Eigen::MatrixXd M = sum(parts, mass_of);
+      const Eigen::MatrixXd K = sum(parts, stiffness_of);
+      // nu = 1 / (kappa + kappa_0) of (K + kappa_0 M)^-1 M: the wanted kappa
+      // are the largest nu.
+      const double                               kappa_0 = typical_kappa(K, M);
+      const Eigen::MatrixXd                      A       = K + kappa_0 * M;
+      const auto                                 D = unit_diagonal_scales(A);
+      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(D.asDiagonal() * A *
+                                                        D.asDiagonal());
+      const Eigen::MatrixXd Ms = D.asDiagonal() * M * D.asDiagonal();
+      const StandardPairs   pairs =
+        standard_pairs(Eigen::MatrixXd(factor.solve(Ms)));
+      const Eigen::MatrixXcd right = D.asDiagonal() * pairs.right;
       const Eigen::MatrixXcd left =
-        M.transpose().cast<Complex>().partialPivLu().solve(pairs.left);
-      Eigen::VectorXcd lambda(2 * n);
-      Eigen::MatrixXcd right2(n, 2 * n), left2(n, 2 * n);
-      for (Eigen::Index i = 0; i < n; ++i)
+        D.asDiagonal() * solve_transposed(factor, pairs.left);
+      std::vector<Complex> lambda;
+      std::vector<int>     column;
+      for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
         {
-          const Complex kappa = pairs.values[i];
+          if (pairs.values[i] == 0.)
+            continue; // a direction without mass
+          const Complex kappa = 1. / pairs.values[i] - kappa_0;
           const Complex b     = alpha + beta * kappa;
           const Complex root  = std::sqrt(b * b - 4. * kappa);
           // The larger root first, the other from the product: no cancellation.
           const Complex big =
             -0.5 * (b + (std::real(std::conj(b) * root) >= 0. ? root : -root));
-          const Complex small = big == 0. ? 0. : kappa / big;
-          lambda[2 * i]       = big;
-          lambda[2 * i + 1]   = small;
-          for (const Eigen::Index j : {2 * i, 2 * i + 1})
-            {
-              right2.col(j) = pairs.right.col(i);
-              left2.col(j)  = left.col(i);
-            }
+          lambda.push_back(big);
+          lambda.push_back(big == 0. ? 0. : kappa / big);
+          column.insert(column.end(), 2, i);
         }
-      return select(lambda, right2, left2);
+      return select(lambda, column, right, left);
     }
 
 
 
+    /** With lambda = s + 1 / theta, s real and of the size of the wanted
+     * frequencies: theta^2 Q(s) + theta Q'(s) + M = 0, linearised. */
     template <typename Matrix>
     DensePairs
     solve_companion(const Matrix          &K,
                     const Eigen::MatrixXd &M,
                     const Eigen::MatrixXd &C)
     {
-      const Eigen::Index                         n = M.rows();
-      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
-      const auto                                 solve = [&](const Matrix &B) {
-        using Scalar = typename Matrix::Scalar;
-        return Matrix(M.template cast<Scalar>().partialPivLu().solve(B));
+      using Scalar         = typename Matrix::Scalar;
+      const Eigen::Index n = M.rows();
+      const double       s = std::sqrt(typical_kappa(K.real(), M));
+      const Matrix       Q = K + (s * C + s * s * M).template cast<Scalar>();
+      const auto         D = unit_diagonal_scales(Q.cwiseAbs());
+      const auto         scaled = [&](const auto &X) {
+        return Matrix(D.asDiagonal() * X.template cast<Scalar>() *
+                      D.asDiagonal());
       };
-      // lambda = scale mu balances the blocks.
-      const double scale =
-        std::sqrt(std::max(1e-300, K.norm() / std::max(1e-300, M.norm())));
+      const Eigen::PartialPivLU<Matrix> factor(scaled(Q));
+      // theta = t / s balances the blocks.
       Matrix A                 = Matrix::Zero(2 * n, 2 * n);
       A.topRightCorner(n, n)   = Matrix::Identity(n, n);
-      A.bottomLeftCorner(n, n) = -solve(K) / (scale * scale);
+      A.bottomLeftCorner(n, n) = -s * s * factor.solve(scaled(M));
       A.bottomRightCorner(n, n) =
-        -factor.solve(C).template cast<typename Matrix::Scalar>() / scale;
+        -s * factor.solve(scaled(Eigen::MatrixXd(C + 2. * s * M)));
       const StandardPairs    pairs = standard_pairs(A);
+      const Eigen::MatrixXcd right = D.asDiagonal() * pairs.right.topRows(n);
       const Eigen::MatrixXcd left =
-        M.transpose().cast<Complex>().partialPivLu().solve(
-          pairs.left.bottomRows(n));
-      return select(scale * pairs.values, pairs.right.topRows(n), left);
+        D.asDiagonal() * solve_transposed(factor, pairs.left.bottomRows(n));
+      std::vector<Complex> lambda;
+      std::vector<int>     column;
+      for (Eigen::Index i = 0; i < 2 * n; ++i)
+        if (pairs.values[i] != 0.)
+          {
+            lambda.push_back(s + s / pairs.values[i]);
+            column.push_back(i);
+          }
+      return select(lambda, column, right, left);
     }
   } // namespace
 

@@ -48,6 +48,18 @@ namespace squeal
       columns.append(Block(AW(rows, Eigen::all)));
   }
 
+  Eigen::MatrixXd
+  ReducedBasis::Product::projected_on(const Eigen::Map<const Block> &X,
+                                      const unsigned int n_last) const
+  {
+    const auto last = columns.view().rightCols(n_last);
+    if (rows.empty())
+      return X.transpose() * last;
+    return Block(X(rows, Eigen::all)).transpose() * last;
+  }
+
+
+
   void
   ReducedBasis::start(const Block &W, const Block &MW)
   {
@@ -85,18 +97,20 @@ namespace squeal
                        part.coefficients.mass;
     else
       {
-        const Block AW = part.matrix->multiply(W);
-        products[i].append(AW);
-        A.rightCols(b) = inner_products(space, basis.vectors(), AW);
+        products[i].append(part.matrix->multiply(W));
+        Eigen::MatrixXd right = products[i].projected_on(basis.vectors(), b);
+        space.sum(right);
+        A.rightCols(b) = right;
       }
     if (part.symmetric)
       A.bottomLeftCorner(b, n) = A.topRightCorner(n, b).transpose();
     else
       {
-        const Block AtW = part.matrix->multiply_transposed(W);
-        transposed_products[i].append(AtW);
-        A.bottomLeftCorner(b, n) =
-          inner_products(space, AtW, basis.vectors().leftCols(n));
+        transposed_products[i].append(part.matrix->multiply_transposed(W));
+        Eigen::MatrixXd below =
+          transposed_products[i].projected_on(basis.vectors(), b);
+        space.sum(below);
+        A.bottomLeftCorner(b, n) = below.topRows(n).transpose();
       }
     projected[i].matrix = A;
   }

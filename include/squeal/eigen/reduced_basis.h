@@ -59,6 +59,9 @@ namespace squeal
       std::vector<Eigen::Index> rows; /**< empty: all */
       GrowingBlock              columns;
       void                      append(const Block &AW);
+      /** X^T A W for the columns W appended last. */
+      Eigen::MatrixXd projected_on(const Eigen::Map<const Block> &X,
+                                   const unsigned int             n_last) const;
     };
 
     /** Adds the projection of part @p i on the new vectors @p W. */

@@ -71,7 +71,7 @@ namespace squeal
      * as the Krylov space bounds it. */
     double        tolerance  = 1e-10;
     ModeAlgorithm algorithm  = ModeAlgorithm::block_lanczos;
-    unsigned int  block_size = 16;
+    unsigned int  block_size = 8;
     /** Directions the iteration is kept away from (mass-orthonormal): to test
      * that the inertia count notices what is hidden. */
     Block deflated;
