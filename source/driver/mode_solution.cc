@@ -217,6 +217,27 @@ namespace squeal
 
 
 
+  void
+  refuse_empty_band(const Parameters &parameters, const ModeSolution &solution)
+  {
+    const auto  &p       = parameters.eigen;
+    double       nearest = std::numeric_limits<double>::infinity();
+    const double centre  = 0.5 * (p.lowest_frequency + p.highest_frequency);
+    for (unsigned int i = 0; i < solution.modes.omega_squared.size(); ++i)
+      if (const double f = solution.modes.frequency(i);
+          std::abs(f - centre) < std::abs(nearest - centre))
+        nearest = f;
+    throw InputError(
+      "Eigenvalues/Lowest frequency and Highest frequency: the band from " +
+      rounded_text(p.lowest_frequency, 6) + " to " +
+      rounded_text(p.highest_frequency, 6) + " Hz holds no modes; " +
+      (std::isfinite(nearest)
+         ? "the one next to it is at " + rounded_text(nearest, 6) + " Hz"
+         : "raise Highest frequency"));
+  }
+
+
+
   Table
   mode_table(const Model &model, const ModeSolution &solution)
   {

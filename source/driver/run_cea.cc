@@ -109,14 +109,14 @@ namespace squeal
     model.print_summary(context.log);
     const ModeSolution modes =
       solve_modes_adaptively(model, context.log, context.timers);
-    context.write_table("modes.csv", mode_table(model, modes));
+    if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
+      refuse_empty_band(p, modes);
     const CeaSolution solution =
       solve_cea(model, modes, context.log, context.timers);
     const ComplexPairs &pairs = solution.pairs;
     if (pairs.size() == 0)
-      throw InputError(
-        "Eigenvalues/Lowest frequency and Highest frequency: the "
-        "band holds no eigenvalues");
+      refuse_empty_band(p, modes);
+    context.write_table("modes.csv", mode_table(model, modes));
 
     PairQuantities quantities;
     {

@@ -28,10 +28,7 @@ namespace squeal
       solve_modes_adaptively(model, context.log, context.timers, &steps);
     const Table table = mode_table(model, solution);
     if (table.n_rows() == 0)
-      throw InputError(
-        "Eigenvalues/Lowest frequency and Highest frequency: the band holds no "
-        "modes; the first modes above it are to be found by a higher Highest "
-        "frequency");
+      refuse_empty_band(p, solution);
     context.write_table("modes.csv", table);
     context.log.heading("Modes");
     std::ostringstream text;

@@ -48,6 +48,11 @@ namespace squeal
                                       Timers &timers,
                                       Table  *steps = nullptr);
 
+  /** Refuses a band without modes or eigenvalues: throws InputError with the
+   * frequency of the mode next to it, where one is known. */
+  [[noreturn]] void refuse_empty_band(const Parameters   &parameters,
+                                      const ModeSolution &solution);
+
   /** modes.csv of the modes within the band. */
   Table mode_table(const Model &model, const ModeSolution &solution);
 } // namespace squeal
