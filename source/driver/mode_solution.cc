@@ -238,6 +238,29 @@ namespace squeal
 
 
 
+  std::string
+  free_motions(const Model &model, const ModeSolution &solution)
+  {
+    unsigned int n = 0;
+    while (n < solution.modes.omega_squared.size() &&
+           solution.modes.omega_squared[n] < 1e-9 * solution.inverse->shift())
+      ++n;
+    if (n == 0)
+      return "";
+    // The sum over all of them does not depend on how they are combined.
+    const Eigen::VectorXd shares =
+      solution.energy_shares.leftCols(n).rowwise().sum();
+    std::string bodies;
+    for (Eigen::Index b = 0; b < shares.size(); ++b)
+      if (shares[b] > 1e-3)
+        bodies += (bodies.empty() ? "" : ", ") + model.body_names()[b];
+    return std::to_string(n) +
+           (n == 1 ? " motion at 0 Hz is" : " motions at 0 Hz are") +
+           " held by nothing, of the bodies " + bodies;
+  }
+
+
+
   Table
   mode_table(const Model &model, const ModeSolution &solution)
   {

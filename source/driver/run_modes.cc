@@ -29,6 +29,9 @@ namespace squeal
     const Table table = mode_table(model, solution);
     if (table.n_rows() == 0)
       refuse_empty_band(p, solution);
+    if (const std::string free = free_motions(model, solution); !free.empty())
+      context.log.warning(free + ": hold them by Scene/Supports or Scene/"
+                                 "Springs if this is not meant");
     context.write_table("modes.csv", table);
     context.log.heading("Modes");
     std::ostringstream text;

@@ -151,6 +151,14 @@ subsection Output
   set Report = false
 end
 )";
+
+    inline std::string
+    replaced_in(std::string text, const std::string &old, const std::string &by)
+    {
+      const auto at = text.find(old);
+      check(at != std::string::npos, "the test changes '" + old + "'");
+      return text.replace(at, old.size(), by);
+    }
   } // namespace testing
 } // namespace squeal
 
