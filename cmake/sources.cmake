@@ -8,6 +8,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/assignment.cc
     source/base/base64.cc
     source/base/files.cc
+    source/base/interrupt.cc
     source/base/mumps.cc
     source/base/row_space.cc
     source/base/run_log.cc

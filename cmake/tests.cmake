@@ -11,6 +11,7 @@ set(SQUEAL_TEST_ENVIRONMENT
     DEAL_II_NUM_THREADS=1
     OMPI_ALLOW_RUN_AS_ROOT=1
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+    OMPI_MCA_ess_singleton_isolated=1
     OMPI_MCA_btl_vader_single_copy_mechanism=none
     OMPI_MCA_hwloc_base_binding_policy=none
     OMPI_MCA_rmaps_base_oversubscribe=1)

@@ -20,7 +20,7 @@ namespace squeal
 
   namespace
   {
-    const std::string manifest_name = ".squeal_files";
+    const std::string manifest_name = manifest_file_name;
     const std::string manifest_head =
       "# squeal manifest 1: results of earlier runs, removed with Overwrite";
 
@@ -124,7 +124,8 @@ namespace squeal
     std::string
     partial_name(const fs::path &path)
     {
-      return (path.parent_path() / (".part." + path.filename().string()))
+      return (path.parent_path() /
+              (partial_file_prefix + path.filename().string()))
         .string();
     }
 
@@ -146,13 +147,16 @@ namespace squeal
       return names;
     }
 
+    /** Removes the files of the manifest but for @p kept. */
     void
-    remove_earlier_results(const fs::path &directory)
+    remove_listed(const fs::path &directory, const std::string &kept)
     {
       std::error_code    ignored;
       std::set<fs::path> folders;
       for (const std::string &name : listed_files(directory))
         {
+          if (name == kept)
+            continue;
           const fs::path path = directory / name;
           if (!fs::is_directory(path, ignored))
             fs::remove(path, ignored);
@@ -164,6 +168,13 @@ namespace squeal
       // deepest first; a folder that still holds something stays
       for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
         fs::remove(directory / *folder, ignored);
+    }
+
+    void
+    remove_earlier_results(const fs::path &directory)
+    {
+      std::error_code ignored;
+      remove_listed(directory, "");
       fs::remove(directory / manifest_name, ignored);
     }
 
@@ -173,11 +184,11 @@ namespace squeal
     {
       bool log_is_ours = false;
       for (const std::string &name : listed_files(directory))
-        log_is_ours = log_is_ours || name == "run.log";
+        log_is_ours = log_is_ours || name == log_file_name;
       for (const auto &entry : fs::directory_iterator(directory))
         {
           const std::string name = entry.path().filename().string();
-          if (name != manifest_name && !(name == "run.log" && log_is_ours))
+          if (name != manifest_name && !(name == log_file_name && log_is_ours))
             return false;
         }
       return true;
@@ -340,6 +351,17 @@ namespace squeal
       throw InputError("cannot write '" + manifest + "': " + reason(errno));
     names.insert(name);
     return path.string();
+  }
+
+
+
+  void
+  OutputDirectory::discard()
+  {
+    if (!is_root)
+      return;
+    remove_listed(directory, log_file_name);
+    names.clear();
   }
 
 

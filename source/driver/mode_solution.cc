@@ -222,6 +222,50 @@ namespace squeal
 
 
 
+  void
+  refuse_empty_band(const Parameters &parameters, const ModeSolution &solution)
+  {
+    const auto  &p       = parameters.eigen;
+    double       nearest = std::numeric_limits<double>::infinity();
+    const double centre  = 0.5 * (p.lowest_frequency + p.highest_frequency);
+    for (unsigned int i = 0; i < solution.modes.omega_squared.size(); ++i)
+      if (const double f = solution.modes.frequency(i);
+          std::abs(f - centre) < std::abs(nearest - centre))
+        nearest = f;
+    throw InputError(
+      "Eigenvalues/Lowest frequency and Highest frequency: the band from " +
+      rounded_text(p.lowest_frequency, 6) + " to " +
+      rounded_text(p.highest_frequency, 6) + " Hz holds no modes; " +
+      (std::isfinite(nearest)
+         ? "the one next to it is at " + rounded_text(nearest, 6) + " Hz"
+         : "raise Highest frequency"));
+  }
+
+
+
+  std::string
+  free_motions(const Model &model, const ModeSolution &solution)
+  {
+    unsigned int n = 0;
+    while (n < solution.modes.omega_squared.size() &&
+           solution.modes.omega_squared[n] < 1e-9 * solution.inverse->shift())
+      ++n;
+    if (n == 0)
+      return "";
+    // The sum over all of them does not depend on how they are combined.
+    const Eigen::VectorXd shares =
+      solution.energy_shares.leftCols(n).rowwise().sum();
+    std::string bodies;
+    for (Eigen::Index b = 0; b < shares.size(); ++b)
+      if (shares[b] > 1e-3)
+        bodies += (bodies.empty() ? "" : ", ") + model.body_names()[b];
+    return std::to_string(n) +
+           (n == 1 ? " motion at 0 Hz is" : " motions at 0 Hz are") +
+           " held by nothing, of the bodies " + bodies;
+  }
+
+
+
   Table
   mode_table(const Model &model, const ModeSolution &solution)
   {

@@ -3,13 +3,56 @@
 #include <squeal/base/timers.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/driver/model.h>
+#include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
 #include <squeal/scene/imported_model.h>
 
 #include <deal.II/distributed/tria.h>
 
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
 namespace squeal
 {
+  namespace
+  {
+    /** "-5 .. 5, -5 .. 5, 0 .. 10": the box around a body along x, y, z in mm;
+     * of a mesh from a file that around its vertices. */
+    std::string
+    box_text(const Discretization &space, const unsigned int b)
+    {
+      const auto             &body = space.scene().bodies[b];
+      std::optional<prm::Box> box  = prm::box_of(body);
+      if (body.shape == BodyParameters::Shape::gmsh)
+        {
+          box = prm::Box{{{1e300, 1e300, 1e300}}, {{-1e300, -1e300, -1e300}}};
+          for (const auto &cell : space.coarse_mesh().cells)
+            if (cell.material_id == b)
+              for (const unsigned int v : cell.vertices)
+                for (unsigned int c = 0; c < 3; ++c)
+                  {
+                    const double x = space.coarse_mesh().vertices[v][c];
+                    box->lower[c]  = std::min(box->lower[c], x);
+                    box->upper[c]  = std::max(box->upper[c], x);
+                  }
+        }
+      if (!box)
+        return "rigid";
+      std::string text;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          std::ostringstream part;
+          part << std::setprecision(6) << (c ? ", " : "") << 1e3 * box->lower[c]
+               << " .. " << 1e3 * box->upper[c];
+          text += part.str();
+        }
+      return text;
+    }
+  } // namespace
+
+
+
   Model::Model(const Parameters &parameters, Timers &timers)
     : all_parameters(parameters)
   {
@@ -259,21 +302,49 @@ namespace squeal
                        {"centre_x_mm", Table::Type::real, "mm", "", 5},
                        {"centre_y_mm", Table::Type::real, "mm", "", 5},
                        {"centre_z_mm", Table::Type::real, "mm", "", 5},
+                       {"box_mm", Table::Type::text, "mm", ""},
                        {"unknowns", Table::Type::integer, "", ""}});
+    const auto  mm = [](const double x) {
+      return std::abs(x) < 1e-9 ? 0. : 1e3 * x;
+    };
+    double           total_mass = 0.;
+    dealii::Point<3> total_centre;
     for (unsigned int b = 0; b < names.size(); ++b)
       {
-        const auto &p     = scene.bodies[b];
-        const bool  rigid = p.shape == BodyParameters::Shape::rigid;
-        const auto  mm    = [](const double x) {
-          return std::abs(x) < 1e-9 ? 0. : 1e3 * x;
-        };
+        const auto  &p     = scene.bodies[b];
+        const bool   rigid = p.shape == BodyParameters::Shape::rigid;
+        const double mass  = rigid ? p.mass : p.density * bodies[b].volume;
+        total_mass += mass;
+        total_centre += mass * bodies[b].centre;
         table.add_row({names[b],
-                       rigid ? p.mass : p.density * bodies[b].volume,
+                       mass,
                        mm(bodies[b].centre[0]),
                        mm(bodies[b].centre[1]),
                        mm(bodies[b].centre[2]),
+                       box_text(*space, b),
                        space->n_free_of_body()[b]});
       }
+    for (const auto &lumped : scene.lumped_masses)
+      {
+        total_mass += lumped.mass;
+        for (unsigned int c = 0; c < 3; ++c)
+          total_centre[c] += lumped.mass * lumped.point[c];
+        table.add_row({lumped.name,
+                       lumped.mass,
+                       mm(lumped.point[0]),
+                       mm(lumped.point[1]),
+                       mm(lumped.point[2]),
+                       "point on " + lumped.body,
+                       Cell()});
+      }
+    total_centre /= total_mass;
+    table.add_row({"all",
+                   total_mass,
+                   mm(total_centre[0]),
+                   mm(total_centre[1]),
+                   mm(total_centre[2]),
+                   "",
+                   n_unknowns()});
     std::ostringstream text;
     table.print(text);
     log.info(text.str());
@@ -282,13 +353,17 @@ namespace squeal
       {
         const auto &c    = scene.contacts[i];
         double      area = 0.;
+        const bool  is_rigid =
+          scene.bodies[body_index(scene, c.source_body)].shape ==
+          BodyParameters::Shape::rigid;
         for (const double a : system.contacts[i].areas)
           area += a;
-        lines.emplace_back("contact " + c.name,
-                           std::to_string(system.contacts[i].points.size()) +
-                             " points, " + rounded_text(1e6 * area, 6) +
-                             " mm2, friction coefficient " +
-                             rounded_text(c.friction_coefficient, 6));
+        lines.emplace_back(
+          "contact " + c.name,
+          std::to_string(system.contacts[i].points.size()) + " points" +
+            (is_rigid ? "" : ", " + rounded_text(1e6 * area, 6) + " mm2") +
+            ", friction coefficient " +
+            rounded_text(c.friction_coefficient, 6));
       }
     lines.emplace_back("degree of the elements",
                        std::to_string(space->degree()));

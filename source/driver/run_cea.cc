@@ -109,14 +109,24 @@ namespace squeal
     model.print_summary(context.log);
     const ModeSolution modes =
       solve_modes_adaptively(model, context.log, context.timers);
-    context.write_table("modes.csv", mode_table(model, modes));
+    if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
+      refuse_empty_band(p, modes);
+    // lambda = 0 is defective there (x and t x), and friction must not decide
+    // on which side of the axis it is found.
+    if (const std::string free = free_motions(model, modes); !free.empty())
+      {
+        if (p.eigen.lowest_frequency == 0.)
+          throw InputError(free +
+                           ": raise Eigenvalues/Lowest frequency above 0, or "
+                           "hold them by Scene/Supports or Scene/Springs");
+        context.log.warning(free);
+      }
     const CeaSolution solution =
       solve_cea(model, modes, context.log, context.timers);
     const ComplexPairs &pairs = solution.pairs;
     if (pairs.size() == 0)
-      throw InputError(
-        "Eigenvalues/Lowest frequency and Highest frequency: the "
-        "band holds no eigenvalues");
+      refuse_empty_band(p, modes);
+    context.write_table("modes.csv", mode_table(model, modes));
 
     PairQuantities quantities;
     {

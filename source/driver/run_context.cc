@@ -35,10 +35,11 @@ namespace squeal
     , log(root)
     , output(p.output.directory, p.output.overwrite, root)
     , plotter(log)
+    , interrupt_guard(p.output.directory, root)
   {
     int n_ranks;
     MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
-    log.open(output.file("run.log"));
+    log.open(output.file(log_file_name));
     record.versions.emplace_back("squeal",
                                  std::string(version::program) + " (" +
                                    version::revision + ", " +
@@ -61,6 +62,14 @@ namespace squeal
       log.warning(note);
     if (root)
       write_used_parameters(p, output.file("parameters_used.prm"));
+  }
+
+
+
+  RunContext::~RunContext()
+  {
+    if (!is_finished)
+      output.discard();
   }
 
 
@@ -97,6 +106,7 @@ namespace squeal
             report->write(output.file("report.html"));
           }
       }
+    is_finished = true;
     RunLog::Lines figures(record.figures.begin(), record.figures.end());
     log.summary(figures, timers);
     print_result_checks(record.checks, log);

@@ -28,10 +28,10 @@ namespace squeal
       solve_modes_adaptively(model, context.log, context.timers, &steps);
     const Table table = mode_table(model, solution);
     if (table.n_rows() == 0)
-      throw InputError(
-        "Eigenvalues/Lowest frequency and Highest frequency: the band holds no "
-        "modes; the first modes above it are to be found by a higher Highest "
-        "frequency");
+      refuse_empty_band(p, solution);
+    if (const std::string free = free_motions(model, solution); !free.empty())
+      context.log.warning(free + ": hold them by Scene/Supports or Scene/"
+                                 "Springs if this is not meant");
     context.write_table("modes.csv", table);
     context.log.heading("Modes");
     std::ostringstream text;

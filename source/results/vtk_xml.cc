@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/base64.h>
 #include <squeal/base/exceptions.h>
 
 #include <squeal/results/vtk_xml.h>
@@ -18,26 +19,6 @@ namespace squeal
   {
     namespace
     {
-      std::string
-      base64(const unsigned char *bytes, const std::size_t n)
-      {
-        static const char letters[] =
-          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        std::string text;
-        text.reserve((n + 2) / 3 * 4);
-        for (std::size_t i = 0; i < n; i += 3)
-          {
-            const unsigned int b1   = i + 1 < n ? bytes[i + 1] : 0;
-            const unsigned int b2   = i + 2 < n ? bytes[i + 2] : 0;
-            const unsigned int bits = bytes[i] << 16 | b1 << 8 | b2;
-            text += letters[bits >> 18];
-            text += letters[bits >> 12 & 63];
-            text += i + 1 < n ? letters[bits >> 6 & 63] : '=';
-            text += i + 2 < n ? letters[bits & 63] : '=';
-          }
-        return text;
-      }
-
       /** VTK's layout: number of blocks, their size, size of a last partial
        * block, compressed sizes; encoded apart from the bytes that follow. */
       std::string
@@ -48,7 +29,7 @@ namespace squeal
           static_cast<std::uint32_t>((n + block - 1) / block),
           static_cast<std::uint32_t>(block),
           static_cast<std::uint32_t>(n % block)};
-        std::vector<unsigned char> bytes;
+        std::string bytes;
         const auto *input = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < n; i += block)
           {
@@ -56,16 +37,19 @@ namespace squeal
             uLongf            n_out = compressBound(n_in);
             const std::size_t old   = bytes.size();
             bytes.resize(old + n_out);
-            if (compress2(bytes.data() + old, &n_out, input + i, n_in, level) !=
-                Z_OK)
+            if (compress2(reinterpret_cast<unsigned char *>(&bytes[old]),
+                          &n_out,
+                          input + i,
+                          n_in,
+                          level) != Z_OK)
               throw ComputationError("zlib could not compress a result: not "
                                      "enough memory");
             bytes.resize(old + n_out);
             head.push_back(n_out);
           }
-        return base64(reinterpret_cast<const unsigned char *>(head.data()),
-                      head.size() * sizeof(head[0])) +
-               base64(bytes.data(), bytes.size());
+        return base64(std::string(reinterpret_cast<const char *>(head.data()),
+                                  head.size() * sizeof(head[0]))) +
+               base64(bytes);
       }
 
       template <typename T>

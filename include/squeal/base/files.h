@@ -9,6 +9,12 @@
 
 namespace squeal
 {
+  /** Names in an output directory that are no results: the list of the files
+   * written, the log, and what unfinished files begin with. */
+  constexpr const char *manifest_file_name  = ".squeal_files";
+  constexpr const char *log_file_name       = "run.log";
+  constexpr const char *partial_file_prefix = ".part.";
+
   /**
    * A file that appears under its name only when it is complete.
    *
@@ -88,6 +94,10 @@ namespace squeal
      * has not written.
      */
     std::string file(const std::string &name);
+
+    /** Removes what this run has written but for its log: for a run that
+     * fails. */
+    void discard();
 
     /** Names given out so far, sorted. */
     const std::set<std::string> &files() const;

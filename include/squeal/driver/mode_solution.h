@@ -48,6 +48,18 @@ namespace squeal
                                       Timers &timers,
                                       Table  *steps = nullptr);
 
+  /** Refuses a band without modes or eigenvalues: throws InputError with the
+   * frequency of the mode next to it, where one is known. */
+  [[noreturn]] void refuse_empty_band(const Parameters   &parameters,
+                                      const ModeSolution &solution);
+
+  /**
+   * What moves without being held, by the names of the bodies: "6 motions at
+   * 0 Hz are held by nothing, of the bodies pad, support"; empty if nothing
+   * does. A motion counts below 3e-5 of the band's upper edge.
+   */
+  std::string free_motions(const Model &model, const ModeSolution &solution);
+
   /** modes.csv of the modes within the band. */
   Table mode_table(const Model &model, const ModeSolution &solution);
 } // namespace squeal

@@ -3,6 +3,7 @@
 #define squeal_driver_run_context_h
 
 #include <squeal/base/files.h>
+#include <squeal/base/interrupt.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/parameters/parameters.h>
@@ -20,12 +21,14 @@ namespace squeal
   /**
    * What every analysis shares: parameters, log, timers, the output directory
    * and the tables it hands over. finish() writes the record of the run and
-   * evaluates the result checks.
+   * evaluates the result checks; a run that ends before it, by an error or a
+   * signal, leaves nothing but its log.
    */
   class RunContext
   {
   public:
     RunContext(const Parameters &parameters, const bool is_root);
+    ~RunContext();
 
     const Parameters &parameters;
     const bool        is_root;
@@ -46,6 +49,8 @@ namespace squeal
     void finish(HtmlReport *report, const std::string &open_this);
 
   private:
+    InterruptGuard                                interrupt_guard;
+    bool                                          is_finished = false;
     std::map<std::string, std::unique_ptr<Table>> tables;
   };
 } // namespace squeal

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Turning bodies in the fixed frame: the in-plane doublets of a thin ring
+// against Bryan (1890), the bending doublets of a disc against the frame that
+// turns with it, where Coriolis and centrifugal forces take the place of the
+// convective terms.
+
+#include "scenes.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  /** Frequencies in rad/s, ascending, each once. */
+  std::vector<double>
+  turning_frequencies(const SceneParameters &scene,
+                      const unsigned int     degree,
+                      const double           lowest,
+                      const double           highest)
+  {
+    Model               model(scene, degree, highest);
+    const ComplexPairs  pairs = model.solve(band(lowest, highest));
+    std::vector<double> result;
+    for (const Complex lambda : pairs.lambda)
+      {
+        check_below(std::abs(lambda.real()),
+                    1e-7 * std::abs(lambda),
+                    "turning alone does not damp");
+        result.push_back(lambda.imag());
+      }
+    return result;
+  }
+
+  /** Thin ring, m nodal diameters: in the fixed frame omega_m
+   * +- m Omega (m^2 - 1) / (m^2 + 1), inextensional. */
+  void
+  test_ring()
+  {
+    SceneParameters s;
+    s.bodies                   = {make_annulus({{48, 1, 1}}, .006)};
+    s.bodies[0].inner_radius   = .099;
+    s.bodies[0].outer_radius   = .101;
+    const double speed         = 10.;
+    const auto   rest          = turning_frequencies(s, 3, 60., 450.);
+    s.bodies[0].rotation_speed = speed;
+    const auto   turning       = turning_frequencies(s, 3, 60., 450.);
+    unsigned int n_found       = 0;
+    for (const int m : {2, 3})
+      {
+        // omega_m^2 = (E h^2 / 12 rho R^4) m^2 (m^2 - 1)^2 / (m^2 + 1)
+        const double omega = std::sqrt(210e9 / 7800. / 12.) * .002 / .01 * m *
+                             (m * m - 1.) / std::sqrt(m * m + 1.);
+        const double shift   = m * speed * (m * m - 1.) / (m * m + 1.);
+        const auto   nearest = [](const std::vector<double> &all, double w) {
+          return *std::min_element(
+            all.begin(), all.end(), [w](double a, double b) {
+              return std::abs(a - w) < std::abs(b - w);
+            });
+        };
+        const double still = nearest(rest, omega);
+        check_close(
+          still, omega, 3e-3, "ring at rest, m = " + std::to_string(m));
+        const double up   = nearest(turning, still + shift),
+                     down = nearest(turning, still - shift);
+        // (h/R)^2 = 4e-4 of extension and shear, (Omega/omega)^2 = 2e-4
+        check_close(.5 * (up - down),
+                    shift,
+                    1e-3,
+                    "Bryan's split, m = " + std::to_string(m));
+        ++n_found;
+      }
+    check(n_found == 2, "both doublets");
+  }
+
+
+
+  /** e_z x u of every column, node by node. */
+  Block
+  turned_about_z(const Discretization &d, const Block &u)
+  {
+    const auto &fe     = d.dof_handler().get_fe();
+    Block       result = Block::Zero(u.rows(), u.cols());
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : d.dof_handler().active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (const auto [c, node] = fe.system_to_component_index(i); c < 2)
+            {
+              const unsigned int other =
+                fe.component_to_system_index(1 - c, node);
+              const auto &a = d.expansion(dofs[i]),
+                         &b = d.expansion(dofs[other]);
+              if (a.size() == 1 && b.size() == 1)
+                result.row(a[0].first) =
+                  (c == 0 ? -1. : 1.) * u.row(b[0].first);
+            }
+      }
+    return result;
+  }
+
+  /** Frequencies in the turning frame: M u'' + 2 Omega M (e_z x u') -
+   * Omega^2 M u_xy + K u = 0, projected on modes and their responses to the
+   * Coriolis forces. */
+  std::vector<double>
+  corotating_frequencies(const SceneParameters &scene,
+                         const unsigned int     degree,
+                         const double           highest,
+                         const double           speed)
+  {
+    const Model         model(scene, degree, highest);
+    const UndampedModes modes = undamped_modes(model.pencil, model.inverse);
+    Block               V(modes.shapes.rows(), 2 * modes.shapes.cols());
+    V << modes.shapes, model.inverse.solve(model.pencil.multiply_mass(
+                         turned_about_z(model.discretization, modes.shapes)));
+    for (int pass = 0; pass < 2; ++pass)
+      for (Eigen::Index j = 0; j < V.cols(); ++j)
+        {
+          if (j > 0)
+            {
+              const Block Mj = model.pencil.multiply_mass(Block(V.col(j)));
+              const Eigen::VectorXd c = V.leftCols(j).transpose() * Mj;
+              V.col(j) -= V.leftCols(j) * c;
+            }
+          V.col(j) /= std::sqrt(
+            V.col(j).dot(model.pencil.multiply_mass(Block(V.col(j))).col(0)));
+        }
+    const Block           JV = turned_about_z(model.discretization, V);
+    const Eigen::MatrixXd K  = V.transpose() *
+                              model.pencil.multiply_undamped_stiffness(V),
+                          G = V.transpose() * model.pencil.multiply_mass(JV),
+                          N = JV.transpose() * model.pencil.multiply_mass(JV);
+    const Eigen::Index n    = V.cols();
+    Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    A.topRightCorner(n, n).setIdentity();
+    A.bottomLeftCorner(n, n)      = -(K - speed * speed * N);
+    A.bottomRightCorner(n, n)     = -2. * speed * G;
+    const Eigen::VectorXcd lambda = A.eigenvalues();
+    std::vector<double>    result;
+    for (const Complex l : lambda)
+      if (l.imag() > 0. && l.imag() < 2. * M_PI * highest)
+        result.push_back(l.imag());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  void
+  test_disc()
+  {
+    SceneParameters s;
+    s.bodies                   = {make_annulus({{24, 3, 1}})};
+    s.supports                 = {make_clamp("disc", "inner")};
+    const double speed         = 100.;
+    const auto   inside        = corotating_frequencies(s, 3, 3400., speed);
+    s.bodies[0].rotation_speed = speed;
+    const auto fixed           = turning_frequencies(s, 3, 1000., 3400.);
+    check(inside.size() >= 7 && fixed.size() >= 7, "(0,0) to (0,3)");
+    const auto nearest = [&fixed](const double w) {
+      double best = 1e300;
+      for (const double f : fixed)
+        best = std::min(best, std::abs(f / w - 1.));
+      return best;
+    };
+    check_below(nearest(inside[0]), 1e-6, "(0,0) is the same in both frames");
+    for (const int m : {1, 2, 3})
+      {
+        const double a = inside[2 * m - 1], b = inside[2 * m], c = m * speed;
+        // the one of the two that runs forwards gains m Omega
+        check_below(std::min(std::max(nearest(a + c), nearest(b - c)),
+                             std::max(nearest(a - c), nearest(b + c))),
+                    1e-6,
+                    "(0," + std::to_string(m) +
+                      ") of the turning disc, split in its own frame " +
+                      number(b / a - 1.));
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  test_ring();
+  test_disc();
+}
