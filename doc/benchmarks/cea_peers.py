@@ -147,7 +147,8 @@ def solve_slepc_toar(M, C, K, n_pairs, tolerance):
     pep = SLEPc.PEP().create(PETSc.COMM_SELF)
     pep.setOperators([petsc_matrix(PETSc, A) for A in (K, C, M)])
     pep.setType(SLEPc.PEP.Type.TOAR)
-    pep.setScale(SLEPc.PEP.Scale.SCALAR)
+    # The automatic factor is for the largest eigenvalues of the mesh.
+    pep.setScale(SLEPc.PEP.Scale.SCALAR, abs(LAMBDA_SHIFT))
     pep.setDimensions(n_pairs)
     pep.setTolerances(tolerance, 500)
     pep.setTarget(LAMBDA_SHIFT)
@@ -162,6 +163,7 @@ def solve_slepc_toar(M, C, K, n_pairs, tolerance):
     for i in range(n):
         values[i] = pep.getEigenpair(i, x)
         vectors[:, i] = x.getArray()
+    pep.destroy()
     return values, vectors
 
 
@@ -187,6 +189,7 @@ def solve_slepc_kappa(M, C, K, n_pairs, tolerance):
     for i in range(n):
         kappa[i] = eps.getEigenpair(i, re, im)
         vectors[:, i] = re.getArray() + 1j * im.getArray()
+    eps.destroy()
     return lambda_of_kappa(kappa, *rayleigh_coefficients(M, C, K)), vectors
 
 
@@ -200,17 +203,43 @@ def superlu(A):
 
 
 def pardiso(A):
+    import ctypes
+
     import numpy as np
     import pypardiso
 
-    solver = pypardiso.PyPardisoSolver()
     A = A.tocsr()
     A.sort_indices()
-    solver.factorize(A)
-    solver.set_phase(33)
-    # Not solver.solve(), which compares all of A with its copy at each call.
-    return lambda b: solver._call_pardiso(
-        A, np.asfortranarray(b.reshape(-1, 1))).ravel()
+    solver = pypardiso.PyPardisoSolver()
+    # Serial METIS, no matching, pivots perturbed at 1e-20 only: with the
+    # defaults every solution is refined twice, to the same residual.
+    for number, value in ((1, 1), (2, 2), (10, 20)):
+        solver.set_iparm(number, value)
+    solver.set_phase(12)
+    solver._call_pardiso(A, np.zeros((A.shape[0], 1)))
+    # pypardiso's own call makes new copies of the indices for each solution.
+    starts = (A.indptr + 1).astype(np.int32)
+    columns = (A.indices + 1).astype(np.int32)
+    integers = ctypes.POINTER(ctypes.c_int32)
+    doubles = ctypes.POINTER(ctypes.c_double)
+    number = lambda i: ctypes.byref(ctypes.c_int32(i))
+
+    def solve(b):
+        x, error = np.empty_like(b), ctypes.c_int32(0)
+        solver._mkl_pardiso(
+            solver.pt.ctypes.data_as(ctypes.POINTER(ctypes.c_int64)),
+            number(1), number(1), number(11), number(33), number(len(b)),
+            A.data.ctypes.data_as(doubles), starts.ctypes.data_as(integers),
+            columns.ctypes.data_as(integers),
+            solver.perm.ctypes.data_as(integers), number(1),
+            solver.iparm.ctypes.data_as(integers), number(0),
+            b.ctypes.data_as(doubles), x.ctypes.data_as(doubles),
+            ctypes.byref(error))
+        if error.value != 0:
+            raise RuntimeError(f"PARDISO error {error.value}")
+        return x
+
+    return solve
 
 
 def arnoldi(apply, n, n_pairs, dtype, tolerance):
@@ -224,11 +253,12 @@ def arnoldi(apply, n, n_pairs, dtype, tolerance):
 
 
 def solve_scipy_linear(M, C, K, n_pairs, tolerance):
-    """lambda^2 M + lambda C + K as the pencil of (x, lambda x), of which only
-    Q(shift) needs a factor."""
+    """The pencil of (x, mu x), lambda = unit mu, of which only Q(shift) needs
+    a factor; in that unit the two halves are of one size."""
     import numpy as np
 
-    n, s = M.shape[0], LAMBDA_SHIFT
+    n, unit = M.shape[0], abs(LAMBDA_SHIFT)
+    M, C, s = unit**2 * M, unit * C, LAMBDA_SHIFT / unit
     solve = superlu(s**2 * M + s * C + K)
 
     def apply(z):
@@ -236,7 +266,7 @@ def solve_scipy_linear(M, C, K, n_pairs, tolerance):
         return np.concatenate([x, z[:n] + s * x])
 
     theta, vectors = arnoldi(apply, 2 * n, n_pairs, complex, tolerance)
-    return s + 1 / theta, vectors[:n]
+    return unit * (s + 1 / theta), vectors[:n]
 
 
 def solve_kappa(M, C, K, n_pairs, tolerance, factorize):
