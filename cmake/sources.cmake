@@ -102,6 +102,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/display_mesh.cc
     source/results/html_report.cc
     source/results/label_layout.cc
+    source/results/matrix_market.cc
     source/results/plots.cc
     source/results/plotter.cc
     source/results/read_csv.cc
@@ -117,6 +118,7 @@ set(SQUEAL_SOURCES_RESULTS
 set(SQUEAL_SOURCES_DRIVER
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
+    source/driver/matrix_output.cc
     source/driver/mode_solution.cc
     source/driver/model.cc
     source/driver/run_cea.cc

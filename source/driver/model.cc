@@ -141,21 +141,23 @@ namespace squeal
         };
         const auto symmetric = std::make_shared<const SparseMatrix>(
           rows, lower_symmetric_part(model.parts[i]));
-        const auto skew = std::make_shared<const SparseMatrix>(
-          rows, lower_skew_part(model.parts[i]), SparseMatrix::Symmetry::skew);
         if (role == MatrixPartParameters::Role::mass)
           masses.emplace_back(model.parts[i].factor, symmetric);
-        if (skew->n_nonzeros() == 0)
-          system.system.terms.push_back(
-            {model.parts[i].name, symmetric, coefficients});
-        else
-          // One non-symmetric operator: the undamped, frictionless problem
-          // must not take in its symmetric half.
-          system.system.terms.push_back(
-            {model.parts[i].name,
-             std::make_shared<SumOperator>(
-               std::vector<SumOperator::Part>{{1., symmetric}, {1., skew}}),
-             coefficients});
+        if (model.parts[i].symmetry == ImportedMatrix::Symmetry::symmetric)
+          {
+            system.system.terms.push_back(
+              {model.parts[i].name, symmetric, coefficients});
+            continue;
+          }
+        // One non-symmetric operator: the undamped, frictionless problem must
+        // not take in its symmetric half.
+        const auto skew = std::make_shared<const SparseMatrix>(
+          rows, lower_skew_part(model.parts[i]), SparseMatrix::Symmetry::skew);
+        system.system.terms.push_back(
+          {model.parts[i].name,
+           std::make_shared<SumOperator>(
+             std::vector<SumOperator::Part>{{1., symmetric}, {1., skew}}),
+           coefficients});
       }
     imported_mass = std::make_shared<SumOperator>(std::move(masses));
 

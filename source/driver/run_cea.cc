@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "matrix_output.h"
 #include "shape_output.h"
 
 #include <squeal/base/exceptions.h>
@@ -121,6 +122,11 @@ namespace squeal
                            "hold them by Scene/Supports or Scene/Springs");
         context.log.warning(free);
       }
+    if (p.output.export_matrices)
+      {
+        write_matrices(context, *modes.pencil, "matrices");
+        write_matrix_parts(context, model.linearized().system, "matrices");
+      }
     const CeaSolution solution =
       solve_cea(model, modes, context.log, context.timers);
     const ComplexPairs &pairs = solution.pairs;
@@ -140,6 +146,8 @@ namespace squeal
         "direct_check.csv",
         compare_with_direct(model, modes, pairs, context.log, context.timers));
     write_signature(context, model, pairs);
+    if (p.output.export_matrices)
+      write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
 
     std::vector<bool> highlighted;
     unsigned int      n_unstable = 0;

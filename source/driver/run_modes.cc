@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "matrix_output.h"
 #include "shape_output.h"
 
 #include <squeal/base/exceptions.h>
@@ -26,6 +27,11 @@ namespace squeal
        {"cpu_seconds", Table::Type::real, "s", "since the start", 3}});
     ModeSolution solution =
       solve_modes_adaptively(model, context.log, context.timers, &steps);
+    if (p.output.export_matrices)
+      {
+        write_matrices(context, *solution.pencil, "matrices");
+        write_matrix_parts(context, model.linearized().system, "matrices");
+      }
     const Table table = mode_table(model, solution);
     if (table.n_rows() == 0)
       refuse_empty_band(p, solution);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "matrix_output.h"
+
 #include <squeal/base/exceptions.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/cea_solution.h>
 #include <squeal/results/plots.h>
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace squeal
@@ -13,15 +16,44 @@ namespace squeal
   {
     using Ladder = WorkPrecisionParameters::Ladder;
 
+    /** CPU seconds of the stages of an analysis; names, energies and error
+     * estimates of the mesh are in none of them. */
+    struct Stages
+    {
+      double assembly = 0., factor = 0., modes = 0., pairs = 0.;
+    };
+
     /** One setting of a ladder and what it gave. */
     struct Rung
     {
       Ladder                            ladder;
       double                            setting;
       unsigned int                      dofs;
-      double                            seconds, memory;
-      std::vector<std::complex<double>> values; /**< 1/s */
+      double                            seconds = 0., memory = 0.;
+      Stages                            stages;
+      double                            residual = 0.; /**< largest */
+      std::vector<std::complex<double>> values;        /**< 1/s */
+      std::string                       matrices;      /**< their folder */
     };
+
+    Stages
+    stages_so_far(const Timers &timers)
+    {
+      Stages stages;
+      for (const Timers::Entry &entry : timers.entries())
+        if (entry.name == "Setup: mesh and unknowns" ||
+            entry.name == "Setup: import of matrices" ||
+            entry.name.rfind("Assemble: ", 0) == 0)
+          stages.assembly += entry.own_cpu;
+        else if (entry.name == "Solve: factorisation")
+          stages.factor += entry.own_cpu;
+        else if (entry.name == "Solve: undamped modes")
+          stages.modes += entry.own_cpu;
+        else if (entry.name == "Solve: certified eigenvalues" ||
+                 entry.name == "Solve: direct eigenvalues")
+          stages.pairs += entry.own_cpu;
+      return stages;
+    }
 
     std::string
     ladder_name(const Ladder ladder)
@@ -32,6 +64,8 @@ namespace squeal
           return "degree";
         case Ladder::refinement:
           return "refinement";
+        case Ladder::cells:
+          return "cells";
         case Ladder::adaptive:
           return "adaptive";
         case Ladder::basis:
@@ -40,6 +74,17 @@ namespace squeal
       return "";
     }
 
+    /** Thin bodies keep one cell through their thickness. */
+    void
+    scale_cells(std::vector<BodyParameters> &bodies, const double factor)
+    {
+      for (BodyParameters &body : bodies)
+        for (unsigned int &n : body.cells)
+          if (n > 1)
+            n = static_cast<unsigned int>(std::max(1., std::round(factor * n)));
+    }
+
+    /** Throws InputError where the setting makes a mesh that is none. */
     Parameters
     parameters_of(const Parameters &all,
                   const Ladder      ladder,
@@ -55,6 +100,9 @@ namespace squeal
         case Ladder::refinement:
           p.discretization.refinements = static_cast<unsigned int>(value);
           break;
+        case Ladder::cells:
+          scale_cells(p.scene.bodies, value);
+          break;
         case Ladder::adaptive:
           p.discretization.refinement =
             DiscretizationParameters::Refinement::eigenvalue_error;
@@ -64,33 +112,71 @@ namespace squeal
           p.eigen.residual_tolerance = p.eigen.error_tolerance = value;
           break;
         }
+      p.check();
       return p;
     }
 
-    Rung
-    climb(RunContext &context, const Ladder ladder, const double value)
+    /** Matrices and pairs of a mesh that no earlier rung had. */
+    void
+    write_problem(RunContext              &context,
+                  const Pencil            &pencil,
+                  const ComplexPairs      *pairs,
+                  const std::vector<Rung> &earlier,
+                  Rung                    &rung)
     {
-      const Parameters p     = parameters_of(context.parameters, ladder, value);
-      const double     start = cpu_seconds();
+      rung.matrices = "matrices_" + std::to_string(rung.dofs);
+      for (const Rung &other : earlier)
+        if (other.matrices == rung.matrices)
+          return;
+      write_matrices(context, pencil, rung.matrices);
+      if (pairs)
+        write_eigenpairs(context, *pencil.space(), *pairs, rung.matrices);
+    }
+
+    Rung
+    climb(RunContext              &context,
+          const Ladder             ladder,
+          const double             value,
+          const std::vector<Rung> &earlier)
+    {
+      const Parameters p = parameters_of(context.parameters, ladder, value);
+      const Stages     before = stages_so_far(context.timers);
+      const double     start  = cpu_seconds();
       context.log.info(ladder_name(ladder) + " = " + rounded_text(value, 6));
       Model              model(p, context.timers);
       const ModeSolution modes =
         solve_modes_adaptively(model, context.log, context.timers);
-      Rung rung{ladder, value, model.n_unknowns(), 0., 0., {}};
+      Rung                       rung{ladder, value, model.n_unknowns()};
+      std::optional<CeaSolution> cea;
       if (p.work_precision.quantity == "sigma" || ladder == Ladder::basis)
         {
-          const CeaSolution cea =
-            solve_cea(model, modes, context.log, context.timers);
-          for (unsigned int i = 0; i < cea.pairs.size(); ++i)
-            rung.values.push_back(cea.pairs.lambda[i]);
+          cea = solve_cea(model, modes, context.log, context.timers);
+          for (unsigned int i = 0; i < cea->pairs.size(); ++i)
+            {
+              rung.values.push_back(cea->pairs.lambda[i]);
+              rung.residual = std::max(rung.residual, cea->pairs.residual[i]);
+            }
         }
       else
         for (unsigned int i = 0; i < modes.n_up_to(p.eigen.highest_frequency);
              ++i)
           if (modes.modes.frequency(i) >= p.eigen.lowest_frequency)
-            rung.values.emplace_back(0., 2. * M_PI * modes.modes.frequency(i));
-      rung.seconds = cpu_seconds() - start;
-      rung.memory  = peak_memory_mb();
+            {
+              rung.values.emplace_back(0.,
+                                       2. * M_PI * modes.modes.frequency(i));
+              rung.residual = std::max(rung.residual, modes.modes.residual[i]);
+            }
+      rung.seconds       = cpu_seconds() - start;
+      rung.memory        = peak_memory_mb();
+      const Stages after = stages_so_far(context.timers);
+      rung.stages        = {after.assembly - before.assembly,
+                            after.factor - before.factor,
+                            after.modes - before.modes,
+                            after.pairs - before.pairs};
+      // After the clock was read, and the memory.
+      if (p.output.export_matrices)
+        write_problem(
+          context, *modes.pencil, cea ? &cea->pairs : nullptr, earlier, rung);
       return rung;
     }
 
@@ -109,6 +195,52 @@ namespace squeal
         }
       return worst;
     }
+
+    Table
+    empty_table()
+    {
+      using Type = Table::Type;
+      return Table(
+        {{"setting", Type::text, "", "ladder and value"},
+         {"dofs", Type::integer, "", "unknowns"},
+         {"seconds", Type::real, "s", "CPU time", 3},
+         {"peak_memory_mb", Type::real, "MB", "of the process so far", 4},
+         {"quantity", Type::text, "", "what is measured"},
+         {"value", Type::real, "Hz", "first value of the band", 7},
+         {"error_rel", Type::real, "", "largest relative error", 3},
+         {"reference", Type::text, "", "what it is measured against"},
+         {"pairs", Type::integer, "", "eigenvalues in the band"},
+         {"residual_rel", Type::real, "", "largest relative residual", 2},
+         {"assembly_cpu_s", Type::real, "s", "mesh and assembly", 3},
+         {"factor_cpu_s", Type::real, "s", "factorisation", 3},
+         {"modes_cpu_s", Type::real, "s", "undamped modes", 3},
+         {"pairs_cpu_s", Type::real, "s", "complex pairs from the modes", 3},
+         {"matrices", Type::text, "", "folder of the exported matrices"}});
+    }
+
+    std::vector<Cell>
+    row_of(const Rung        &rung,
+           const double       error,
+           const std::string &quantity,
+           const std::string &reference)
+    {
+      return {ladder_name(rung.ladder) + " = " + rounded_text(rung.setting, 6),
+              rung.dofs,
+              rung.seconds,
+              rung.memory,
+              quantity,
+              rung.values.empty() ? Cell()
+                                  : Cell(rung.values[0].imag() / (2. * M_PI)),
+              error,
+              reference,
+              rung.values.size(),
+              rung.residual,
+              rung.stages.assembly,
+              rung.stages.factor,
+              rung.stages.modes,
+              rung.stages.pairs,
+              rung.matrices};
+    }
   } // namespace
 
 
@@ -116,11 +248,15 @@ namespace squeal
   void
   run_work_precision(RunContext &context)
   {
-    const auto       &p = context.parameters.work_precision;
+    const auto &p = context.parameters.work_precision;
+    // A rung that cannot be is told before the first one is climbed.
+    for (const Ladder ladder : p.ladders)
+      for (const double value : p.values)
+        parameters_of(context.parameters, ladder, value);
     std::vector<Rung> rungs;
     for (const Ladder ladder : p.ladders)
       for (const double value : p.values)
-        rungs.push_back(climb(context, ladder, value));
+        rungs.push_back(climb(context, ladder, value, rungs));
     if (rungs.empty() || rungs.back().values.empty())
       throw InputError(
         "Work precision/Values: the ladder gave no values in the "
@@ -138,31 +274,14 @@ namespace squeal
             finest = &rung;
         reference = finest->values;
       }
-    using Type = Table::Type;
-    Table table(
-      {{"setting", Type::text, "", "ladder and value"},
-       {"dofs", Type::integer, "", "unknowns"},
-       {"seconds", Type::real, "s", "CPU time", 3},
-       {"peak_memory_mb", Type::real, "MB", "of the process so far", 4},
-       {"quantity", Type::text, "", "what is measured"},
-       {"value", Type::real, "Hz", "first value of the band", 7},
-       {"error_rel", Type::real, "", "largest relative error", 3},
-       {"reference", Type::text, "", "what it is measured against"}});
+    Table                            table = empty_table();
     std::vector<WorkPrecisionSeries> series;
     for (const Rung &rung : rungs)
       {
         const std::string name  = ladder_name(rung.ladder);
         const double      error = worst_error(rung.values, reference);
-        table.add_row({name + " = " + rounded_text(rung.setting, 6),
-                       rung.dofs,
-                       rung.seconds,
-                       rung.memory,
-                       p.quantity,
-                       rung.values.empty()
-                         ? Cell()
-                         : Cell(rung.values[0].imag() / (2. * M_PI)),
-                       error,
-                       finest ? "costliest rung" : "given values"});
+        table.add_row(row_of(
+          rung, error, p.quantity, finest ? "costliest rung" : "given values"));
         if (&rung == finest)
           continue;
         if (series.empty() || series.back().label != name)

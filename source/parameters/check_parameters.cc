@@ -58,6 +58,10 @@ namespace squeal
             return is_whole && value >= 0. && value <= 10.
                      ? ""
                      : "a whole number from 0 to 10";
+          case Ladder::cells:
+            return value > 0. && value <= 100.
+                     ? ""
+                     : "a number greater than 0 and at most 100";
           case Ladder::adaptive:
           case Ladder::basis:
             return value > 0. && value <= 1.
@@ -80,7 +84,7 @@ namespace squeal
           refuse_entry(section,
                        "Ladders",
                        "is empty: list at least one of degree, refinement, "
-                       "adaptive, basis");
+                       "cells, adaptive, basis");
         if (w.values.empty())
           refuse_entry(section,
                        "Values",
@@ -95,6 +99,14 @@ namespace squeal
                            "contains '" + choice_name(ladder) +
                              "', but imported matrices have no mesh; use "
                              "basis");
+            if (ladder == Ladder::cells)
+              for (const BodyParameters &body : parameters.scene.bodies)
+                if (body.shape == BodyParameters::Shape::gmsh)
+                  refuse_entry(section,
+                               "Ladders",
+                               "contains 'cells', but body " +
+                                 quoted(body.name) +
+                                 " has the cells of a file; use refinement");
             for (const double value : w.values)
               {
                 const std::string fault = fault_of_rung(ladder, value);

@@ -174,6 +174,7 @@ namespace squeal
     using L = WorkPrecisionParameters::Ladder;
     return {{"degree", L::degree},
             {"refinement", L::refinement},
+            {"cells", L::cells},
             {"adaptive", L::adaptive},
             {"basis", L::basis}};
   }

@@ -126,12 +126,14 @@ namespace squeal
                    Allowed::list(Schema::allowed_choices(
                      WorkPrecisionParameters::Ladder::degree)),
                    "Settings that are varied, one after the other: element "
-                   "degree, uniform refinements, tolerance of the adaptive "
-                   "refinement, residual tolerance of the reduced basis.");
+                   "degree, uniform refinements, factor on the numbers of "
+                   "cells of all bodies (a direction with one cell keeps it), "
+                   "tolerance of the adaptive refinement, residual tolerance "
+                   "of the reduced basis.");
         schema.add("Values",
                    w.values,
                    Allowed::list(Allowed::number(0.)),
-                   "Rungs of the ladders: degrees, refinements or "
+                   "Rungs of the ladders: degrees, refinements, factors or "
                    "tolerances.");
         schema.add("Quantity",
                    w.quantity,
@@ -166,7 +168,10 @@ namespace squeal
         schema.add("Report", o.report, "Write report.html.");
         schema.add("Export matrices",
                    o.export_matrices,
-                   "Write the parts of M, C and K as MatrixMarket files.");
+                   "Write M, C and K, the parts they are sums of and the "
+                   "complex eigenvalues and vectors as MatrixMarket files to "
+                   "the folder matrices; 'Analysis = work precision' writes no "
+                   "parts, and a folder for each mesh.");
         schema.add("Display scale",
                    o.slip_display_scale,
                    Allowed::positive(1.),

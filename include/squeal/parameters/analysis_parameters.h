@@ -55,6 +55,7 @@ namespace squeal
     {
       degree,     /**< FE degree */
       refinement, /**< uniform refinement */
+      cells,      /**< numbers of cells of the bodies, by a factor */
       adaptive,   /**< tolerance of the adaptive refinement */
       basis       /**< residual tolerance of the certified basis */
     };
@@ -79,7 +80,7 @@ namespace squeal
     unsigned int animation_frames = 12;
     bool         plots            = true;
     bool         report           = true;
-    bool   export_matrices = false; /**< MatrixMarket files of M, C, K parts */
+    bool         export_matrices  = false; /**< MatrixMarket files of M, C, K */
     double slip_display_scale = 0.05; /**< largest drawn displacement over the
                                          scene's size */
   };
