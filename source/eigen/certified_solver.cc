@@ -15,8 +15,9 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
-    /** Residual up to which a basis that can not grow any more is accepted. */
-    constexpr double exhausted_residual = 1e-5;
+    /** Residual up to which a basis that can not improve any more is accepted:
+     * that of contact springs of 1e14 N/m. */
+    constexpr double exhausted_residual = 1e-4;
 
     /** Number of the value in @p values nearest to @p lambda. */
     int
@@ -269,18 +270,44 @@ namespace squeal
 
 
 
-  bool
-  CertifiedSolver::converged(const ComplexPairs     &pairs,
-                             const CertifiedOptions &options) const
+  namespace
   {
-    for (unsigned int i = 0; i < pairs.size(); ++i)
-      if (pairs.residual[i] >
-            std::max(options.residual_tolerance, pairs.noise_floor[i]) ||
-          pairs.error_estimate[i] >
-            std::max(options.error_tolerance, pairs.noise_floor[i]))
-        return false;
-    return true;
-  }
+    bool
+    estimates_met(const ComplexPairs &pairs, const CertifiedOptions &options)
+    {
+      return (pairs.error_estimate.array() <=
+              pairs.noise_floor.array().max(options.error_tolerance))
+        .all();
+    }
+
+    /** Tells a basis that still improves from one at the rounding floor. */
+    class Stagnation
+    {
+    public:
+      /** To be told the worst residual of every step. */
+      bool
+      is_reached(const double residual)
+      {
+        n_idle = residual > 0.5 * best ? n_idle + 1 : 0;
+        best   = std::min(best, residual);
+        return n_idle >= 2;
+      }
+
+    private:
+      double       best   = std::numeric_limits<double>::max();
+      unsigned int n_idle = 0;
+    };
+
+    [[noreturn]] void
+    throw_stalled(const double residual)
+    {
+      std::ostringstream text;
+      text << "the certified basis stalls at a residual of " << residual
+           << ": raise Eigenvalues/Maximum enrichments or Eigenvalues/"
+              "Residual tolerance";
+      throw ComputationError(text.str());
+    }
+  } // namespace
 
 
 
@@ -290,6 +317,7 @@ namespace squeal
     const std::function<void(const BasisEnrichment &)> &report)
   {
     DensePairs dense = reduced.solve();
+    Stagnation stagnation;
     for (unsigned int step = 0;; ++step)
       {
         Candidates    current = candidates(dense, options);
@@ -305,30 +333,26 @@ namespace squeal
         const unsigned int added     = enrich(pairs, residuals, options);
         dense                        = reduced.solve();
         estimate_errors(pairs, dense.lambda);
-        steps.push_back(
-          {size, pairs.residual.maxCoeff(), pairs.error_estimate.maxCoeff()});
+        const double worst = pairs.residual.maxCoeff();
+        steps.push_back({size, worst, pairs.error_estimate.maxCoeff()});
         if (report)
           report(steps.back());
-        // Where no direction is new the basis holds all that rounding lets
-        // through, and the residuals in the table say how much that is.
-        const bool done =
-          converged(pairs, options) ||
-          (added == 0 && pairs.residual.maxCoeff() <= exhausted_residual);
-        if (!done && (added == 0 || step >= options.maximum_enrichments))
-          {
-            std::ostringstream text;
-            text << "the certified basis stalls at a residual of "
-                 << pairs.residual.maxCoeff()
-                 << ": raise Eigenvalues/Maximum enrichments or Eigenvalues/"
-                    "Residual tolerance";
-            throw ComputationError(text.str());
-          }
-        if (done)
+
+        const bool certain = estimates_met(pairs, options);
+        // Where no direction is new, or none helps, the residual is what
+        // rounding leaves of it; the table says how much that is.
+        const bool at_floor = (stagnation.is_reached(worst) || added == 0) &&
+                              certain && worst <= exhausted_residual;
+        if (at_floor)
+          pairs.noise_floor = pairs.noise_floor.cwiseMax(pairs.residual);
+        if ((residuals.met && certain) || at_floor)
           {
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);
             return pairs;
           }
+        if (added == 0 || step >= options.maximum_enrichments)
+          throw_stalled(worst);
       }
   }
 } // namespace squeal

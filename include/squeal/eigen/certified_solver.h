@@ -84,9 +84,6 @@ namespace squeal
                         const Residuals        &residuals,
                         const CertifiedOptions &options);
 
-    bool converged(const ComplexPairs     &pairs,
-                   const CertifiedOptions &options) const;
-
     const Pencil        &pencil;
     const SlidingInverse inverse;
     ReducedBasis         reduced;

@@ -26,7 +26,8 @@ namespace squeal
      * nearly coalesced pair, that of the pair's mean plus half-difference. */
     Eigen::VectorXd error_estimate;
     /** Rounding floor of residual_rel, below which no basis can bring it:
-     * 4 eps || |K| |x| || over the same denominator. */
+     * 4 eps || |K| |x| || over the same denominator, or the residual at which
+     * the basis stalled. */
     Eigen::VectorXd noise_floor;
     /** ||x|| ||y|| |2 lambda| / |y^T (2 lambda M + C) x| in mass norms: 1 for
      * undamped modes, infinite at a coalescence. */
