@@ -73,8 +73,12 @@ namespace squeal
 
   namespace
   {
-    /** Shortening below which products are not updated but computed afresh. */
-    constexpr double cancellation = 1e-3;
+    /** Shortening below which products are not updated but computed afresh:
+     * updated ones are good to 1e-11. */
+    constexpr double cancellation = 1e-5;
+
+    /** Shortening above which one projection leaves 1e-12 of the basis. */
+    constexpr double once_is_enough = 1e-4;
 
     Eigen::VectorXd
     mass_norms(const RowSpace &space, const Block &W, const Block &MW)
@@ -127,7 +131,7 @@ namespace squeal
         else
           MW = (MW * T).eval();
         // Once is enough where little was taken away.
-        if (n > 0 && values[first] > 100. * cancellation * cancellation)
+        if (n > 0 && values[first] > once_is_enough * once_is_enough)
           break;
       }
     Q.append(W);
