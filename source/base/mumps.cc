@@ -131,7 +131,7 @@ namespace squeal
     impl->icntl(7)                                   = 5; // METIS
     // No ScaLAPACK root: it would hide pivots from the inertia count.
     impl->icntl(13) = 1;
-    impl->icntl(14) = 40;
+    impl->icntl(14) = 15; // per cent of spare memory; more where it runs out
     // Entries distributed over the ranks; on one rank the analysis of a matrix
     // in one place is twice as fast.
     impl->icntl(18) = impl->space->n_ranks() > 1 ? 3 : 0;
@@ -177,7 +177,8 @@ namespace squeal
   void
   MumpsFactorization<Number>::factorize(std::vector<int>    rows,
                                         std::vector<int>    columns,
-                                        std::vector<Number> values)
+                                        std::vector<Number> values,
+                                        const bool          keep_pattern)
   {
     impl->rows    = std::move(rows);
     impl->columns = std::move(columns);
@@ -214,9 +215,12 @@ namespace squeal
       }
     impl->run(job_analyze);
     impl->run(job_factorize);
-    // The pattern stays for a further factorisation; the values are not
-    // needed any more.
     std::vector<Number>().swap(impl->values);
+    if (!keep_pattern)
+      {
+        std::vector<int>().swap(impl->rows);
+        std::vector<int>().swap(impl->columns);
+      }
   }
 
   template <typename Number>

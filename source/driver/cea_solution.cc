@@ -58,10 +58,10 @@ namespace squeal
 
 
   CeaSolution
-  solve_cea(const Model        &model,
-            const ModeSolution &modes,
-            RunLog             &log,
-            Timers             &timers)
+  solve_cea(const Model  &model,
+            ModeSolution &modes,
+            RunLog       &log,
+            Timers       &timers)
   {
     const auto &p = model.parameters().eigen;
     CeaSolution solution;
@@ -73,6 +73,7 @@ namespace squeal
       }
     Timers::Section section(timers, "Solve: certified eigenvalues");
     CertifiedSolver solver(*modes.pencil, *modes.inverse, modes.modes);
+    modes.modes.release_start();
     solution.pairs =
       solver.solve(certified_options(p), [&](const BasisEnrichment &step) {
         log.info("  basis " + std::to_string(step.basis_size) +

@@ -108,7 +108,7 @@ namespace squeal
     const auto &p = context.parameters;
     Model       model(p, context.timers);
     model.print_summary(context.log);
-    const ModeSolution modes =
+    ModeSolution modes =
       solve_modes_adaptively(model, context.log, context.timers);
     if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
       refuse_empty_band(p, modes);

@@ -143,8 +143,8 @@ namespace squeal
       const Stages     before = stages_so_far(context.timers);
       const double     start  = cpu_seconds();
       context.log.info(ladder_name(ladder) + " = " + rounded_text(value, 6));
-      Model              model(p, context.timers);
-      const ModeSolution modes =
+      Model        model(p, context.timers);
+      ModeSolution modes =
         solve_modes_adaptively(model, context.log, context.timers);
       Rung                       rung{ladder, value, model.n_unknowns()};
       std::optional<CeaSolution> cea;

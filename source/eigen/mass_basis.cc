@@ -6,6 +6,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 
 namespace squeal
 {
@@ -15,10 +17,29 @@ namespace squeal
   }
 
   void
+  GrowingBlock::Free::operator()(double *pointer) const
+  {
+    std::free(pointer);
+  }
+
+  void
   GrowingBlock::append(const Block &columns)
   {
     AssertDimension(columns.rows(), n_rows);
-    data.insert(data.end(), columns.data(), columns.data() + columns.size());
+    const std::size_t n_old = n_rows * static_cast<std::size_t>(n_used);
+    const std::size_t n_new = n_old + columns.size();
+    if (n_new > capacity)
+      {
+        const std::size_t wanted = std::max(n_new, n_old + n_old / 4);
+        void *moved = std::realloc(data.get(), wanted * sizeof(double));
+        if (!moved)
+          throw std::bad_alloc();
+        static_cast<void>(data.release());
+        data.reset(static_cast<double *>(moved));
+        capacity = wanted;
+      }
+    std::copy(
+      columns.data(), columns.data() + columns.size(), data.get() + n_old);
     n_used += columns.cols();
   }
 
@@ -31,7 +52,7 @@ namespace squeal
   Eigen::Map<const Block>
   GrowingBlock::view() const
   {
-    return Eigen::Map<const Block>(data.data(), n_rows, n_used);
+    return Eigen::Map<const Block>(data.get(), n_rows, n_used);
   }
 
 

@@ -95,6 +95,13 @@ namespace squeal
 
 
 
+  void
+  UndampedModes::release_start()
+  {
+    supplement.resize(0, 0);
+    mass_products.resize(0, 0);
+  }
+
   double
   UndampedModes::frequency(const unsigned int i) const
   {

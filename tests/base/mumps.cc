@@ -60,7 +60,7 @@ namespace
         if (again)
           factor.refactorize(e.values);
         else
-          factor.factorize(e.rows, e.columns, e.values);
+          factor.factorize(e.rows, e.columns, e.values, true);
         check((A * factor.solve(b) - b).norm() < 1e-12 * b.norm(), "A x = b");
         check((A.transpose() * factor.solve_transposed(b) - b).norm() <
                 1e-12 * b.norm(),
@@ -88,7 +88,7 @@ namespace
         const Eigen::MatrixXd A = Q * d.asDiagonal() * Q.transpose();
         Entries<double>       e(A, true);
         if (n_negative == 0)
-          factor.factorize(e.rows, e.columns, e.values);
+          factor.factorize(e.rows, e.columns, e.values, true);
         else
           factor.refactorize(e.values);
         check((A * factor.solve(b) - b).norm() < 1e-12 * b.norm(),

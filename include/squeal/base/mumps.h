@@ -37,10 +37,12 @@ namespace squeal
     MumpsFactorization &operator=(const MumpsFactorization &) = delete;
 
     /** Analyses and factorises. Throws ComputationError when the matrix is
-     * numerically singular or memory runs out. */
+     * numerically singular or memory runs out. With @p keep_pattern the rows
+     * and columns stay in memory for refactorize(). */
     void factorize(std::vector<int>    rows,
                    std::vector<int>    columns,
-                   std::vector<Number> values);
+                   std::vector<Number> values,
+                   const bool          keep_pattern = false);
 
     /** Factorises new values of the pattern given before, in that order. */
     void refactorize(std::vector<Number> values);

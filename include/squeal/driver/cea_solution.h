@@ -22,10 +22,10 @@ namespace squeal
   };
 
   /** Solves with the solver of the parameters (certified or direct). */
-  CeaSolution solve_cea(const Model        &model,
-                        const ModeSolution &modes,
-                        RunLog             &log,
-                        Timers             &timers);
+  CeaSolution solve_cea(const Model  &model,
+                        ModeSolution &modes,
+                        RunLog       &log,
+                        Timers       &timers);
 
   /** Pairs of the band by the direct solver. */
   ComplexPairs solve_direct(const Model &model, const ModeSolution &modes);

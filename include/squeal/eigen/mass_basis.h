@@ -4,22 +4,34 @@
 
 #include <squeal/discretization/affine_system.h>
 
+#include <memory>
+
 namespace squeal
 {
-  /** Columns that are added at the end without copying those there are. */
+  /**
+   * Columns that are added at the end. The memory grows in place where the
+   * system can do that, so that a basis of gigabytes is never there twice.
+   */
   class GrowingBlock
   {
   public:
     explicit GrowingBlock(const unsigned int n_rows = 0);
+    /** Throws std::bad_alloc where there is no memory. */
     void         append(const Block &columns);
     unsigned int n_columns() const;
     /** The columns as one matrix expression. */
     Eigen::Map<const Block> view() const;
 
   private:
-    Eigen::Index        n_rows;
-    unsigned int        n_used = 0;
-    std::vector<double> data;
+    struct Free
+    {
+      void operator()(double *data) const;
+    };
+
+    Eigen::Index                    n_rows;
+    unsigned int                    n_used   = 0;
+    std::size_t                     capacity = 0; /**< numbers */
+    std::unique_ptr<double[], Free> data;
   };
 
   /**

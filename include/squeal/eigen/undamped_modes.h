@@ -56,6 +56,9 @@ namespace squeal
     Block mass_products;
 
     double frequency(const unsigned int i) const;
+
+    /** Frees what only the start of a basis needs: supplement and products. */
+    void release_start();
   };
 
   /** How the spectrum is computed. */
