@@ -9,6 +9,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/base64.cc
     source/base/files.cc
     source/base/interrupt.cc
+    source/base/memory.cc
     source/base/mumps.cc
     source/base/row_space.cc
     source/base/run_log.cc

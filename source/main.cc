@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/memory.h>
 #include <squeal/base/version.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/results/compare.h>
@@ -7,7 +8,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <cblas.h>
-#include <malloc.h>
 
 #include <iostream>
 
@@ -151,11 +151,7 @@ main(int argc, char **argv)
   // Threads of the BLAS never multiply with ranks or other work on the machine.
   const char *threads = std::getenv("SQUEAL_THREADS");
   openblas_set_num_threads(threads ? std::max(1, std::atoi(threads)) : 1);
-  // Blocks of vectors come and go all the time: kept by the process, their
-  // pages are not cleared by the kernel each time, which took a sixth of a run.
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
-  mallopt(M_TOP_PAD, 64 << 20);
+  keep_freed_memory();
   try
     {
       act(read_command_line(argc, argv), is_root);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/memory.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/discretization/eigenvalue_error.h>
@@ -124,6 +125,7 @@ namespace squeal
       Timers::Section section(timers, "Solve: factorisation");
       solution.inverse = std::make_unique<ShiftedInverse>(*solution.pencil,
                                                           shift_of(parameters));
+      return_freed_memory();
     }
     log.info("  " + std::to_string(solution.inverse->n_modes_below()) +
              " modes below " +
@@ -135,6 +137,7 @@ namespace squeal
       options.tolerance = parameters.eigen.mode_tolerance;
       solution.modes =
         undamped_modes(*solution.pencil, *solution.inverse, options);
+      return_freed_memory();
     }
     Timers::Section     section(timers, "Solve: names and energies");
     std::vector<double> frequencies;
