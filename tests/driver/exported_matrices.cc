@@ -47,8 +47,18 @@ namespace
     parameters.result_checks.clear();
     parameters.check();
     RunContext context(parameters, is_root);
-    parameters.analysis == Parameters::Analysis::cea ? run_cea(context)
-                                                     : run_modes(context);
+    switch (parameters.analysis)
+      {
+      case Parameters::Analysis::modes:
+        run_modes(context);
+        break;
+      case Parameters::Analysis::cea:
+        run_cea(context);
+        break;
+      case Parameters::Analysis::work_precision:
+        run_work_precision(context);
+        break;
+      }
     MPI_Barrier(MPI_COMM_WORLD);
   }
 
@@ -237,21 +247,23 @@ namespace
     check_parts(folder, M, C, K);
   }
 
+  const std::vector<std::string> small_brake = {
+    "Discretization/Degree = 2",
+    "Discretization/Estimate error = false",
+    "Scene/Body disc/Cells = 16, 3, 1",
+    "Scene/Body pad/Cells = 2, 2, 2",
+    "Scene/Body support/Cells = 2, 2, 4",
+    "Eigenvalues/Lowest frequency = 900",
+    "Eigenvalues/Highest frequency = 6000",
+    "Eigenvalues/Error tolerance = 1e-11",
+    "Output/Export matrices = true"};
+
   void
   test_brake(const std::string              &directory,
              const std::vector<std::string> &changes)
   {
-    std::vector<std::string> overrides = {
-      "Analysis = cea",
-      "Discretization/Degree = 2",
-      "Discretization/Estimate error = false",
-      "Scene/Body disc/Cells = 16, 3, 1",
-      "Scene/Body pad/Cells = 2, 2, 2",
-      "Scene/Body support/Cells = 2, 2, 4",
-      "Eigenvalues/Lowest frequency = 900",
-      "Eigenvalues/Highest frequency = 6000",
-      "Eigenvalues/Error tolerance = 1e-11",
-      "Output/Export matrices = true"};
+    std::vector<std::string> overrides = small_brake;
+    overrides.push_back("Analysis = cea");
     overrides.insert(overrides.end(), changes.begin(), changes.end());
     run(
       SQUEAL_SOURCE_DIR "/prm/tribobrake/calibrated.prm", overrides, directory);
@@ -276,6 +288,60 @@ namespace
                 undamped(directory),
                 1e-9,
                 directory + " imported again: undamped modes");
+  }
+
+  /** Each mesh of a ladder has its stages timed and its matrices written;
+   * tolerances on one mesh share them. */
+  void
+  test_ladder()
+  {
+    std::vector<std::string> overrides = small_brake;
+    overrides.push_back("Analysis = work precision");
+    overrides.push_back("Work precision/Quantity = sigma");
+    overrides.push_back("Work precision/Ladders = cells");
+    overrides.push_back("Work precision/Values = 0.5, 1");
+    run(
+      SQUEAL_SOURCE_DIR "/prm/tribobrake/calibrated.prm", overrides, "ladder");
+    overrides.push_back("Work precision/Ladders = basis");
+    overrides.push_back("Work precision/Values = 1e-2, 1e-6");
+    run(SQUEAL_SOURCE_DIR "/prm/tribobrake/calibrated.prm",
+        overrides,
+        "tolerances");
+    if (!is_root)
+      return;
+    const Table table = read_csv("ladder/work_precision.csv");
+    check(table.n_rows() == 2, "a row each");
+    // 16 x 3 x 1, 2 x 2 x 2 and 2 x 2 x 4 cells of degree 2, and half of them:
+    // one cell through the thickness stays.
+    check(table.integer(1, "dofs") ==
+            32 * 6 * 3 * 3 + 5 * 5 * 5 * 3 + 5 * 5 * 8 * 3,
+          "unknowns of the mesh of the scene");
+    check(table.integer(0, "dofs") ==
+            16 * 4 * 3 * 3 + 3 * 3 * 3 * 3 + 3 * 3 * 4 * 3,
+          "unknowns of half of the cells");
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        const std::string folder = table.text(i, "matrices");
+        const Sparse      M      = read("ladder/" + folder + "/mass.mtx");
+        check(M.rows() == table.integer(i, "dofs"), folder);
+        check(read_full("ladder/" + folder + "/right_vectors.mtx").cols() ==
+                table.integer(i, "pairs"),
+              "as many vectors as pairs");
+        check(table.real(i, "residual_rel") <= 1e-8, "residuals");
+        double sum = 0.;
+        for (const char *stage : {"assembly", "factor", "modes", "pairs"})
+          {
+            const double seconds = table.real(i, std::string(stage) + "_cpu_s");
+            check(seconds > 0., std::string("seconds of ") + stage);
+            sum += seconds;
+          }
+        check(sum <= 1.001 * table.real(i, "seconds"),
+              "stages are parts of the whole");
+      }
+    const Table other = read_csv("tolerances/work_precision.csv");
+    check(other.text(0, "matrices") == other.text(1, "matrices") &&
+            other.integer(0, "dofs") == table.integer(1, "dofs"),
+          "one mesh, one folder");
   }
 
   void
@@ -310,6 +376,7 @@ main(int argc, char **argv)
               "Scene/Damping/Stiffness damping = 0",
               "Scene/Body pad/Stiffness damping = 1e-7",
               "Scene/Spring lower_left/Dashpot = 20"});
+  test_ladder();
   test_modes();
   return 0;
 }

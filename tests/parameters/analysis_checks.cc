@@ -50,6 +50,20 @@ namespace
     read_parameters("example.prm",
                     {analysis, degrees, "Work precision/Values = 1, 2, 3"})
       .check();
+
+    const std::string cells = "Work precision/Ladders = cells";
+    check_change_refused({analysis, cells, "Work precision/Values = 1, 0"},
+                         {"contains 0", "'cells'", "at most 100"});
+    write_text("pad.msh", "");
+    check_change_refused({analysis,
+                          cells,
+                          "Work precision/Values = 1",
+                          "Scene/Body pad/Shape = gmsh",
+                          "Scene/Body pad/Mesh file = pad.msh"},
+                         {"'Work precision/Ladders'", "'pad'", "refinement"});
+    read_parameters("example.prm",
+                    {analysis, cells, "Work precision/Values = 0.5, 1, 1.6"})
+      .check();
   }
 
 
