@@ -100,6 +100,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/chart.cc
     source/results/chart_layout.cc
     source/results/compare.cc
+    source/results/cost_at_error.cc
     source/results/display_mesh.cc
     source/results/html_report.cc
     source/results/label_layout.cc

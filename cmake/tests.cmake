@@ -83,6 +83,9 @@ function(squeal_add_test name source)
            WORKING_DIRECTORY "${_directory}")
   _squeal_test_properties(${name} "${test_MPI}" "${test_TIMEOUT}"
                           ${test_LABELS})
+  # Tests side by side must not remove each other's files of Open MPI.
+  set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT
+                                  "OMPI_MCA_orte_tmpdir_base=${_directory}")
   if(test_AFTER)
     set_tests_properties(${name} PROPERTIES DEPENDS "${test_AFTER}")
   endif()

@@ -105,7 +105,8 @@ namespace squeal
     if (scene.bodies[source].shape == BodyParameters::Shape::rigid)
       {
         const auto &x = scene.bodies[source].position;
-        g.points      = {Point(x[0], x[1], x[2])};
+        const auto &p = contact.contact_point;
+        g.points      = {Point(x[0] + p[0], x[1] + p[1], x[2] + p[2])};
         g.areas       = {1.};
       }
     else

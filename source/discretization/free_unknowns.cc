@@ -101,6 +101,64 @@ namespace squeal
                 constraints.add_line(i);
         }
     }
+
+    void
+    make_unique(std::vector<IndexSet::value_type> &numbers)
+    {
+      std::sort(numbers.begin(), numbers.end());
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    }
+
+    /** Free numbers of the degrees of freedom that this rank refers to, those
+     * of other ranks fetched from them. */
+    class FreeNumbers
+    {
+    public:
+      FreeNumbers(const dealii::DoFHandler<3>    &dofs,
+                  const std::vector<Combination> &masters,
+                  const IndexSet                 &free_owned,
+                  const unsigned int              first,
+                  const MPI_Comm                  comm)
+      {
+        std::vector<IndexSet::value_type> needed;
+        for (const auto &combination : masters)
+          for (const auto &[dof, weight] : combination)
+            needed.push_back(dof);
+        make_unique(needed);
+        IndexSet needed_set(dofs.n_dofs());
+        needed_set.add_indices(needed.begin(), needed.end());
+        partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+          dofs.locally_owned_dofs(), needed_set, comm);
+        const unsigned int n_owned = partitioner->locally_owned_size();
+        numbers.assign(n_owned + partitioner->n_ghost_indices(), -1.);
+        unsigned int next = first;
+        for (const auto i : free_owned)
+          numbers[partitioner->global_to_local(i)] = next++;
+
+        std::vector<double>             buffer(partitioner->n_import_indices());
+        std::vector<MPI_Request>        requests;
+        const dealii::ArrayView<double> ghosts(numbers.data() + n_owned,
+                                               partitioner->n_ghost_indices());
+        partitioner->export_to_ghosted_array_start<double>(
+          0,
+          dealii::ArrayView<const double>(numbers.data(), n_owned),
+          dealii::ArrayView<double>(buffer.data(), buffer.size()),
+          ghosts,
+          requests);
+        partitioner->export_to_ghosted_array_finish<double>(ghosts, requests);
+      }
+
+      /** Number of a degree of freedom; -1 where it is not free. */
+      double
+      operator()(const dealii::types::global_dof_index dof) const
+      {
+        return numbers[partitioner->global_to_local(dof)];
+      }
+
+    private:
+      std::shared_ptr<dealii::Utilities::MPI::Partitioner> partitioner;
+      std::vector<double>                                  numbers;
+    };
   } // namespace
 
 
@@ -151,16 +209,11 @@ namespace squeal
 
 
 
-  void
-  Discretization::number_free_unknowns(const std::vector<Combination> &masters,
-                                       const IndexSet &free_owned)
+  unsigned int
+  Discretization::number_rigid_motions()
   {
-    const auto &scene = *scene_parameters;
-    int         rank;
-    MPI_Comm_rank(comm, &rank);
-
-    // Rigid bodies come first, on rank 0.
-    unsigned int n_rigid = 0;
+    const auto  &scene = *scene_parameters;
+    unsigned int n     = 0;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       if (scene.bodies[b].shape == BodyParameters::Shape::rigid)
         {
@@ -171,83 +224,78 @@ namespace squeal
                 held[c] = held[c] || held_components(support)[c];
           for (unsigned int c = 0; c < 6; ++c)
             if (!held[c])
-              rigid_rows[b][c] = n_rigid++;
+              rigid_rows[b][c] = n++;
         }
+    return n;
+  }
 
-    const unsigned int n_mine =
-      free_owned.n_elements() + (rank == 0 ? n_rigid : 0);
-    unsigned int first = 0, n_total = 0;
+
+
+  void
+  Discretization::number_free_unknowns(const std::vector<Combination> &masters,
+                                       const IndexSet &free_owned)
+  {
+    int rank;
+    MPI_Comm_rank(comm, &rank);
+    // Rigid bodies come first, on rank 0.
+    const unsigned int n_rigid_all = number_rigid_motions();
+    const unsigned int n_rigid     = rank == 0 ? n_rigid_all : 0;
+    const unsigned int n_mine      = free_owned.n_elements() + n_rigid;
+    unsigned int       first = 0, n_total = 0;
     MPI_Exscan(&n_mine, &first, 1, MPI_UNSIGNED, MPI_SUM, comm);
     if (rank == 0)
       first = 0;
     MPI_Allreduce(&n_mine, &n_total, 1, MPI_UNSIGNED, MPI_SUM, comm);
     if (n_total == 0)
-      throw InputError("scene '" + scene.name +
+      throw InputError("scene '" + scene_parameters->name +
                        "': every displacement is held by Scene/Supports; "
                        "nothing can move");
 
-    // Free number of every master dof this rank refers to.
-    std::vector<double>                                  numbers;
-    std::shared_ptr<dealii::Utilities::MPI::Partitioner> dof_partitioner;
-    if (has_mesh())
-      {
-        std::vector<IndexSet::value_type> needed;
-        for (const auto &combination : masters)
-          for (const auto &[dof, weight] : combination)
-            needed.push_back(dof);
-        std::sort(needed.begin(), needed.end());
-        needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-        IndexSet needed_set(dofs->n_dofs());
-        needed_set.add_indices(needed.begin(), needed.end());
-        dof_partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-          dofs->locally_owned_dofs(), needed_set, comm);
-        const unsigned int n_owned = dof_partitioner->locally_owned_size();
-        numbers.assign(n_owned + dof_partitioner->n_ghost_indices(), -1.);
-        unsigned int next = first + (rank == 0 ? n_rigid : 0);
-        for (const auto i : free_owned)
-          numbers[dof_partitioner->global_to_local(i)] = next++;
-        std::vector<double>      buffer(dof_partitioner->n_import_indices());
-        std::vector<MPI_Request> requests;
-        const dealii::ArrayView<double> ghosts(
-          numbers.data() + n_owned, dof_partitioner->n_ghost_indices());
-        dof_partitioner->export_to_ghosted_array_start<double>(
-          0,
-          dealii::ArrayView<const double>(numbers.data(), n_owned),
-          dealii::ArrayView<double>(buffer.data(), buffer.size()),
-          ghosts,
-          requests);
-        dof_partitioner->export_to_ghosted_array_finish<double>(ghosts,
-                                                                requests);
-      }
-
     expansions.assign(masters.size(), {});
     std::vector<IndexSet::value_type> touched;
-    for (unsigned int k = 0; k < masters.size(); ++k)
-      for (const auto &[dof, weight] : masters[k])
-        {
-          const double number = numbers[dof_partitioner->global_to_local(dof)];
-          if (number < 0.)
-            continue;
-          expansions[k].emplace_back(static_cast<unsigned int>(number), weight);
-          touched.push_back(static_cast<unsigned int>(number));
-        }
+    if (has_mesh())
+      {
+        const FreeNumbers numbers(
+          *dofs, masters, free_owned, first + n_rigid, comm);
+        for (unsigned int k = 0; k < masters.size(); ++k)
+          for (const auto &[dof, weight] : masters[k])
+            if (const double number = numbers(dof); number >= 0.)
+              {
+                expansions[k].emplace_back(static_cast<unsigned int>(number),
+                                           weight);
+                touched.push_back(static_cast<unsigned int>(number));
+              }
+      }
 
     IndexSet owned_rows(n_total), relevant_rows(n_total);
     owned_rows.add_range(first, first + n_mine);
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    make_unique(touched);
     relevant_rows.add_indices(touched.begin(), touched.end());
     row_space = std::make_shared<RowSpace>(owned_rows, relevant_rows, comm);
+    count_free_of_bodies();
+  }
 
-    // Free unknowns per body, for the summary.
-    body_free.assign(scene.bodies.size(), 0);
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      if (rank == 0)
-        for (const unsigned int row : rigid_rows[b])
-          body_free[b] += row != -1u ? 1 : 0;
+
+
+  void
+  Discretization::count_free_of_bodies()
+  {
+    const unsigned int first = row_space->first_owned();
+    const unsigned int n     = row_space->n_owned();
+    std::vector<bool>  counted(n, false);
+    body_free.assign(scene_parameters->bodies.size(), 0);
+    const auto count = [&](const unsigned int body, const unsigned int row) {
+      if (row < first || row >= first + n || counted[row - first])
+        return;
+      counted[row - first] = true;
+      ++body_free[body];
+    };
+    for (unsigned int b = 0; b < body_free.size(); ++b)
+      for (const unsigned int row : rigid_rows[b])
+        if (row != -1u)
+          count(b, row);
     if (has_mesh())
       {
-        std::vector<bool> counted(row_space->n_owned(), false);
         std::vector<dealii::types::global_dof_index> indices(
           fe->n_dofs_per_cell());
         for (const auto &cell : dofs->active_cell_iterators())
@@ -256,12 +304,7 @@ namespace squeal
               cell->get_dof_indices(indices);
               for (const auto i : indices)
                 for (const auto &[row, weight] : expansion(i))
-                  if (row >= first && row < first + n_mine &&
-                      !counted[row - first])
-                    {
-                      counted[row - first] = true;
-                      ++body_free[cell->material_id()];
-                    }
+                  count(cell->material_id(), row);
             }
       }
     MPI_Allreduce(MPI_IN_PLACE,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "matrix_output.h"
 
+#include <squeal/base/assignment.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/cea_solution.h>
+#include <squeal/results/cost_at_error.h>
 #include <squeal/results/plots.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -99,6 +102,10 @@ namespace squeal
           break;
         case Ladder::refinement:
           p.discretization.refinements = static_cast<unsigned int>(value);
+          p.discretization.refinement =
+            DiscretizationParameters::Refinement::uniform;
+          if (p.work_precision.refinement_degree > 0)
+            p.discretization.degree = p.work_precision.refinement_degree;
           break;
         case Ladder::cells:
           scale_cells(p.scene.bodies, value);
@@ -180,20 +187,83 @@ namespace squeal
       return rung;
     }
 
-    /** Largest relative distance of a reference value to the nearest one. */
+    /** Largest relative distance of a reference value to its own value, where
+     * the values are assigned one to one; to the nearest one where there are
+     * fewer values than references. */
     double
     worst_error(const std::vector<std::complex<double>> &values,
                 const std::vector<std::complex<double>> &reference)
     {
-      double worst = 0.;
+      std::vector<std::vector<double>> distances;
       for (const auto &r : reference)
         {
-          double distance = 1e300;
+          distances.emplace_back();
           for (const auto &v : values)
-            distance = std::min(distance, std::abs(v - r));
-          worst = std::max(worst, distance / std::abs(r));
+            distances.back().push_back(std::abs(v - r) / std::abs(r));
         }
+      if (values.empty())
+        return 1.;
+      const std::vector<int> partner = smallest_assignment(distances);
+      double                 worst   = 0.;
+      for (std::size_t k = 0; k < reference.size(); ++k)
+        worst =
+          std::max(worst,
+                   partner[k] >= 0 ? distances[k][partner[k]]
+                                   : *std::min_element(distances[k].begin(),
+                                                       distances[k].end()));
       return worst;
+    }
+
+    /** What each ladder must spend for the error @p goal, and the same as
+     * sentences for the log. */
+    Table
+    cost_table(const std::vector<WorkPrecisionSeries> &series,
+               const double                            goal,
+               RunLog                                 &log)
+    {
+      using Type = Table::Type;
+      Table table(
+        {{"ladder", Type::text, "", "ladder"},
+         {"error_rel", Type::real, "", "error to be reached", 3},
+         {"dofs", Type::real, "", "unknowns it takes", 3},
+         {"dofs_over_least", Type::real, "", "over the best ladder's", 3},
+         {"seconds", Type::real, "s", "CPU time it takes", 3},
+         {"seconds_over_least", Type::real, "", "over the best ladder's", 3},
+         {"found", Type::text, "", "between rungs or beyond the finest"}});
+      std::vector<std::optional<CostAtError>> dofs, seconds;
+      double least_dofs = 1e300, least_seconds = 1e300;
+      for (const WorkPrecisionSeries &s : series)
+        {
+          dofs.push_back(cost_at_error(s.dofs, s.errors, goal));
+          seconds.push_back(cost_at_error(s.seconds, s.errors, goal));
+          if (dofs.back())
+            least_dofs = std::min(least_dofs, dofs.back()->cost);
+          if (seconds.back())
+            least_seconds = std::min(least_seconds, seconds.back()->cost);
+        }
+      for (std::size_t i = 0; i < series.size(); ++i)
+        {
+          const auto cell = [](const auto &cost, const double over) {
+            return cost ? Cell(cost->cost / over) : Cell();
+          };
+          const std::string found = !dofs[i]                ? "not found"
+                                    : dofs[i]->extrapolated ? "extrapolated"
+                                                            : "interpolated";
+          table.add_row({series[i].label,
+                         goal,
+                         cell(dofs[i], 1.),
+                         cell(dofs[i], least_dofs),
+                         cell(seconds[i], 1.),
+                         cell(seconds[i], least_seconds),
+                         found});
+          if (dofs[i])
+            log.info(
+              "an error of " + rounded_text(100. * goal, 3) + " % takes " +
+              rounded_text(dofs[i]->cost, 3) + " unknowns with the ladder '" +
+              series[i].label + "' (" + found + "), " +
+              rounded_text(dofs[i]->cost / least_dofs, 3) + " times the least");
+        }
+      return table;
     }
 
     Table
@@ -251,11 +321,11 @@ namespace squeal
     const auto &p = context.parameters.work_precision;
     // A rung that cannot be is told before the first one is climbed.
     for (const Ladder ladder : p.ladders)
-      for (const double value : p.values)
+      for (const double value : p.rungs(ladder))
         parameters_of(context.parameters, ladder, value);
     std::vector<Rung> rungs;
     for (const Ladder ladder : p.ladders)
-      for (const double value : p.values)
+      for (const double value : p.rungs(ladder))
         rungs.push_back(climb(context, ladder, value, rungs));
     if (rungs.empty() || rungs.back().values.empty())
       throw InputError(
@@ -296,10 +366,15 @@ namespace squeal
     table.print(text);
     context.log.info(text.str());
 
+    const Table costs = cost_table(
+      series, context.parameters.discretization.tolerance, context.log);
+    context.write_table("cost_at_error.csv", costs);
+
     HtmlReport report("Work and precision of " + context.parameters.scene.name,
                       "error against cost");
     report.section("Ladder");
     report.table(table, "Settings");
+    report.table(costs, "Cost of an error");
     if (context.is_root && context.parameters.output.plots)
       {
         context.output.file("plots/work_precision.png");

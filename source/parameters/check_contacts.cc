@@ -32,6 +32,12 @@ namespace squeal
         const BodyParameters &source =
           require_body(scene, contact.source_body, section, "Source body");
         require_face(source, contact.source_face, section, "Source face");
+        if (source.shape != Shape::rigid &&
+            contact.contact_point != Vector3{{0., 0., 0.}})
+          refuse_entry(section,
+                       "Contact point",
+                       "is for rigid source bodies; a meshed one touches with "
+                       "its face");
         if (contact.target_body == "ground")
           {
             if (source.shape != Shape::rigid)

@@ -85,7 +85,7 @@ namespace squeal
                        "Ladders",
                        "is empty: list at least one of degree, refinement, "
                        "cells, adaptive, basis");
-        if (w.values.empty())
+        if (w.rungs(w.ladders[0]).empty())
           refuse_entry(section,
                        "Values",
                        "is empty: the ladder '" + choice_name(w.ladders[0]) +
@@ -107,7 +107,7 @@ namespace squeal
                                "contains 'cells', but body " +
                                  quoted(body.name) +
                                  " has the cells of a file; use refinement");
-            for (const double value : w.values)
+            for (const double value : w.rungs(ladder))
               {
                 const std::string fault = fault_of_rung(ladder, value);
                 if (!fault.empty())

@@ -69,7 +69,8 @@ namespace squeal
         schema.add("Mode tolerance",
                    e.mode_tolerance,
                    Allowed::positive(1e-2),
-                   "Relative residual of the undamped modes.");
+                   "Relative error of 1/(omega^2 - shift) of the undamped "
+                   "modes, as the Krylov space bounds it.");
         schema.add("Solver",
                    e.solver,
                    "Complex eigenvalues from a reduced basis that is enriched "
@@ -135,6 +136,16 @@ namespace squeal
                    Allowed::list(Allowed::number(0.)),
                    "Rungs of the ladders: degrees, refinements, factors or "
                    "tolerances.");
+        schema.add("Adaptive values",
+                   w.adaptive_values,
+                   Allowed::list(Allowed::number(0.)),
+                   "Tolerances of the ladder 'adaptive', beside ladders with "
+                   "other rungs; empty: 'Values'.");
+        schema.add("Refinement degree",
+                   w.refinement_degree,
+                   Allowed::integer(0, 8),
+                   "Element degree of the ladder 'refinement'; 0: "
+                   "'Discretization/Degree'.");
         schema.add("Quantity",
                    w.quantity,
                    Allowed::one_of({"frequency", "sigma"}),

@@ -19,6 +19,12 @@ namespace squeal
                    c.source_face,
                    Allowed::text(),
                    "Its face; empty for a rigid body.");
+        schema.add("Contact point",
+                   c.contact_point,
+                   Allowed::vector(),
+                   "Where a rigid source body touches, from its centre of "
+                   "gravity; 0, 0, 0 for a meshed one.",
+                   "m");
         schema.add("Target body",
                    c.target_body,
                    Allowed::text(),

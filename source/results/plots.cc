@@ -360,7 +360,7 @@ namespace squeal
   {
     std::vector<Chart> charts(2);
     charts[0].title   = title;
-    charts[0].x.label = "wall time in s";
+    charts[0].x.label = "CPU time in s";
     charts[1].title   = " ";
     charts[1].x.label = "degrees of freedom";
     for (Chart &chart : charts)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/parameters/face_geometry.h>
 #include <squeal/scene/coarse_mesh.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -174,26 +175,6 @@ namespace squeal
 
 
 
-  std::vector<std::string>
-  face_names(const BodyParameters::Shape shape)
-  {
-    switch (shape)
-      {
-      case BodyParameters::Shape::annulus:
-        return {"inner", "outer", "bottom", "top"};
-      case BodyParameters::Shape::block:
-        return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
-      case BodyParameters::Shape::cylinder:
-        return {"side", "bottom", "top"};
-      case BodyParameters::Shape::gmsh:
-      case BodyParameters::Shape::rigid:
-        break;
-      }
-    return {};
-  }
-
-
-
   BodyMesh
   make_body_mesh(const BodyParameters &body)
   {
@@ -214,7 +195,7 @@ namespace squeal
       case BodyParameters::Shape::rigid:
         return mesh;
       }
-    mesh.face_names = face_names(body.shape);
+    mesh.face_names = prm::faces_of(body.shape);
     return mesh;
   }
 } // namespace squeal

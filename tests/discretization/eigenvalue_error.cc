@@ -197,13 +197,13 @@ namespace
 
 
 
-  /** Errors of @p d against degree 6 on the same mesh. */
+  /** Errors of @p d (degree 2) against degree 5 on the same mesh. */
   Eigen::VectorXd
   errors_by_high_degree(const Discretization  &d,
                         const Eigen::VectorXd &omega_squared,
                         const double           shift)
   {
-    const auto            fine = d.with_degree(6);
+    const auto            fine = d.with_degree(5);
     const Eigen::VectorXd exact =
       lowest_modes(*fine, omega_squared.size(), shift).omega_squared;
     return (omega_squared.array() / exact.array()).sqrt() - 1.;
@@ -313,7 +313,7 @@ namespace
     // A finer mesh, as springs close to each other act like a bed.
     DiscretizationParameters finer;
     finer.refinements = 2;
-    const Discretization  fine(bed.scene, finer, 4, MPI_COMM_SELF);
+    const Discretization  fine(bed.scene, finer, 3, MPI_COMM_SELF);
     const Eigen::VectorXd exact =
       (modes.omega_squared.array() / bed.solve(fine, 8).omega_squared.array())
         .sqrt() -
@@ -323,9 +323,9 @@ namespace
     const auto without =
       estimate_mode_errors(d, modes.shapes, modes.omega_squared);
     check(
-      (without.frequency.array() / exact.array()).maxCoeff() > 3.,
-      "with the springs left out the estimate is too large: " +
-        std::to_string((without.frequency.array() / exact.array()).maxCoeff()));
+      (without.frequency.array() / exact.array()).minCoeff() < 1. / 3.,
+      "with the springs left out the estimate is not within a factor 3: " +
+        std::to_string((without.frequency.array() / exact.array()).minCoeff()));
 
     SprungBlock          lone(1);
     const Discretization e(

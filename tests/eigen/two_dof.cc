@@ -133,6 +133,86 @@ namespace
       }
   }
 
+  /** North's plate between two pads (prm/minimal/north.prm): contact beside the
+   * centre of a body that turns. In (z, theta), M = 1,
+   * K = [[2, 0.5], [0.5 - mu, 2.5 - 0.5 mu]]. */
+  SceneParameters
+  plate_between_pads(const double mu)
+  {
+    SceneParameters s;
+    BodyParameters  plate, pad;
+    plate.name  = "plate";
+    plate.shape = pad.shape = BodyParameters::Shape::rigid;
+    plate.inertia           = {{1., 1., 1.}};
+    pad.name                = "pad";
+    pad.position            = {{0., .5, 1.}};
+    s.bodies                = {plate, pad};
+    SupportParameters guide;
+    guide.name       = "guide";
+    guide.body       = "plate";
+    guide.kind       = SupportParameters::Kind::components;
+    guide.components = {"x", "y", "ry", "rz"};
+    s.supports       = {guide, make_clamp("pad", "")};
+    const auto add = [&](const Vector3 &point, const Vector3 &along, double k) {
+      SpringParameters spring;
+      spring.name        = "spring";
+      spring.body        = "plate";
+      spring.first_point = spring.last_point = point;
+      spring.direction                       = along;
+      spring.stiffness                       = k;
+      s.springs.push_back(spring);
+    };
+    add({{0., 0., 0.}}, {{0., 0., 1.}}, 1.);
+    add({{0., 0., 1.}}, {{0., 1., 0.}}, 1.125);
+    add({{0., 0., -1.}}, {{0., 1., 0.}}, 1.125);
+    ContactParameters contact;
+    contact.name                 = "upper";
+    contact.source_body          = "pad";
+    contact.target_body          = "plate";
+    contact.normal_stiffness     = .5;
+    contact.friction_coefficient = mu;
+    s.contacts.push_back(contact);
+    contact.name                 = "lower";
+    contact.source_body          = "plate";
+    contact.contact_point        = {{0., .5, -1.}};
+    contact.target_body          = "ground";
+    contact.friction_coefficient = -mu;
+    s.contacts.push_back(contact);
+    return s;
+  }
+
+  void
+  test_plate_between_pads()
+  {
+    for (const double mu : {0., .3, .5278, .5279, 1.})
+      {
+        const ComplexPairs pairs = solve(plate_between_pads(mu));
+        check(pairs.size() == 2, "plate: two pairs");
+        // lambda^2 = -(A + D)/2 +- sqrt((A - D)^2/4 + B C)
+        const double  A = 2., D = 2.5 - .5 * mu, BC = .5 * (.5 - mu);
+        const Complex root(std::sqrt(Complex(.25 * (A - D) * (A - D) + BC)));
+        for (const double sign : {1., -1.})
+          {
+            Complex exact = std::sqrt(-.5 * (A + D) + sign * root);
+            exact         = exact.imag() < 0. ? -exact : exact;
+            check(std::min(std::abs(pairs.lambda[0] - exact),
+                           std::abs(pairs.lambda[1] - exact)) < 1e-10,
+                  "plate at mu = " + number(mu) + ": lambda = " +
+                    number(exact.real()) + " + i " + number(exact.imag()));
+          }
+      }
+    double below = .3, above = 1.;
+    while (above - below > 1e-12)
+      {
+        const double mu    = .5 * (below + above);
+        const auto   pairs = solve(plate_between_pads(mu));
+        (std::max(pairs.sigma(0), pairs.sigma(1)) > 1e-9 ? above : below) = mu;
+      }
+    check(std::abs(above - (5. - std::sqrt(20.))) < 1e-10,
+          "the plate flutters from mu = 5 - sqrt(20): " +
+            std::to_string(above));
+  }
+
   /** lambda^2 = -(2 +- sqrt(-delta)) at mu = 0.75 (1 + delta). */
   void
   test_exceptional_point()
@@ -190,5 +270,6 @@ main(int argc, char **argv)
   test_threshold();
   test_damping();
   test_exceptional_point();
+  test_plate_between_pads();
   return 0;
 }

@@ -138,6 +138,7 @@ namespace squeal
     {
       SQUEAL_DESCRIBE(contact, source_body);
       SQUEAL_DESCRIBE(contact, source_face);
+      SQUEAL_DESCRIBE(contact, contact_point);
       SQUEAL_DESCRIBE(contact, target_body);
       SQUEAL_DESCRIBE(contact, target_face);
       SQUEAL_DESCRIBE(contact, formulation);
@@ -233,6 +234,8 @@ namespace squeal
       SQUEAL_DESCRIBE(p, eigen.compare_direct);
       SQUEAL_DESCRIBE(p, work_precision.ladders);
       SQUEAL_DESCRIBE(p, work_precision.values);
+      SQUEAL_DESCRIBE(p, work_precision.adaptive_values);
+      SQUEAL_DESCRIBE(p, work_precision.refinement_degree);
       SQUEAL_DESCRIBE(p, work_precision.quantity);
       SQUEAL_DESCRIBE(p, work_precision.reference);
     }

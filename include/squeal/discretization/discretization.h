@@ -99,6 +99,10 @@ namespace squeal
     void number_free_unknowns(
       const std::vector<Combination> &master_combinations,
       const dealii::IndexSet         &free_owned);
+    /** Numbers the free motions of the rigid bodies from 0; their count. */
+    unsigned int number_rigid_motions();
+    /** Free unknowns of each body, for the summary. */
+    void count_free_of_bodies();
 
     const SceneParameters                   *scene_parameters;
     DiscretizationParameters                 parameters;

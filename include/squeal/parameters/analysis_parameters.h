@@ -60,9 +60,22 @@ namespace squeal
       basis       /**< residual tolerance of the certified basis */
     };
     std::vector<Ladder> ladders;
-    std::vector<double> values;                 /**< settings of the ladder */
+    std::vector<double> values; /**< settings of the ladder */
+    /** Settings of the ladder `adaptive`; empty: `values`. */
+    std::vector<double> adaptive_values;
+    /** Degree of the ladder `refinement`; 0: that of the discretization. */
+    unsigned int        refinement_degree = 0;
     std::string         quantity = "frequency"; /**< frequency | sigma */
     std::vector<double> reference; /**< exact values; empty: finest rung */
+
+    /** The settings that @p ladder climbs. */
+    const std::vector<double> &
+    rungs(const Ladder ladder) const
+    {
+      return ladder == Ladder::adaptive && !adaptive_values.empty()
+               ? adaptive_values
+               : values;
+    }
   };
 
   /** What is written, section "Output". */

@@ -13,7 +13,8 @@ namespace squeal
 {
   namespace prm
   {
-    /** Names of the faces of a shape; none for rigid bodies, and none for gmsh
+    /** Names of the faces of a shape, in the order of their numbers in the
+     * mesh; none for rigid bodies, and none for gmsh
      * bodies, whose names are in the mesh file. */
     std::vector<std::string> faces_of(BodyParameters::Shape shape);
 

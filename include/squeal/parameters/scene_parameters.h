@@ -173,6 +173,8 @@ namespace squeal
     std::string source_body, source_face; /**< pad: carries multipliers */
     std::string target_body, target_face; /**< disc; "ground" is allowed
                                              for rigid source bodies */
+    /** Where a rigid source touches, from its centre of gravity. m */
+    Vector3                     contact_point{{0., 0., 0.}};
     Formulation                 formulation = Formulation::springs;
     SpringLayout                layout      = SpringLayout::grid;
     std::array<unsigned int, 2> grid{{11, 11}};

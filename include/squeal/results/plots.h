@@ -79,7 +79,7 @@ namespace squeal
     std::vector<std::string> settings; /**< text beside each point; or empty */
   };
 
-  /** Error over seconds and error over dofs, side by side. @p goal > 0 is drawn
+  /** Error over CPU seconds and error over dofs, side by side. @p goal > 0 is drawn
    * as a line. */
   bool plot_work_precision(const Plotter                          &plotter,
                            const std::vector<WorkPrecisionSeries> &ladders,

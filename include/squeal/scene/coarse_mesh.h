@@ -33,10 +33,6 @@ namespace squeal
   /** Faces with names a body can have at most. */
   constexpr unsigned int max_faces_per_body = 64;
 
-  /** Names of the faces of @p shape in the order of their numbers (empty for
-   * gmsh, whose names come from the file, and for rigid bodies). */
-  std::vector<std::string> face_names(const BodyParameters::Shape shape);
-
   /** Boundary id of a face in the mesh of the scene. */
   unsigned int face_id(const unsigned int body, const unsigned int face);
 
