@@ -95,11 +95,11 @@ namespace squeal
   namespace
   {
     /** Shortening below which products are not updated but computed afresh:
-     * updated ones are good to 1e-11. */
-    constexpr double cancellation = 1e-5;
+     * updated ones are good to 1e-13. */
+    constexpr double cancellation = 1e-3;
 
-    /** Shortening above which one projection leaves 1e-12 of the basis. */
-    constexpr double once_is_enough = 1e-4;
+    /** Shortening above which one projection leaves 1e-14 of the basis. */
+    constexpr double once_is_enough = 1e-2;
 
     Eigen::VectorXd
     mass_norms(const RowSpace &space, const Block &W, const Block &MW)
