@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/memory.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/driver/cea_solution.h>
@@ -74,12 +75,14 @@ namespace squeal
     Timers::Section section(timers, "Solve: certified eigenvalues");
     CertifiedSolver solver(*modes.pencil, *modes.inverse, modes.modes);
     modes.modes.release_start();
+    return_freed_memory();
     solution.pairs =
       solver.solve(certified_options(p), [&](const BasisEnrichment &step) {
         log.info("  basis " + std::to_string(step.basis_size) +
                  ": worst residual " + rounded_text(step.worst_residual, 2) +
                  ", worst error estimate " +
                  rounded_text(step.worst_estimate, 2));
+        return_freed_memory();
       });
     solution.history    = solver.history();
     solution.basis_size = solver.basis().size();

@@ -130,9 +130,7 @@ namespace squeal
     , inverse(p, s)
     , reduced(p)
   {
-    Block start(modes.shapes.rows(),
-                modes.shapes.cols() + modes.supplement.cols());
-    start << modes.shapes, modes.supplement;
+    const Block start = side_by_side(modes.shapes, modes.supplement);
     reduced.start(start, modes.mass_products.leftCols(start.cols()));
   }
 
