@@ -67,7 +67,7 @@ namespace
                        "analysis that does not exist");
     check_text_refused("subsection Work precision\n"
                        "set Ladders = degree, degre\nend\n",
-                       {"one of degree, refinement, adaptive, basis"},
+                       {"one of degree, refinement, cells, adaptive, basis"},
                        "list with an unknown choice");
   }
 
