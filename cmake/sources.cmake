@@ -9,11 +9,13 @@ set(SQUEAL_SOURCES_BASE
     source/base/base64.cc
     source/base/files.cc
     source/base/interrupt.cc
+    source/base/low_rank_matrix.cc
     source/base/memory.cc
     source/base/mumps.cc
     source/base/row_space.cc
     source/base/run_log.cc
     source/base/sparse_matrix.cc
+    source/base/sum_operator.cc
     source/base/timers.cc)
 
 set(SQUEAL_SOURCES_PARAMETERS

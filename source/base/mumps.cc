@@ -255,13 +255,13 @@ namespace squeal
     }
 
     Eigen::MatrixXd
-    from_root(const RowSpace &space, const Eigen::MatrixXd &x, const int n)
+    from_root(const RowSpace &space, Eigen::MatrixXd x, const int n)
     {
-      return space.from_root(x, n);
+      return space.from_root(std::move(x), n);
     }
 
     Eigen::MatrixXcd
-    from_root(const RowSpace &space, const Eigen::MatrixXcd &x, const int n)
+    from_root(const RowSpace &space, Eigen::MatrixXcd x, const int n)
     {
       Eigen::MatrixXcd result(space.n_owned(), n);
       result.real() = space.from_root(Eigen::MatrixXd(x.real()), n);
@@ -288,7 +288,7 @@ namespace squeal
     icntl(9)   = transposed ? 0 : 1;
     icntl(27)  = n < 64 ? n : 64;
     run(job_solve);
-    return from_root(*space, all, n);
+    return from_root(*space, std::move(all), n);
   }
 
   template <typename Number>

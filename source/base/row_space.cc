@@ -115,10 +115,16 @@ namespace squeal
 
 
 
+  bool
+  RowSpace::is_whole() const
+  {
+    return partitioner->n_ghost_indices() == 0 && n_ranks() == 1;
+  }
+
   Eigen::MatrixXd
   RowSpace::gather(const Block &owned) const
   {
-    if (partitioner->n_ghost_indices() == 0 && n_ranks() == 1)
+    if (is_whole())
       return owned;
     Eigen::MatrixXd     all(n_local(), owned.cols());
     std::vector<double> buffer(partitioner->n_import_indices());
@@ -145,11 +151,10 @@ namespace squeal
 
 
   Block
-  RowSpace::scatter_add(const Eigen::MatrixXd &local) const
+  RowSpace::scatter_add(Eigen::MatrixXd all) const
   {
-    if (partitioner->n_ghost_indices() == 0 && n_ranks() == 1)
-      return local;
-    Eigen::MatrixXd     all = local;
+    if (is_whole())
+      return all;
     std::vector<double> buffer(partitioner->n_import_indices());
     for (int j = 0; j < all.cols(); ++j)
       {
@@ -239,8 +244,7 @@ namespace squeal
   }
 
   Block
-  RowSpace::from_root(const Eigen::MatrixXd &all,
-                      const unsigned int     n_columns) const
+  RowSpace::from_root(Eigen::MatrixXd all, const unsigned int n_columns) const
   {
     if (n_ranks() == 1)
       return all;

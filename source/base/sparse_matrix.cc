@@ -42,6 +42,7 @@ namespace squeal
                   const std::vector<std::size_t> &row_starts,
                   const std::vector<int>         &columns,
                   const std::vector<double>      &values,
+                  const double                    factor,
                   const double                    sign,
                   const RowBlock<width>          &X,
                   RowBlock<width>                &Y)
@@ -62,7 +63,8 @@ namespace squeal
           Vector       y_k = Y.row(column[k]);
           for (int r = 0; r < height; ++r)
             {
-              const double v = absolute ? std::abs(a[r][k]) : a[r][k];
+              const double v =
+                factor * (absolute ? std::abs(a[r][k]) : a[r][k]);
               sum[r] += v * x_k;
               y_k += v * x[r];
             }
@@ -75,11 +77,11 @@ namespace squeal
                k < row_starts[first + r + 1];
                ++k)
             multiply_entry<absolute, width>(
-              values[k], first + r, columns[k], sign, X, Y);
+              factor * values[k], first + r, columns[k], sign, X, Y);
         }
     }
 
-    /** Y += A X for @p width vectors at once, from the lower triangle. One
+    /** Y += factor A X for @p width vectors at once, from the lower triangle. One
      * pass over the matrix serves all of them: the product is bound by memory
      * traffic. */
     template <bool absolute, int width>
@@ -88,6 +90,7 @@ namespace squeal
                    const std::vector<std::size_t> &row_starts,
                    const std::vector<int>         &columns,
                    const std::vector<double>      &values,
+                   const double                    factor,
                    const double                    sign,
                    const RowBlock<width>          &X,
                    RowBlock<width>                &Y)
@@ -100,9 +103,11 @@ namespace squeal
                              columns.begin() + row_starts[first + 1],
                              first) -
             (columns.begin() + row_starts[first]);
+          if (row_starts[first] == row_starts[tiles[t + 1]])
+            continue;
           const auto multiply = [&](auto height) {
             multiply_tile<absolute, decltype(height)::value, width>(
-              first, n_shared, row_starts, columns, values, sign, X, Y);
+              first, n_shared, row_starts, columns, values, factor, sign, X, Y);
           };
           switch (tiles[t + 1] - first)
             {
@@ -214,36 +219,53 @@ namespace squeal
 
   template <bool absolute, int width>
   void
-  SparseMatrix::product_of_columns(const Eigen::MatrixXd &X,
-                                   const int              first,
-                                   Eigen::MatrixXd       &result) const
+  SparseMatrix::add_to_columns(const double           factor,
+                               const RowBlock<width> &x,
+                               RowBlock<width>       &y) const
   {
-    const double    sign = absolute || kind == Symmetry::symmetric ? 1. : -1.;
-    const int       n    = std::min<int>(width, X.cols() - first);
-    RowBlock<width> x(X.rows(), width);
-    if (n < width)
-      x.rightCols(width - n).setZero();
-    x.leftCols(n)     = X.middleCols(first, n);
-    RowBlock<width> y = RowBlock<width>::Zero(X.rows(), width);
+    const double sign = absolute || kind == Symmetry::symmetric ? 1. : -1.;
     multiply_chunk<absolute, width>(
-      tiles, row_starts, columns, values, sign, x, y);
-    result.middleCols(first, n) = y.leftCols(n);
+      tiles, row_starts, columns, values, factor, sign, x, y);
   }
 
   template <bool absolute>
   Block
-  SparseMatrix::product(const Block &X) const
+  SparseMatrix::sum_of_products(const std::vector<Term> &terms, const Block &X)
   {
-    const Eigen::MatrixXd local = row_space->gather(X);
-    Eigen::MatrixXd       result(local.rows(), local.cols());
-    int                   first = 0;
-    for (; local.cols() - first > 8; first += 16)
-      product_of_columns<absolute, 16>(local, first, result);
-    for (; local.cols() - first > 2; first += 8)
-      product_of_columns<absolute, 8>(local, first, result);
-    for (; first < local.cols(); first += 2)
-      product_of_columns<absolute, 2>(local, first, result);
-    return row_space->scatter_add(result);
+    const RowSpace &space = *terms.at(0).second->row_space;
+    if (!space.is_whole())
+      return space.scatter_add(
+        local_products<absolute>(terms, space.gather(X)));
+    return local_products<absolute>(terms, X);
+  }
+
+  template <bool absolute>
+  Eigen::MatrixXd
+  SparseMatrix::local_products(const std::vector<Term> &terms,
+                               const Eigen::MatrixXd   &X)
+  {
+    Eigen::MatrixXd result(X.rows(), X.cols());
+    int             first    = 0;
+    const auto      multiply = [&](const auto width_constant) {
+      constexpr int   width = decltype(width_constant)::value;
+      const int       n     = std::min<int>(width, X.cols() - first);
+      RowBlock<width> x(X.rows(), width);
+      if (n < width)
+        x.rightCols(width - n).setZero();
+      x.leftCols(n)     = X.middleCols(first, n);
+      RowBlock<width> y = RowBlock<width>::Zero(X.rows(), width);
+      for (const auto &[factor, matrix] : terms)
+        matrix->template add_to_columns<absolute, width>(factor, x, y);
+      result.middleCols(first, n) = y.leftCols(n);
+      first += width;
+    };
+    while (X.cols() - first > 8)
+      multiply(std::integral_constant<int, 16>());
+    while (X.cols() - first > 2)
+      multiply(std::integral_constant<int, 8>());
+    while (first < X.cols())
+      multiply(std::integral_constant<int, 2>());
+    return result;
   }
 
 
@@ -251,19 +273,27 @@ namespace squeal
   Block
   SparseMatrix::multiply(const Block &X) const
   {
-    return product<false>(X);
+    return sum_of_products<false>({{1., this}}, X);
+  }
+
+  Block
+  SparseMatrix::multiply_sum(const std::vector<Term> &terms, const Block &X)
+  {
+    return sum_of_products<false>(terms, X);
   }
 
   Block
   SparseMatrix::multiply_absolute(const Block &X) const
   {
-    return product<true>(X.cwiseAbs());
+    return sum_of_products<true>({{1., this}}, X.cwiseAbs());
   }
 
   Block
   SparseMatrix::multiply_transposed(const Block &X) const
   {
-    return kind == Symmetry::symmetric ? multiply(X) : Block(-multiply(X));
+    return kind == Symmetry::symmetric
+             ? multiply(X)
+             : sum_of_products<false>({{-1., this}}, X);
   }
 
   bool
@@ -339,220 +369,5 @@ namespace squeal
   SparseMatrix::space() const
   {
     return *row_space;
-  }
-
-
-
-  Functionals::Functionals(std::shared_ptr<const RowSpace> space,
-                           std::vector<Row>                rows)
-    : row_space(std::move(space))
-    , all_rows(std::move(rows))
-    , owned(all_rows.size(), row_space->n_owned())
-  {
-    const unsigned int                  first = row_space->first_owned();
-    const unsigned int                  end   = first + row_space->n_owned();
-    std::vector<Eigen::Triplet<double>> entries;
-    for (unsigned int r = 0; r < all_rows.size(); ++r)
-      for (const auto &[column, value] : all_rows[r])
-        if (column >= first && column < end)
-          entries.emplace_back(r, column - first, value);
-    owned.setFromTriplets(entries.begin(), entries.end());
-  }
-
-  unsigned int
-  Functionals::n_rows() const
-  {
-    return all_rows.size();
-  }
-
-  Eigen::MatrixXd
-  Functionals::apply(const Block &X) const
-  {
-    Eigen::MatrixXd result = owned * X;
-    row_space->sum(result);
-    return result;
-  }
-
-  Eigen::MatrixXcd
-  Functionals::apply(const ComplexBlock &X) const
-  {
-    Eigen::MatrixXcd result(n_rows(), X.cols());
-    result.real() = apply(Block(X.real()));
-    result.imag() = apply(Block(X.imag()));
-    return result;
-  }
-
-  Eigen::MatrixXd
-  Functionals::apply_absolute(const Block &X) const
-  {
-    Eigen::MatrixXd result = owned.cwiseAbs() * X.cwiseAbs();
-    row_space->sum(result);
-    return result;
-  }
-
-  Block
-  Functionals::apply_transposed_absolute(const Eigen::MatrixXd &G) const
-  {
-    return owned.cwiseAbs().transpose() * G.cwiseAbs();
-  }
-
-  Block
-  Functionals::apply_transposed(const Eigen::MatrixXd &G) const
-  {
-    return owned.transpose() * G;
-  }
-
-  ComplexBlock
-  Functionals::apply_transposed(const Eigen::MatrixXcd &G) const
-  {
-    ComplexBlock result(row_space->n_owned(), G.cols());
-    result.real() = owned.transpose() * G.real();
-    result.imag() = owned.transpose() * G.imag();
-    return result;
-  }
-
-  const RowSpace &
-  Functionals::space() const
-  {
-    return *row_space;
-  }
-
-  const std::vector<Functionals::Row> &
-  Functionals::rows() const
-  {
-    return all_rows;
-  }
-
-
-
-  Block
-  LowRankOperator::multiply(const Block &X) const
-  {
-    return left_rows().apply_transposed(forces(X));
-  }
-
-  Block
-  LowRankOperator::multiply_transposed(const Block &X) const
-  {
-    return transposed_forces(left_rows().apply(X));
-  }
-
-
-
-  LowRankMatrix::LowRankMatrix(std::shared_ptr<const Functionals> left_rows,
-                               Eigen::VectorXd                    w,
-                               std::shared_ptr<const Functionals> right_rows)
-    : left(std::move(left_rows))
-    , right(std::move(right_rows))
-    , weights(std::move(w))
-  {
-    AssertDimension(left->n_rows(), right->n_rows());
-    AssertDimension(left->n_rows(), weights.size());
-    on_root = left->space().rank() == 0;
-  }
-
-  const Functionals &
-  LowRankMatrix::left_rows() const
-  {
-    return *left;
-  }
-
-  Eigen::MatrixXd
-  LowRankMatrix::forces(const Block &X) const
-  {
-    return weights.asDiagonal() * right->apply(X);
-  }
-
-  Block
-  LowRankMatrix::transposed_forces(const Eigen::MatrixXd &g) const
-  {
-    return right->apply_transposed(Eigen::MatrixXd(weights.asDiagonal() * g));
-  }
-
-  Block
-  LowRankMatrix::multiply_absolute(const Block &X) const
-  {
-    return left->apply_transposed_absolute(
-      Eigen::MatrixXd(weights.asDiagonal() * right->apply_absolute(X)));
-  }
-
-  bool
-  LowRankMatrix::is_symmetric() const
-  {
-    return left == right;
-  }
-
-  void
-  LowRankMatrix::append_to(Triplets    &triplets,
-                           const double factor,
-                           const bool   lower_only) const
-  {
-    if (!on_root)
-      return;
-    for (unsigned int r = 0; r < left->n_rows(); ++r)
-      for (const auto &[i, a] : left->rows()[r])
-        for (const auto &[j, b] : right->rows()[r])
-          if (!lower_only || i >= j)
-            triplets.add(i, j, factor * weights[r] * a * b);
-  }
-
-
-
-  SumOperator::SumOperator(std::vector<Part> p)
-    : parts(std::move(p))
-  {
-    Assert(!parts.empty(), dealii::ExcInternalError());
-  }
-
-  const std::vector<SumOperator::Part> &
-  SumOperator::summands() const
-  {
-    return parts;
-  }
-
-  Block
-  SumOperator::multiply(const Block &X) const
-  {
-    Block result = parts[0].first * parts[0].second->multiply(X);
-    for (std::size_t i = 1; i < parts.size(); ++i)
-      result += parts[i].first * parts[i].second->multiply(X);
-    return result;
-  }
-
-  Block
-  SumOperator::multiply_transposed(const Block &X) const
-  {
-    Block result = parts[0].first * parts[0].second->multiply_transposed(X);
-    for (std::size_t i = 1; i < parts.size(); ++i)
-      result += parts[i].first * parts[i].second->multiply_transposed(X);
-    return result;
-  }
-
-  Block
-  SumOperator::multiply_absolute(const Block &X) const
-  {
-    Block result =
-      std::abs(parts[0].first) * parts[0].second->multiply_absolute(X);
-    for (std::size_t i = 1; i < parts.size(); ++i)
-      result +=
-        std::abs(parts[i].first) * parts[i].second->multiply_absolute(X);
-    return result;
-  }
-
-  bool
-  SumOperator::is_symmetric() const
-  {
-    return std::all_of(parts.begin(), parts.end(), [](const Part &part) {
-      return part.second->is_symmetric();
-    });
-  }
-
-  void
-  SumOperator::append_to(Triplets    &triplets,
-                         const double factor,
-                         const bool   lower_only) const
-  {
-    for (const auto &[weight, part] : parts)
-      part->append_to(triplets, factor * weight, lower_only);
   }
 } // namespace squeal

@@ -2,6 +2,7 @@
 
 // The quadratic pencil of an AffineSystem at one set of parameters.
 
+#include <squeal/base/sum_operator.h>
 #include <squeal/discretization/affine_system.h>
 
 #include <cmath>
@@ -190,23 +191,39 @@ namespace squeal
 
 
   Block
+  Pencil::multiply_symmetric(
+    const Block &X,
+    double (*coefficient)(const TermCoefficients &)) const
+  {
+    Block result;
+    for (const auto &part : all_parts)
+      if (const double c = coefficient(part.coefficients);
+          part.symmetric && c != 0.)
+        {
+          if (result.size() > 0)
+            part.matrix->add_product(c, X, result);
+          else
+            {
+              result = part.matrix->multiply(X);
+              if (c != 1.)
+                result *= c;
+            }
+        }
+    return result.size() > 0 ? result : Block(Block::Zero(X.rows(), X.cols()));
+  }
+
+  Block
   Pencil::multiply_mass(const Block &X) const
   {
-    Block result = Block::Zero(X.rows(), X.cols());
-    for (const auto &part : all_parts)
-      if (part.symmetric && part.coefficients.mass != 0.)
-        result += part.coefficients.mass * part.matrix->multiply(X);
-    return result;
+    return multiply_symmetric(X,
+                              [](const TermCoefficients &c) { return c.mass; });
   }
 
   Block
   Pencil::multiply_undamped_stiffness(const Block &X) const
   {
-    Block result = Block::Zero(X.rows(), X.cols());
-    for (const auto &part : all_parts)
-      if (part.symmetric && part.coefficients.stiffness.real() != 0.)
-        result += part.coefficients.stiffness.real() * part.matrix->multiply(X);
-    return result;
+    return multiply_symmetric(
+      X, [](const TermCoefficients &c) { return c.stiffness.real(); });
   }
 
 

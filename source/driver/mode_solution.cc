@@ -150,8 +150,11 @@ namespace squeal
         auto &modes = solution.modes;
         modes.shapes =
           model.namer().separate_multiple(modes.shapes, frequencies);
-        modes.mass_products.leftCols(modes.shapes.cols()) =
+        const Eigen::Index n = modes.shapes.cols();
+        modes.mass_products.leftCols(n) =
           solution.pencil->multiply_mass(modes.shapes);
+        modes.stiffness_products.leftCols(n) =
+          solution.pencil->multiply_undamped_stiffness(modes.shapes);
       }
     solution.energy_shares = model.energy_shares(solution.modes.shapes);
     solution.names         = model.namer().name(

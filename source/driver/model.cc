@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/run_log.h>
+#include <squeal/base/sum_operator.h>
 #include <squeal/base/timers.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/driver/model.h>

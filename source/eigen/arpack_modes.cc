@@ -125,16 +125,10 @@ namespace squeal
             modes.omega_squared[k] = values[order[k]];
             modes.shapes.col(k)    = Z.col(order[k]);
           }
-        const Block MX      = pencil.multiply_mass(modes.shapes);
-        modes.mass_products = MX;
-        const Block KX      = pencil.multiply_undamped_stiffness(modes.shapes);
-        modes.residual =
-          pencil.space()
-            ->norms(Block(KX - MX * modes.omega_squared.asDiagonal()))
-            .array() /
-          (pencil.space()->norms(KX).array() +
-           modes.omega_squared.array().abs() *
-             pencil.space()->norms(MX).array());
+        modes.mass_products = pencil.multiply_mass(modes.shapes);
+        modes.stiffness_products =
+          pencil.multiply_undamped_stiffness(modes.shapes);
+        set_residuals(modes, *pencil.space());
         return modes;
       }
 

@@ -130,8 +130,11 @@ namespace squeal
     , inverse(p, s)
     , reduced(p)
   {
-    const Block start = side_by_side(modes.shapes, modes.supplement);
-    reduced.start(start, modes.mass_products.leftCols(start.cols()));
+    const Block        start = side_by_side(modes.shapes, modes.supplement);
+    const Eigen::Index n     = start.cols();
+    reduced.start(start,
+                  modes.mass_products.leftCols(n),
+                  modes.stiffness_products.leftCols(n));
   }
 
   const std::vector<BasisEnrichment> &
@@ -270,6 +273,35 @@ namespace squeal
 
   namespace
   {
+    /** Largest change of an eigenvalue by the last enrichment that is small
+     * enough to serve as the bound of what is left. */
+    constexpr double negligible_change = 1e-11;
+
+    /** Takes the errors of the pairs of an @p earlier, smaller basis as bounds
+     * of those of @p pairs; false where they are too large for that. */
+    bool
+    adopt_estimates(ComplexPairs &pairs, const ComplexPairs &earlier)
+    {
+      if (earlier.size() == 0 ||
+          earlier.error_estimate.maxCoeff() > negligible_change)
+        return false;
+      // Partners of nearly coalesced pairs.
+      estimate_errors(pairs, pairs.lambda);
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          const int    k    = nearest(earlier.lambda, pairs.lambda[i]);
+          const double away = std::abs(earlier.lambda[k] - pairs.lambda[i]);
+          // Of a nearly defective pair each member moves by the root.
+          const double bound = pairs.condition[i] < coalescence_condition
+                                 ? negligible_change
+                                 : std::sqrt(negligible_change);
+          if (away > bound * std::abs(pairs.lambda[i]))
+            return false;
+          pairs.error_estimate[i] = earlier.error_estimate[k];
+        }
+      return true;
+    }
+
     bool
     estimates_met(const ComplexPairs &pairs, const CertifiedOptions &options)
     {
@@ -314,8 +346,9 @@ namespace squeal
     const CertifiedOptions                             &options,
     const std::function<void(const BasisEnrichment &)> &report)
   {
-    DensePairs dense = reduced.solve();
-    Stagnation stagnation;
+    DensePairs   dense = reduced.solve();
+    Stagnation   stagnation;
+    ComplexPairs earlier;
     for (unsigned int step = 0;; ++step)
       {
         Candidates    current = candidates(dense, options);
@@ -328,9 +361,16 @@ namespace squeal
           }
         const unsigned int size      = reduced.size();
         const Residuals    residuals = evaluate_residuals(current, options);
-        const unsigned int added     = enrich(pairs, residuals, options);
-        dense                        = reduced.solve();
-        estimate_errors(pairs, dense.lambda);
+        // Converged further than anybody asked: no need to know how far.
+        const bool   known = residuals.met && adopt_estimates(pairs, earlier);
+        unsigned int added = 0;
+        if (!known)
+          {
+            added = enrich(pairs, residuals, options);
+            dense = reduced.solve();
+            estimate_errors(pairs, dense.lambda);
+          }
+        earlier            = pairs;
         const double worst = pairs.residual.maxCoeff();
         steps.push_back({size, worst, pairs.error_estimate.maxCoeff()});
         if (report)
@@ -339,7 +379,8 @@ namespace squeal
         const bool certain = estimates_met(pairs, options);
         // Where no direction is new, or none helps, the residual is what
         // rounding leaves of it; the table says how much that is.
-        const bool at_floor = (stagnation.is_reached(worst) || added == 0) &&
+        const bool at_floor = !known &&
+                              (stagnation.is_reached(worst) || added == 0) &&
                               certain && worst <= exhausted_residual;
         if (at_floor)
           pairs.noise_floor = pairs.noise_floor.cwiseMax(pairs.residual);

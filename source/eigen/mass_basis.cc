@@ -5,9 +5,11 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <sys/mman.h>
+
 #include <algorithm>
-#include <cstdlib>
 #include <new>
+#include <utility>
 
 namespace squeal
 {
@@ -16,10 +18,47 @@ namespace squeal
   {
   }
 
-  void
-  GrowingBlock::Free::operator()(double *pointer) const
+  GrowingBlock::GrowingBlock(GrowingBlock &&other) noexcept
+    : n_rows(other.n_rows)
+    , n_used(std::exchange(other.n_used, 0))
+    , n_bytes(std::exchange(other.n_bytes, 0))
+    , data(std::exchange(other.data, nullptr))
   {
-    std::free(pointer);
+  }
+
+  GrowingBlock &
+  GrowingBlock::operator=(GrowingBlock &&other) noexcept
+  {
+    std::swap(n_rows, other.n_rows);
+    std::swap(n_used, other.n_used);
+    std::swap(n_bytes, other.n_bytes);
+    std::swap(data, other.data);
+    return *this;
+  }
+
+  GrowingBlock::~GrowingBlock()
+  {
+    if (data)
+      munmap(data, n_bytes);
+  }
+
+  void
+  GrowingBlock::reserve(const std::size_t wanted)
+  {
+    if (wanted <= n_bytes)
+      return;
+    const std::size_t larger = std::max(wanted, n_bytes + n_bytes / 4);
+    void *moved = data ? mremap(data, n_bytes, larger, MREMAP_MAYMOVE)
+                       : mmap(nullptr,
+                              larger,
+                              PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS,
+                              -1,
+                              0);
+    if (moved == MAP_FAILED)
+      throw std::bad_alloc();
+    data    = static_cast<double *>(moved);
+    n_bytes = larger;
   }
 
   void
@@ -27,19 +66,8 @@ namespace squeal
   {
     AssertDimension(columns.rows(), n_rows);
     const std::size_t n_old = n_rows * static_cast<std::size_t>(n_used);
-    const std::size_t n_new = n_old + columns.size();
-    if (n_new > capacity)
-      {
-        const std::size_t wanted = std::max(n_new, n_old + n_old / 4);
-        void *moved = std::realloc(data.get(), wanted * sizeof(double));
-        if (!moved)
-          throw std::bad_alloc();
-        static_cast<void>(data.release());
-        data.reset(static_cast<double *>(moved));
-        capacity = wanted;
-      }
-    std::copy(
-      columns.data(), columns.data() + columns.size(), data.get() + n_old);
+    reserve((n_old + columns.size()) * sizeof(double));
+    std::copy(columns.data(), columns.data() + columns.size(), data + n_old);
     n_used += columns.cols();
   }
 
@@ -52,7 +80,7 @@ namespace squeal
   Eigen::Map<const Block>
   GrowingBlock::view() const
   {
-    return Eigen::Map<const Block>(data.get(), n_rows, n_used);
+    return Eigen::Map<const Block>(data, n_rows, n_used);
   }
 
 

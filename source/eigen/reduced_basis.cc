@@ -8,24 +8,33 @@ namespace squeal
     , basis(p)
   {
     rayleigh = pencil.is_rayleigh_damped(alpha, beta);
-    // A lone mass keeps its product with the basis already.
-    mass_part             = pencil.parts().size();
-    unsigned int n_masses = 0;
-    for (std::size_t i = 0; i < pencil.parts().size(); ++i)
-      if (pencil.parts()[i].symmetric &&
-          pencil.parts()[i].coefficients.mass != 0.)
-        {
-          mass_part = i;
-          ++n_masses;
-        }
-    if (n_masses > 1)
-      mass_part = pencil.parts().size();
+    // Products of a lone mass and a lone stiffness come with the basis.
+    mass_part = lone_part([](const TermCoefficients &c) { return c.mass; });
+    stiffness_part =
+      lone_part([](const TermCoefficients &c) { return c.stiffness.real(); });
     for (const auto &part : pencil.parts())
       {
         projected.push_back({Eigen::MatrixXd(0, 0), part.coefficients});
         products.emplace_back();
         transposed_products.emplace_back();
       }
+  }
+
+
+
+  std::size_t
+  ReducedBasis::lone_part(double (*coefficient)(const TermCoefficients &)) const
+  {
+    const auto &parts  = pencil.parts();
+    std::size_t result = parts.size();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].symmetric && coefficient(parts[i].coefficients) != 0.)
+        {
+          if (result < parts.size())
+            return parts.size();
+          result = i;
+        }
+    return result;
   }
 
 
@@ -61,25 +70,24 @@ namespace squeal
 
 
   void
-  ReducedBasis::start(const Block &W, const Block &MW)
+  ReducedBasis::start(const Block &W, const Block &MW, const Block &KW)
   {
     basis.adopt(W, MW);
-    project_all(W);
+    for (std::size_t i = 0; i < projected.size(); ++i)
+      if (i == stiffness_part)
+        append_symmetric(i,
+                         KW / pencil.parts()[i].coefficients.stiffness.real());
+      else
+        project(i, W);
   }
 
   unsigned int
   ReducedBasis::extend(const Block &new_directions)
   {
     const Block W = basis.extend(new_directions, 1e-9);
-    project_all(W);
-    return W.cols();
-  }
-
-  void
-  ReducedBasis::project_all(const Block &W)
-  {
     for (std::size_t i = 0; i < projected.size(); ++i)
       project(i, W);
+    return W.cols();
   }
 
   void
@@ -87,31 +95,47 @@ namespace squeal
   {
     const RowSpace    &space = *pencil.space();
     const auto        &part  = pencil.parts()[i];
-    const Eigen::Index b = W.cols(), n = basis.size() - b;
+    const Eigen::Index b     = W.cols();
+    if (i == mass_part)
+      return grow(i,
+                  inner_products(space,
+                                 basis.vectors(),
+                                 basis.mass_products().rightCols(b)) /
+                    part.coefficients.mass,
+                  {});
+    if (part.symmetric)
+      return append_symmetric(i, part.matrix->multiply(W));
+    products[i].append(part.matrix->multiply(W));
+    transposed_products[i].append(part.matrix->multiply_transposed(W));
+    Eigen::MatrixXd right = products[i].projected_on(basis.vectors(), b);
+    Eigen::MatrixXd below =
+      transposed_products[i].projected_on(basis.vectors(), b);
+    space.sum(right);
+    space.sum(below);
+    grow(i, right, below);
+  }
+
+  void
+  ReducedBasis::append_symmetric(const std::size_t i, const Block &AW)
+  {
+    products[i].append(AW);
+    Eigen::MatrixXd right =
+      products[i].projected_on(basis.vectors(), AW.cols());
+    pencil.space()->sum(right);
+    grow(i, right, {});
+  }
+
+  void
+  ReducedBasis::grow(const std::size_t      i,
+                     const Eigen::MatrixXd &right,
+                     const Eigen::MatrixXd &below)
+  {
+    const Eigen::Index b = right.cols(), n = right.rows() - b;
     Eigen::MatrixXd    A(n + b, n + b);
     A.topLeftCorner(n, n) = projected[i].matrix;
-    if (i == mass_part)
-      A.rightCols(b) = inner_products(space,
-                                      basis.vectors(),
-                                      basis.mass_products().rightCols(b)) /
-                       part.coefficients.mass;
-    else
-      {
-        products[i].append(part.matrix->multiply(W));
-        Eigen::MatrixXd right = products[i].projected_on(basis.vectors(), b);
-        space.sum(right);
-        A.rightCols(b) = right;
-      }
-    if (part.symmetric)
-      A.bottomLeftCorner(b, n) = A.topRightCorner(n, b).transpose();
-    else
-      {
-        transposed_products[i].append(part.matrix->multiply_transposed(W));
-        Eigen::MatrixXd below =
-          transposed_products[i].projected_on(basis.vectors(), b);
-        space.sum(below);
-        A.bottomLeftCorner(b, n) = below.topRows(n).transpose();
-      }
+    A.rightCols(b)        = right;
+    A.bottomLeftCorner(b, n) =
+      (below.size() > 0 ? below : right).topRows(n).transpose();
     projected[i].matrix = A;
   }
 

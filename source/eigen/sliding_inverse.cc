@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/low_rank_matrix.h>
+#include <squeal/base/sum_operator.h>
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/eigen/sliding_inverse.h>
 

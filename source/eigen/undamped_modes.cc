@@ -100,6 +100,7 @@ namespace squeal
   {
     supplement.resize(0, 0);
     mass_products.resize(0, 0);
+    stiffness_products.resize(0, 0);
   }
 
   double
@@ -230,18 +231,12 @@ namespace squeal
         Z.col(k) = ritz.eigenvectors().col(rest[k]);
       Eigen::MatrixXd all(theta.size(), kept.size() + rest.size());
       all << Y, Z;
-      const Block both    = Q * all;
-      modes.mass_products = MQ * all;
-      modes.shapes        = both.leftCols(kept.size());
-      modes.supplement    = both.rightCols(rest.size());
-      const Block MX      = modes.mass_products.leftCols(kept.size());
-      const Block KX      = pencil.multiply_undamped_stiffness(modes.shapes);
-      const auto  norms_K = pencil.space()->norms(KX);
-      const auto  norms_M = pencil.space()->norms(MX);
-      const Block R       = KX - MX * modes.omega_squared.asDiagonal();
-      modes.residual =
-        pencil.space()->norms(R).array() /
-        (norms_K.array() + modes.omega_squared.array().abs() * norms_M.array());
+      const Block both         = Q * all;
+      modes.mass_products      = MQ * all;
+      modes.shapes             = both.leftCols(kept.size());
+      modes.supplement         = both.rightCols(rest.size());
+      modes.stiffness_products = pencil.multiply_undamped_stiffness(both);
+      set_residuals(modes, *pencil.space());
       return modes;
     }
 
@@ -297,6 +292,20 @@ namespace squeal
         }
     }
   } // namespace
+
+
+
+  void
+  set_residuals(UndampedModes &modes, const RowSpace &space)
+  {
+    const Eigen::Index n  = modes.shapes.cols();
+    const auto         MX = modes.mass_products.leftCols(n);
+    const auto         KX = modes.stiffness_products.leftCols(n);
+    modes.residual =
+      space.norms(Block(KX - MX * modes.omega_squared.asDiagonal())).array() /
+      (space.norms(Block(KX)).array() +
+       modes.omega_squared.array().abs() * space.norms(Block(MX)).array());
+  }
 
 
 

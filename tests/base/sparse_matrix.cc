@@ -5,7 +5,9 @@
 
 #include "check.h"
 
+#include <squeal/base/low_rank_matrix.h>
 #include <squeal/base/sparse_matrix.h>
+#include <squeal/base/sum_operator.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -59,12 +59,15 @@ namespace squeal
     unsigned int local(const unsigned int global) const;
     unsigned int global(const unsigned int local) const;
 
+    /** True where this rank has every row: nothing to exchange. */
+    bool is_whole() const;
+
     /** Owned rows and the current values of the ghost rows. */
     Eigen::MatrixXd gather(const Block &owned) const;
 
     /** Adds the ghost rows of @p local to their owners and returns the owned
      * rows. */
-    Block scatter_add(const Eigen::MatrixXd &local) const;
+    Block scatter_add(Eigen::MatrixXd local) const;
 
     /** X^T Y summed over the ranks: (columns of X) x (columns of Y). */
     Eigen::MatrixXd  dot(const Block &X, const Block &Y) const;
@@ -79,8 +82,7 @@ namespace squeal
 
     /** All rows on rank 0 (empty elsewhere), and back. */
     Eigen::MatrixXd to_root(const Block &owned) const;
-    Block           from_root(const Eigen::MatrixXd &all,
-                              const unsigned int     n_columns) const;
+    Block from_root(Eigen::MatrixXd all, const unsigned int n_columns) const;
 
   private:
     MPI_Comm                                                   comm;

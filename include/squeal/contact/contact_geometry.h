@@ -2,7 +2,7 @@
 #ifndef squeal_contact_contact_geometry_h
 #define squeal_contact_contact_geometry_h
 
-#include <squeal/base/sparse_matrix.h>
+#include <squeal/base/low_rank_matrix.h>
 #include <squeal/discretization/discretization.h>
 #include <squeal/discretization/point_evaluator.h>
 

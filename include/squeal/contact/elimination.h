@@ -2,6 +2,7 @@
 #ifndef squeal_contact_elimination_h
 #define squeal_contact_elimination_h
 
+#include <squeal/base/low_rank_matrix.h>
 #include <squeal/discretization/affine_system.h>
 
 #include <memory>

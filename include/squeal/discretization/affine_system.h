@@ -2,7 +2,7 @@
 #ifndef squeal_discretization_affine_system_h
 #define squeal_discretization_affine_system_h
 
-#include <squeal/base/sparse_matrix.h>
+#include <squeal/base/linear_operator.h>
 #include <squeal/discretization/assembly.h>
 #include <squeal/parameters/scene_parameters.h>
 
@@ -125,6 +125,10 @@ namespace squeal
   private:
     Pencil() = default;
     Products apply(const ComplexBlock &X, const bool transposed) const;
+    /** The sum of coefficient A X over the symmetric parts. */
+    Block multiply_symmetric(
+      const Block &X,
+      double (*coefficient)(const TermCoefficients &)) const;
 
     std::shared_ptr<const RowSpace> row_space;
     std::vector<Part>               all_parts;

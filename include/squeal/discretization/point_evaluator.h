@@ -2,7 +2,7 @@
 #ifndef squeal_discretization_point_evaluator_h
 #define squeal_discretization_point_evaluator_h
 
-#include <squeal/base/sparse_matrix.h>
+#include <squeal/base/low_rank_matrix.h>
 #include <squeal/discretization/discretization.h>
 
 #include <array>

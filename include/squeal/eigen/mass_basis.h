@@ -16,6 +16,9 @@ namespace squeal
   {
   public:
     explicit GrowingBlock(const unsigned int n_rows = 0);
+    GrowingBlock(GrowingBlock &&other) noexcept;
+    GrowingBlock &operator=(GrowingBlock &&other) noexcept;
+    ~GrowingBlock();
     /** Throws std::bad_alloc where there is no memory. */
     void         append(const Block &columns);
     unsigned int n_columns() const;
@@ -23,15 +26,12 @@ namespace squeal
     Eigen::Map<const Block> view() const;
 
   private:
-    struct Free
-    {
-      void operator()(double *data) const;
-    };
+    void reserve(const std::size_t n_bytes);
 
-    Eigen::Index                    n_rows;
-    unsigned int                    n_used   = 0;
-    std::size_t                     capacity = 0; /**< numbers */
-    std::unique_ptr<double[], Free> data;
+    Eigen::Index n_rows;
+    unsigned int n_used  = 0;
+    std::size_t  n_bytes = 0; /**< mapped */
+    double      *data    = nullptr;
   };
 
   /**

@@ -27,9 +27,9 @@ namespace squeal
   public:
     explicit ReducedBasis(const Pencil &pencil);
 
-    /** Starts with mass-orthonormal vectors and their products with the mass.
-     */
-    void start(const Block &W, const Block &MW);
+    /** Starts with mass-orthonormal vectors and their products with the mass
+     * and with the symmetric stiffness K_0. */
+    void start(const Block &W, const Block &MW, const Block &KW);
 
     /** Adds the directions of @p W that V does not hold yet and projects.
      * Returns how many were added. */
@@ -66,7 +66,17 @@ namespace squeal
 
     /** Adds the projection of part @p i on the new vectors @p W. */
     void project(const std::size_t i, const Block &W);
-    void project_all(const Block &W);
+    /** The same for a symmetric part whose product @p AW is at hand. */
+    void append_symmetric(const std::size_t i, const Block &AW);
+    /** Adds V^T A W and (V^T A^T W)^T to the projection; none below where A is
+     * symmetric. */
+    void grow(const std::size_t      i,
+              const Eigen::MatrixXd &right,
+              const Eigen::MatrixXd &below);
+    /** The only symmetric part with that coefficient, or the number of parts.
+     */
+    std::size_t lone_part(
+      double (*coefficient)(const TermCoefficients &)) const;
     /** A V z of part @p i with z complex, on the rows of its product: real
      * parts, then imaginary ones. */
     Block product_with(const std::size_t       i,
@@ -77,7 +87,9 @@ namespace squeal
     MassBasis            basis;
     std::vector<Product> products, transposed_products;
     /** The part whose product is that of the basis with the mass, if any. */
-    std::size_t              mass_part;
+    std::size_t mass_part;
+    /** The part whose product with the start is that of K_0, if any. */
+    std::size_t              stiffness_part;
     std::vector<ReducedPart> projected;
     bool                     rayleigh;
     double                   alpha, beta;

@@ -2,6 +2,7 @@
 #ifndef squeal_eigen_sliding_inverse_h
 #define squeal_eigen_sliding_inverse_h
 
+#include <squeal/base/low_rank_matrix.h>
 #include <squeal/eigen/undamped_modes.h>
 
 #include <Eigen/LU>

@@ -54,12 +54,17 @@ namespace squeal
     Block supplement;
     /** Mass times shapes, then mass times supplement. */
     Block mass_products;
+    /** K_0 times shapes, then K_0 times supplement. */
+    Block stiffness_products;
 
     double frequency(const unsigned int i) const;
 
     /** Frees what only the start of a basis needs: supplement and products. */
     void release_start();
   };
+
+  /** Fills in the residuals from the products. */
+  void set_residuals(UndampedModes &modes, const RowSpace &space);
 
   /** How the spectrum is computed. */
   enum class ModeAlgorithm

@@ -2,7 +2,7 @@
 #ifndef squeal_results_matrix_market_h
 #define squeal_results_matrix_market_h
 
-#include <squeal/base/sparse_matrix.h>
+#include <squeal/base/linear_operator.h>
 
 #include <complex>
 #include <memory>

@@ -2,7 +2,7 @@
 #ifndef squeal_scene_imported_model_h
 #define squeal_scene_imported_model_h
 
-#include <squeal/base/sparse_matrix.h>
+#include <squeal/base/linear_operator.h>
 
 #include <squeal/scene/matrix_import.h>
 
