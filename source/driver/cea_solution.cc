@@ -82,8 +82,8 @@ namespace squeal
                  ": worst residual " + rounded_text(step.worst_residual, 2) +
                  ", worst error estimate " +
                  rounded_text(step.worst_estimate, 2));
+        return_freed_memory();
       });
-    return_freed_memory();
     solution.history    = solver.history();
     solution.basis_size = solver.basis().size();
     return solution;

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace squeal
 {
@@ -37,18 +37,29 @@ namespace squeal
       return best;
     }
 
-    /** Directions of the columns of @p Z (scaled so that 1 matters), real and
+    /** Directions of the columns z_j / scale_j with scale_j > 0, real and
      * imaginary parts, with singular values above @p limit and above 1e-4 of
-     * the largest: one enrichment does not contract by more. */
+     * the largest: one enrichment does not contract by more. Frees @p Z. */
     Block
-    compress(const RowSpace &space, const ComplexBlock &Z, const double limit)
+    compress(const RowSpace        &space,
+             ComplexBlock          &Z,
+             const Eigen::VectorXd &scales,
+             const double           limit)
     {
-      if (Z.cols() == 0)
-        return Block(Z.rows(), 0);
-      Block R(Z.rows(), 2 * Z.cols());
-      R << Z.real(), Z.imag();
+      Block        R(Z.rows(), 2 * Z.cols());
+      Eigen::Index n_columns = 0;
+      for (Eigen::Index j = 0; j < Z.cols(); ++j)
+        if (scales[j] > 0.)
+          {
+            R.col(n_columns++) = Z.col(j).real() / scales[j];
+            R.col(n_columns++) = Z.col(j).imag() / scales[j];
+          }
+      Z.resize(0, 0);
+      if (n_columns == 0)
+        return Block(R.rows(), 0);
+      const auto used = R.leftCols(n_columns);
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
-        space.dot(R, R));
+        inner_products(space, used, used));
       const Eigen::VectorXd &values = gram.eigenvalues();
       const double           smallest =
         std::max(limit, 1e-4 * std::sqrt(values.maxCoeff()));
@@ -56,22 +67,9 @@ namespace squeal
       while (first < values.size() && values[first] < smallest * smallest)
         ++first;
       const Eigen::Index n = values.size() - first;
-      return R * gram.eigenvectors().rightCols(n) *
-             values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
-    }
-
-    /** The columns of @p Z with scale_j > 0, divided by it. */
-    ComplexBlock
-    scaled_columns(const ComplexBlock &Z, const Eigen::VectorXd &scales)
-    {
-      std::vector<int> kept;
-      for (Eigen::Index j = 0; j < scales.size(); ++j)
-        if (scales[j] > 0.)
-          kept.push_back(j);
-      ComplexBlock result(Z.rows(), kept.size());
-      for (std::size_t k = 0; k < kept.size(); ++k)
-        result.col(k) = Z.col(kept[k]) / scales[kept[k]];
-      return result;
+      return used * Eigen::MatrixXd(
+                      gram.eigenvectors().rightCols(n) *
+                      values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal());
     }
 
     Block
@@ -234,39 +232,37 @@ namespace squeal
 
   unsigned int
   CertifiedSolver::enrich(const ComplexPairs     &pairs,
-                          const Residuals        &residuals,
+                          Residuals             &&residuals,
                           const CertifiedOptions &options)
   {
-    const RowSpace &space = *pencil.space();
+    const RowSpace &space        = *pencil.space();
+    PairResiduals  &right        = residuals.right;
+    const auto      right_scales = [&](const auto &sizes) {
+      return Eigen::VectorXd(sizes.array() * right.denominators.array());
+    };
     if (residuals.met)
-      {
-        // What is left to know is by how much the eigenvalues still change:
-        // every residual counts, however small it is.
-        const Eigen::VectorXd scales =
-          residuals.right.denominators.cwiseProduct(pairs.residual);
-        return reduced.extend(inverse.solve(compress(
-          space, scaled_columns(residuals.right.vectors, scales), 0.1)));
-      }
-    const Block right = inverse.solve(compress(
-      space,
-      scaled_columns(residuals.right.vectors,
-                     options.residual_tolerance * residuals.right.denominators),
-      0.3));
+      // What is left to know is by how much the eigenvalues still change:
+      // every residual counts, however small it is.
+      return reduced.extend(inverse.solve(
+        compress(space, right.vectors, right_scales(pairs.residual), 0.1)));
+    const Eigen::VectorXd tolerances =
+      Eigen::VectorXd::Constant(pairs.size(), options.residual_tolerance);
+    Block all = inverse.solve(
+      compress(space, right.vectors, right_scales(tolerances), 0.3));
     // The responses to the inertia forces too: two steps of the Krylov space
     // for one evaluation of the residuals.
-    Block all = side_by_side(right, inverse.solve(pencil.multiply_mass(right)));
+    all = side_by_side(all, inverse.solve(pencil.multiply_mass(all)));
     // Left residuals enter the eigenvalue's error only as a product with the
     // right ones: the square root of the tolerance is enough for them.
     if (residuals.left.vectors.cols() > 0)
-      all =
-        side_by_side(all,
-                     inverse.solve_transposed(compress(
-                       space,
-                       scaled_columns(residuals.left.vectors,
-                                      std::sqrt(options.residual_tolerance) *
-                                        residuals.left.denominators),
-                       0.3)));
-    return reduced.extend(all);
+      all = side_by_side(
+        all,
+        inverse.solve_transposed(compress(
+          space,
+          residuals.left.vectors,
+          std::sqrt(options.residual_tolerance) * residuals.left.denominators,
+          0.3)));
+    return reduced.extend(std::move(all));
   }
 
 
@@ -360,13 +356,16 @@ namespace squeal
             return pairs;
           }
         const unsigned int size      = reduced.size();
-        const Residuals    residuals = evaluate_residuals(current, options);
+        Residuals          residuals = evaluate_residuals(current, options);
+        const bool         met       = residuals.met;
         // Converged further than anybody asked: no need to know how far.
-        const bool   known = residuals.met && adopt_estimates(pairs, earlier);
+        const bool   known = met && adopt_estimates(pairs, earlier);
         unsigned int added = 0;
-        if (!known)
+        if (known)
+          residuals.right.vectors.resize(0, 0);
+        else
           {
-            added = enrich(pairs, residuals, options);
+            added = enrich(pairs, std::move(residuals), options);
             dense = reduced.solve();
             estimate_errors(pairs, dense.lambda);
           }
@@ -384,7 +383,7 @@ namespace squeal
                               certain && worst <= exhausted_residual;
         if (at_floor)
           pairs.noise_floor = pairs.noise_floor.cwiseMax(pairs.residual);
-        if ((residuals.met && certain) || at_floor)
+        if ((met && certain) || at_floor)
           {
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);

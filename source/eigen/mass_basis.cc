@@ -62,12 +62,12 @@ namespace squeal
   }
 
   void
-  GrowingBlock::append(const Block &columns)
+  GrowingBlock::append(const Eigen::Ref<const Block> &columns)
   {
     AssertDimension(columns.rows(), n_rows);
     const std::size_t n_old = n_rows * static_cast<std::size_t>(n_used);
     reserve((n_old + columns.size()) * sizeof(double));
-    std::copy(columns.data(), columns.data() + columns.size(), data + n_old);
+    Eigen::Map<Block>(data + n_old, n_rows, columns.cols()) = columns;
     n_used += columns.cols();
   }
 
@@ -93,7 +93,8 @@ namespace squeal
   }
 
   void
-  MassBasis::adopt(const Block &W, const Block &MW)
+  MassBasis::adopt(const Eigen::Ref<const Block> &W,
+                   const Eigen::Ref<const Block> &MW)
   {
     AssertDimension(size(), 0);
     Q.append(W);

@@ -40,7 +40,7 @@ namespace squeal
 
 
   void
-  ReducedBasis::Product::append(const Block &AW)
+  ReducedBasis::Product::append(const Eigen::Ref<const Block> &AW)
   {
     if (columns.n_columns() == 0)
       {
@@ -70,21 +70,25 @@ namespace squeal
 
 
   void
-  ReducedBasis::start(const Block &W, const Block &MW, const Block &KW)
+  ReducedBasis::start(const Eigen::Ref<const Block> &W,
+                      const Eigen::Ref<const Block> &MW,
+                      const Eigen::Ref<const Block> &KW)
   {
     basis.adopt(W, MW);
     for (std::size_t i = 0; i < projected.size(); ++i)
-      if (i == stiffness_part)
-        append_symmetric(i,
-                         KW / pencil.parts()[i].coefficients.stiffness.real());
+      if (const double k = pencil.parts()[i].coefficients.stiffness.real();
+          i == stiffness_part && k == 1.)
+        append_symmetric(i, KW);
+      else if (i == stiffness_part)
+        append_symmetric(i, KW / k);
       else
         project(i, W);
   }
 
   unsigned int
-  ReducedBasis::extend(const Block &new_directions)
+  ReducedBasis::extend(Block new_directions)
   {
-    const Block W = basis.extend(new_directions, 1e-9);
+    const Block W = basis.extend(std::move(new_directions), 1e-9);
     for (std::size_t i = 0; i < projected.size(); ++i)
       project(i, W);
     return W.cols();
@@ -116,7 +120,8 @@ namespace squeal
   }
 
   void
-  ReducedBasis::append_symmetric(const std::size_t i, const Block &AW)
+  ReducedBasis::append_symmetric(const std::size_t              i,
+                                 const Eigen::Ref<const Block> &AW)
   {
     products[i].append(AW);
     Eigen::MatrixXd right =
@@ -168,13 +173,19 @@ namespace squeal
   ComplexBlock
   ReducedBasis::lift(const Eigen::MatrixXcd &z) const
   {
-    const Eigen::Index n = z.cols();
-    Eigen::MatrixXd    both(z.rows(), 2 * n);
-    both << z.real(), z.imag();
-    const Block  product = basis.vectors().leftCols(z.rows()) * both;
-    ComplexBlock X(product.rows(), n);
-    X.real() = product.leftCols(n);
-    X.imag() = product.rightCols(n);
+    // A few at a time: bases are large.
+    constexpr Eigen::Index chunk = 16;
+    const auto             V     = basis.vectors().leftCols(z.rows());
+    ComplexBlock           X(V.rows(), z.cols());
+    for (Eigen::Index first = 0; first < z.cols(); first += chunk)
+      {
+        const Eigen::Index n = std::min(chunk, z.cols() - first);
+        Eigen::MatrixXd    both(z.rows(), 2 * n);
+        both << z.middleCols(first, n).real(), z.middleCols(first, n).imag();
+        const Block product           = V * both;
+        X.middleCols(first, n).real() = product.leftCols(n);
+        X.middleCols(first, n).imag() = product.rightCols(n);
+      }
     return X;
   }
 

@@ -5,6 +5,7 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/base/sparse_matrix.h>
 #include <squeal/results/matrix_market.h>
 
 #include <squeal/scene/matrix_import.h>

@@ -39,8 +39,10 @@ namespace squeal
    * tolerances or at the rounding floor. The error of a pair is the change of
    * lambda by the next enrichment: it holds an adjoint part outside the space,
    * without which the estimate would vanish identically (y^T r = 0 for y in the
-   * space). Nearly coalesced pairs are compared by mean and squared
-   * half-difference, which depend smoothly on perturbations.
+   * space). A space whose last growth changed no eigenvalue by more than 1e-11
+   * takes that change as the bound of what is left. Nearly coalesced pairs are
+   * compared by mean and squared half-difference, which depend smoothly on
+   * perturbations.
    */
   class CertifiedSolver
   {
@@ -79,9 +81,10 @@ namespace squeal
     Residuals evaluate_residuals(Candidates             &candidates,
                                  const CertifiedOptions &options);
 
-    /** Adds what the residuals ask for; returns how many vectors were new. */
+    /** Adds what the residuals ask for, whose vectors are freed; returns how
+     * many vectors were new. */
     unsigned int enrich(const ComplexPairs     &pairs,
-                        const Residuals        &residuals,
+                        Residuals             &&residuals,
                         const CertifiedOptions &options);
 
     const Pencil        &pencil;

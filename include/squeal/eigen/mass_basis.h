@@ -20,7 +20,7 @@ namespace squeal
     GrowingBlock &operator=(GrowingBlock &&other) noexcept;
     ~GrowingBlock();
     /** Throws std::bad_alloc where there is no memory. */
-    void         append(const Block &columns);
+    void         append(const Eigen::Ref<const Block> &columns);
     unsigned int n_columns() const;
     /** The columns as one matrix expression. */
     Eigen::Map<const Block> view() const;
@@ -55,7 +55,8 @@ namespace squeal
 
     /** Starts an empty basis with columns that are mass-orthonormal already and
      * their products with the mass. */
-    void adopt(const Block &W, const Block &MW);
+    void adopt(const Eigen::Ref<const Block> &W,
+               const Eigen::Ref<const Block> &MW);
 
     unsigned int            size() const;
     Eigen::Map<const Block> vectors() const;

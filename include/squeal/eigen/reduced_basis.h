@@ -29,11 +29,13 @@ namespace squeal
 
     /** Starts with mass-orthonormal vectors and their products with the mass
      * and with the symmetric stiffness K_0. */
-    void start(const Block &W, const Block &MW, const Block &KW);
+    void start(const Eigen::Ref<const Block> &W,
+               const Eigen::Ref<const Block> &MW,
+               const Eigen::Ref<const Block> &KW);
 
     /** Adds the directions of @p W that V does not hold yet and projects.
      * Returns how many were added. */
-    unsigned int extend(const Block &W);
+    unsigned int extend(Block W);
 
     unsigned int                    size() const;
     Eigen::Map<const Block>         vectors() const;
@@ -58,7 +60,7 @@ namespace squeal
     {
       std::vector<Eigen::Index> rows; /**< empty: all */
       GrowingBlock              columns;
-      void                      append(const Block &AW);
+      void                      append(const Eigen::Ref<const Block> &AW);
       /** X^T A W for the columns W appended last. */
       Eigen::MatrixXd projected_on(const Eigen::Map<const Block> &X,
                                    const unsigned int             n_last) const;
@@ -67,7 +69,8 @@ namespace squeal
     /** Adds the projection of part @p i on the new vectors @p W. */
     void project(const std::size_t i, const Block &W);
     /** The same for a symmetric part whose product @p AW is at hand. */
-    void append_symmetric(const std::size_t i, const Block &AW);
+    void append_symmetric(const std::size_t              i,
+                          const Eigen::Ref<const Block> &AW);
     /** Adds V^T A W and (V^T A^T W)^T to the projection; none below where A is
      * symmetric. */
     void grow(const std::size_t      i,
