@@ -18,6 +18,13 @@ namespace squeal
 {
   namespace testing
   {
+    /** From @p lambda to the nearest of @p all, relative. */
+    inline double
+    distance(const Eigen::VectorXcd &all, const std::complex<double> lambda)
+    {
+      return (all.array() - lambda).abs().minCoeff() / std::abs(lambda);
+    }
+
     inline BodyParameters
     make_block(const std::string                 &name,
                const Vector3                     &position,

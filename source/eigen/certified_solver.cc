@@ -385,6 +385,7 @@ namespace squeal
           pairs.noise_floor = pairs.noise_floor.cwiseMax(pairs.residual);
         if ((met && certain) || at_floor)
           {
+            reduced.release_products();
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);
             return pairs;

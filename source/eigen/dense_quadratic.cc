@@ -9,6 +9,7 @@
 #include <complex>
 #include <vector>
 
+// deal.II declares these too, but its BLAS declarations contradict Eigen's.
 extern "C"
 {
   void dgeev_(const char *,
@@ -55,9 +56,18 @@ namespace squeal
       Eigen::MatrixXcd right, left;
     };
 
+    /** Calls @p geev (workspace, its size, info): first for the size, then for
+     * the pairs. */
+    template <typename Number, typename Function>
     void
-    check(const int info)
+    with_workspace(const Function &geev)
     {
+      Number best = 0.;
+      int    size = -1, info = 0;
+      geev(&best, &size, &info);
+      size = static_cast<int>(std::real(best));
+      std::vector<Number> work(size);
+      geev(work.data(), &size, &info);
       if (info != 0)
         throw ComputationError("LAPACK's eigen-solver failed on the reduced "
                                "problem (info = " +
@@ -71,39 +81,22 @@ namespace squeal
       const int       n = static_cast<int>(A.rows());
       Eigen::VectorXd re(n), im(n);
       Eigen::MatrixXd L(n, n), R(n, n);
-      double          best = 0.;
-      int             size = -1, info = 0;
-      dgeev_("V",
-             "V",
-             &n,
-             A.data(),
-             &n,
-             re.data(),
-             im.data(),
-             L.data(),
-             &n,
-             R.data(),
-             &n,
-             &best,
-             &size,
-             &info);
-      size = static_cast<int>(best);
-      std::vector<double> work(size);
-      dgeev_("V",
-             "V",
-             &n,
-             A.data(),
-             &n,
-             re.data(),
-             im.data(),
-             L.data(),
-             &n,
-             R.data(),
-             &n,
-             work.data(),
-             &size,
-             &info);
-      check(info);
+      with_workspace<double>([&](double *work, const int *size, int *info) {
+        dgeev_("V",
+               "V",
+               &n,
+               A.data(),
+               &n,
+               re.data(),
+               im.data(),
+               L.data(),
+               &n,
+               R.data(),
+               &n,
+               work,
+               size,
+               info);
+      });
       StandardPairs result;
       result.values.resize(n);
       result.right.resize(n, n);
@@ -137,40 +130,23 @@ namespace squeal
       StandardPairs       result;
       Eigen::MatrixXcd    L(n, n), R(n, n);
       std::vector<double> real_work(2 * n);
-      Complex             best = 0.;
-      int                 size = -1, info = 0;
       result.values.resize(n);
-      zgeev_("V",
-             "V",
-             &n,
-             A.data(),
-             &n,
-             result.values.data(),
-             L.data(),
-             &n,
-             R.data(),
-             &n,
-             &best,
-             &size,
-             real_work.data(),
-             &info);
-      size = static_cast<int>(best.real());
-      std::vector<Complex> work(size);
-      zgeev_("V",
-             "V",
-             &n,
-             A.data(),
-             &n,
-             result.values.data(),
-             L.data(),
-             &n,
-             R.data(),
-             &n,
-             work.data(),
-             &size,
-             real_work.data(),
-             &info);
-      check(info);
+      with_workspace<Complex>([&](Complex *work, const int *size, int *info) {
+        zgeev_("V",
+               "V",
+               &n,
+               A.data(),
+               &n,
+               result.values.data(),
+               L.data(),
+               &n,
+               R.data(),
+               &n,
+               work,
+               size,
+               real_work.data(),
+               info);
+      });
       result.right = R;
       result.left  = L.conjugate();
       return result;

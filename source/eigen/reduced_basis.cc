@@ -146,6 +146,13 @@ namespace squeal
 
 
 
+  void
+  ReducedBasis::release_products()
+  {
+    products.clear();
+    transposed_products.clear();
+  }
+
   unsigned int
   ReducedBasis::size() const
   {

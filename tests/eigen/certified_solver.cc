@@ -18,12 +18,6 @@ namespace
 
   constexpr double top = 8000.;
 
-  double
-  distance(const Eigen::VectorXcd &values, const Complex lambda)
-  {
-    return (values.array() - lambda).abs().minCoeff() / std::abs(lambda);
-  }
-
   void
   test_no_friction()
   {

@@ -24,12 +24,6 @@ namespace
 
   constexpr double top = 6000.;
 
-  double
-  distance(const Eigen::VectorXcd &all, const Complex lambda)
-  {
-    return (all.array() - lambda).abs().minCoeff() / std::abs(lambda);
-  }
-
   /** Certified pairs beside those of the direct solver. */
   void
   check_against_direct(const SceneParameters &scene, const std::string &name)

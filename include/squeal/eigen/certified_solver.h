@@ -51,9 +51,9 @@ namespace squeal
                     const ShiftedInverse &inverse,
                     const UndampedModes  &modes);
 
-    /** Pairs with frequency in the band (real eigenvalues where the band starts
-     * at 0). Throws ComputationError where the tolerance is not met within the
-     * allowed enrichments. */
+    /** To be called once. Pairs with frequency in the band (real eigenvalues
+     * where the band starts at 0). Throws ComputationError where the tolerance
+     * is not met within the allowed enrichments. */
     ComplexPairs solve(
       const CertifiedOptions                             &options,
       const std::function<void(const BasisEnrichment &)> &report = {});

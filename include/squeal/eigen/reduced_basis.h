@@ -37,6 +37,9 @@ namespace squeal
      * Returns how many were added. */
     unsigned int extend(Block W);
 
+    /** Frees what extend() and residuals() need, when both are done. */
+    void release_products();
+
     unsigned int                    size() const;
     Eigen::Map<const Block>         vectors() const;
     const std::vector<ReducedPart> &parts() const;
