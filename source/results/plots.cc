@@ -275,7 +275,7 @@ namespace squeal
     if (std::any_of(shown.begin(), shown.end(), [](const PlottedPair &p) {
           return p.is_unstable;
         }))
-      chart.title += ", unstable pairs in red";
+      chart.title += ", unstable pairs in orange";
     chart.x.label = "share of kinetic energy in %";
     chart.x.lower = 0.;
     chart.x.upper = 100.;
