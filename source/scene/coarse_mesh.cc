@@ -105,6 +105,37 @@ namespace squeal
           v = number[v];
       mesh.vertices = std::move(kept);
     }
+    bool
+    are_linked(const SceneParameters &scene,
+               const std::string     &a,
+               const std::string     &b)
+    {
+      const auto links = [&](const auto &pair) {
+        return (pair.source_body == a && pair.target_body == b) ||
+               (pair.source_body == b && pair.target_body == a);
+      };
+      return std::any_of(scene.ties.begin(), scene.ties.end(), links) ||
+             std::any_of(scene.contacts.begin(), scene.contacts.end(), links);
+    }
+
+    /** Nodes that two volumes of a Gmsh file share would glue them in most
+     * codes; here every body has its own. Refuses to choose for the user. */
+    void
+    check_shared_nodes(const SceneParameters &scene,
+                       const BodyParameters  &body,
+                       const BodyMesh        &mesh)
+    {
+      for (const BodyParameters &other : scene.bodies)
+        if (other.name != body.name && other.mesh_file == body.mesh_file &&
+            std::count(mesh.touching_volumes.begin(),
+                       mesh.touching_volumes.end(),
+                       other.physical_volume) > 0 &&
+            !are_linked(scene, body.name, other.name))
+          throw InputError("bodies '" + body.name + "' and '" + other.name +
+                           "': share nodes in mesh file '" + body.mesh_file +
+                           "': glue them by a tie, let them touch by a "
+                           "contact, or duplicate the nodes between them");
+    }
   } // namespace
 
 
@@ -154,7 +185,8 @@ namespace squeal
       throw InputError("Scene/Bodies: at most 250 bodies are supported");
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
-        const BodyMesh     body  = make_body_mesh(scene.bodies[b]);
+        const BodyMesh body = make_body_mesh(scene.bodies[b]);
+        check_shared_nodes(scene, scene.bodies[b], body);
         const unsigned int first = mesh.vertices.size();
         mesh.face_names.push_back(body.face_names);
         mesh.vertices.insert(

@@ -100,7 +100,8 @@ namespace squeal
       void              check_connected() const;
       void              name_boundary();
       void              number_unnamed_faces();
-      BodyMesh          without_unused_nodes() const;
+      std::vector<std::string> touching_volumes() const;
+      BodyMesh                 without_unused_nodes() const;
 
       const BodyParameters    &body;
       const GmshFile           file;
@@ -422,6 +423,26 @@ namespace squeal
 
 
 
+    std::vector<std::string>
+    GmshBody::touching_volumes() const
+    {
+      std::vector<bool> own(file.nodes.size(), false);
+      for (const auto &cell : hexahedra)
+        for (const unsigned int n : cell)
+          own[n] = true;
+      std::set<std::string> names;
+      for (const auto &element : file.elements)
+        if (element.kind == Kind::hexahedron && !is_selected(element) &&
+            std::any_of(element.nodes.begin(),
+                        element.nodes.end(),
+                        [&](const unsigned int n) { return own[n]; }))
+          for (const int tag : file.groups[element.group])
+            names.insert(name_of(file.volume_names, tag));
+      return {names.begin(), names.end()};
+    }
+
+
+
     BodyMesh
     GmshBody::make()
     {
@@ -433,7 +454,8 @@ namespace squeal
       check_connected();
       name_boundary();
       number_unnamed_faces();
-      BodyMesh mesh = without_unused_nodes();
+      BodyMesh mesh         = without_unused_nodes();
+      mesh.touching_volumes = touching_volumes();
       dealii::GridTools::consistently_order_cells(mesh.cells);
       return mesh;
     }

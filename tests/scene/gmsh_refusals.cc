@@ -186,11 +186,44 @@ namespace
     apart << "$EndElements\n";
     refuses(apart.str(), "2 parts", "a body in parts that share no nodes");
   }
+
+  /** Two bodies of one file that share the nodes of the middle plane. */
+  void
+  shared_nodes()
+  {
+    std::ofstream("halves.msh") << version_2(Cube());
+    SceneParameters scene;
+    for (const char *volume : {"lower", "upper"})
+      {
+        BodyParameters body;
+        body.name            = std::string(volume) + " half";
+        body.shape           = BodyParameters::Shape::gmsh;
+        body.mesh_file       = "halves.msh";
+        body.physical_volume = volume;
+        scene.bodies.push_back(body);
+      }
+    check_throws<InputError>([&]() { make_coarse_mesh(scene); },
+                             "'lower half' and 'upper half': share nodes",
+                             "refused: bodies that share nodes by accident");
+    TieParameters tie;
+    tie.name        = "middle";
+    tie.source_body = "lower half";
+    tie.target_body = "upper half";
+    tie.source_face = tie.target_face = "middle";
+    scene.ties                        = {tie};
+    check(make_coarse_mesh(scene).vertices.size() == 27,
+          "a tie glues the two halves");
+    scene.bodies.pop_back();
+    scene.ties.clear();
+    check(make_coarse_mesh(scene).cells.size() == 4,
+          "a neighbour that is no body does not matter");
+  }
 } // namespace
 
 int
 main()
 {
+  shared_nodes();
   unreadable_files();
   unusable_meshes();
 }

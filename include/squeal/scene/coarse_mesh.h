@@ -49,7 +49,8 @@ namespace squeal
   /**
    * Meshes every body and joins conforming ties. Throws InputError where a
    * mesh file is unusable (not hexahedral, inverted cells, unknown physical
-   * name) or a conforming tie does not match.
+   * name), two bodies share nodes in their file without a tie or a contact
+   * between them, or a conforming tie does not match.
    */
   CoarseMesh make_coarse_mesh(const SceneParameters &scene);
 
@@ -60,6 +61,8 @@ namespace squeal
     std::vector<dealii::CellData<3>> cells;
     std::vector<dealii::CellData<2>> boundary;
     std::vector<std::string>         face_names;
+    /** Other physical volumes of the Gmsh file that use nodes of this body. */
+    std::vector<std::string> touching_volumes;
   };
   BodyMesh make_body_mesh(const BodyParameters &body);
 
