@@ -120,12 +120,14 @@ set(SQUEAL_SOURCES_RESULTS
 set(SQUEAL_SOURCES_DRIVER
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
+    source/driver/command_line.cc
     source/driver/matrix_output.cc
     source/driver/mode_solution.cc
     source/driver/model.cc
     source/driver/run_cea.cc
     source/driver/run_context.cc
     source/driver/run_modes.cc
+    source/driver/run_session.cc
     source/driver/run_work_precision.cc
     source/driver/shape_output.cc)
 

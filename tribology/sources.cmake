@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# Every source file of squeal_tribology, sorted.
+
+set(SQUEAL_TRIBOLOGY_SOURCES
+    source/driver/context.cc
+    source/driver/run_correlation.cc
+    source/driver/run_damage.cc
+    source/driver/run_recorded_history.cc
+    source/images/image_parameters.cc
+    source/images/run_segmentation.cc
+    source/images/run_synthetic_specimen.cc
+    source/setup/choices.cc
+    source/setup/declare.cc
+    source/setup/declare_correlation.cc
+    source/setup/declare_damage.cc
+    source/setup/declare_history.cc
+    source/setup/tribology_parameters.cc)
