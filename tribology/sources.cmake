@@ -7,6 +7,11 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
     source/driver/run_recorded_history.cc
+    source/fatigue/accumulation.cc
+    source/fatigue/damage_counter.cc
+    source/fatigue/mean_stress.cc
+    source/fatigue/sn_curve.cc
+    source/fatigue/spectral.cc
     source/images/image_parameters.cc
     source/images/run_segmentation.cc
     source/images/run_synthetic_specimen.cc
