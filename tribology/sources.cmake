@@ -3,6 +3,9 @@
 # Every source file of squeal_tribology, sorted.
 
 set(SQUEAL_TRIBOLOGY_SOURCES
+    source/criteria/critical_plane.cc
+    source/criteria/enclosing_ball.cc
+    source/criteria/multiaxial.cc
     source/driver/context.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
@@ -20,4 +23,5 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_correlation.cc
     source/setup/declare_damage.cc
     source/setup/declare_history.cc
-    source/setup/tribology_parameters.cc)
+    source/setup/tribology_parameters.cc
+    source/subsurface/half_space.cc)
