@@ -15,6 +15,9 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/fatigue/mean_stress.cc
     source/fatigue/sn_curve.cc
     source/fatigue/spectral.cc
+    source/history/clipped_sine.cc
+    source/history/contact_grid.cc
+    source/history/csv_import.cc
     source/images/image_parameters.cc
     source/images/run_segmentation.cc
     source/images/run_synthetic_specimen.cc
