@@ -104,6 +104,9 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/compare.cc
     source/results/cost_at_error.cc
     source/results/display_mesh.cc
+    source/results/hdf5_file.cc
+    source/results/history_reader.cc
+    source/results/history_writer.cc
     source/results/html_report.cc
     source/results/label_layout.cc
     source/results/matrix_market.cc
@@ -122,12 +125,14 @@ set(SQUEAL_SOURCES_RESULTS
 set(SQUEAL_SOURCES_DRIVER
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
+    source/driver/command_line.cc
     source/driver/matrix_output.cc
     source/driver/mode_solution.cc
     source/driver/model.cc
     source/driver/run_cea.cc
     source/driver/run_context.cc
     source/driver/run_modes.cc
+    source/driver/run_session.cc
     source/driver/run_work_precision.cc
     source/driver/shape_output.cc)
 

@@ -14,7 +14,7 @@ endif()
 set(_refused 0)
 foreach(_file IN LISTS _files)
   file(STRINGS "${_file}" _tribology
-       REGEX "^ *set +Analysis *= *(damage|segmentation|correlation)")
+       REGEX "^ *set +Analysis *= *(damage|segmentation|correlation|synthetic specimen|recorded history)")
   set(_program "${PROGRAM}")
   if(_tribology)
     set(_program "${TRIBOLOGY}")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
-#include <squeal/base/version.h>
 #include <squeal/driver/analyses.h>
+#include <squeal/driver/command_line.h>
 #include <squeal/results/compare.h>
 
 #include <deal.II/base/mpi.h>
@@ -23,39 +23,12 @@ namespace
     "--help\n"
     "On N ranks: mpirun -np N squeal FILE.prm\n";
 
-  struct CommandLine
-  {
-    std::string              action = "run";
-    std::vector<std::string> files, overrides;
-  };
-
-  CommandLine
-  read_command_line(const int argc, char **argv)
-  {
-    CommandLine line;
-    for (int i = 1; i < argc; ++i)
-      {
-        const std::string word = argv[i];
-        if (word == "--set")
-          {
-            if (++i == argc)
-              throw InputError("--set needs 'Section/Entry = value'");
-            line.overrides.push_back(argv[i]);
-          }
-        else if (word == "-h")
-          line.action = "--help";
-        else if (word == "--validate" || word == "--compare" ||
-                 word == "--print-defaults" ||
-                 word == "--print-documentation" || word == "--version" ||
-                 word == "--help")
-          line.action = word;
-        else if (word.size() > 1 && word[0] == '-')
-          throw InputError("unknown option '" + word + "'; see squeal --help");
-        else
-          line.files.push_back(word);
-      }
-    return line;
-  }
+  const std::vector<std::string> actions = {"--validate",
+                                            "--compare",
+                                            "--print-defaults",
+                                            "--print-documentation",
+                                            "--version",
+                                            "--help"};
 
   void
   run_file(const std::string              &file,
@@ -87,12 +60,7 @@ namespace
     else if (line.action == "--version")
       {
         if (is_root)
-          {
-            std::cout << "squeal " << version::program << " ("
-                      << version::revision << ")\n";
-            for (const auto &[name, number] : version::libraries)
-              std::cout << "  " << name << " " << number << "\n";
-          }
+          print_version("squeal");
       }
     else if (line.action == "--print-defaults")
       {
@@ -130,15 +98,6 @@ namespace
       }
   }
 
-  /** Prints on the root rank only: every rank fails alike on bad input. */
-  int
-  fail(const bool is_root, const std::string &text, const int code)
-  {
-    if (is_root)
-      std::cerr << "squeal: " << text << std::endl;
-    return code;
-  }
-
   /**
    * Before MPI starts: a process that no launcher started leaves no files for
    * others to find. Open MPI's directory of them is common to all processes of
@@ -170,27 +129,8 @@ main(int argc, char **argv)
   const char *threads = std::getenv("SQUEAL_THREADS");
   openblas_set_num_threads(threads ? std::max(1, std::atoi(threads)) : 1);
   keep_freed_memory();
-  try
-    {
-      act(read_command_line(argc, argv), is_root);
-    }
-  catch (const InputError &e)
-    {
-      return fail(is_root, e.what(), 2);
-    }
-  catch (const ComputationError &e)
-    {
-      return fail(is_root, e.what(), 3);
-    }
-  catch (const CheckError &e)
-    {
-      return fail(is_root, e.what(), 4);
-    }
-  catch (const std::exception &e)
-    {
-      std::cerr << "squeal: internal error: " << e.what() << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, 1);
-      return 1;
-    }
-  return 0;
+  return run_guarded(
+    is_root,
+    [&]() { act(read_command_line(argc, argv, actions), is_root); },
+    []() { MPI_Abort(MPI_COMM_WORLD, 1); });
 }

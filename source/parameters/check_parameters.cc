@@ -119,42 +119,40 @@ namespace squeal
               }
           }
       }
-
-
-
-      void
-      check_result_check(const ResultCheckParameters &c)
-      {
-        const std::string section = "Result checks/Check " + c.name;
-        if (c.table.empty())
-          refuse_entry(section,
-                       "Table",
-                       "is empty: name a result table such as 'modes.csv'");
-        if (c.column.empty())
-          refuse_entry(section,
-                       "Column",
-                       "is empty: name a column of the table, or 'count'");
-        if (!c.where.empty() &&
-            c.where.find_first_of("=<>") == std::string::npos)
-          refuse_entry(section,
-                       "Where",
-                       "= " + quoted(c.where) +
-                         ": write it as 'column = value'");
-        const std::size_t equals = c.nearest.find('=');
-        if (!c.nearest.empty() && (equals == std::string::npos || equals == 0 ||
-                                   !parse_number(c.nearest.substr(equals + 1))))
-          refuse_entry(section,
-                       "Nearest",
-                       "= " + quoted(c.nearest) +
-                         ": write it as 'column = number'");
-        if (c.relative_tolerance == 0. && c.absolute_tolerance == 0. &&
-            c.column != "count")
-          refuse_entry(section,
-                       "Relative tolerance",
-                       "and 'Absolute tolerance' are both 0: no computed "
-                       "number is exact");
-      }
     } // namespace
+
+
+
+    void
+    check_result_check(const ResultCheckParameters &c)
+    {
+      const std::string section = "Result checks/Check " + c.name;
+      if (c.table.empty())
+        refuse_entry(section,
+                     "Table",
+                     "is empty: name a result table such as 'modes.csv'");
+      if (c.column.empty())
+        refuse_entry(section,
+                     "Column",
+                     "is empty: name a column of the table, or 'count'");
+      if (!c.where.empty() && c.where.find_first_of("=<>") == std::string::npos)
+        refuse_entry(section,
+                     "Where",
+                     "= " + quoted(c.where) + ": write it as 'column = value'");
+      const std::size_t equals = c.nearest.find('=');
+      if (!c.nearest.empty() && (equals == std::string::npos || equals == 0 ||
+                                 !parse_number(c.nearest.substr(equals + 1))))
+        refuse_entry(section,
+                     "Nearest",
+                     "= " + quoted(c.nearest) +
+                       ": write it as 'column = number'");
+      if (c.relative_tolerance == 0. && c.absolute_tolerance == 0. &&
+          c.column != "count")
+        refuse_entry(section,
+                     "Relative tolerance",
+                     "and 'Absolute tolerance' are both 0: no computed "
+                     "number is exact");
+    }
 
 
 

@@ -237,6 +237,20 @@ namespace squeal
 
 
     void
+    declare_result_checks(Schema                             &schema,
+                          std::vector<ResultCheckParameters> &checks)
+    {
+      schema.enter_section("Result checks",
+                           "Expected values; a run whose results miss one "
+                           "ends with exit code 4.");
+      declare_list(schema, family_named("Checks"));
+      declare_members(schema, family_named("Checks"), checks, &declare_check);
+      schema.leave_section();
+    }
+
+
+
+    void
     declare_analysis(Schema &schema, Parameters &parameters)
     {
       declare_discretization(schema, parameters.discretization);
@@ -244,15 +258,7 @@ namespace squeal
       declare_work_precision(schema, parameters.work_precision);
       declare_output(schema, parameters.output);
 
-      schema.enter_section("Result checks",
-                           "Expected values; a run whose results miss one "
-                           "ends with exit code 4.");
-      declare_list(schema, family_named("Checks"));
-      declare_members(schema,
-                      family_named("Checks"),
-                      parameters.result_checks,
-                      &declare_check);
-      schema.leave_section();
+      declare_result_checks(schema, parameters.result_checks);
     }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/declarations.h>
 #include <squeal/parameters/parameters.h>
+#include <squeal/parameters/schema_text.h>
 #include <squeal/parameters/text.h>
 
 #include <ostream>
@@ -107,11 +108,46 @@ namespace squeal
 
 
 
+  namespace prm
+  {
+    void
+    print_defaults(const Schema &generic, std::ostream &out)
+    {
+      print_section(generic, "", "", "", out);
+    }
+
+
+
+    void
+    print_documentation(const Schema &generic, std::ostream &out)
+    {
+      for (const Schema::Section &section : generic.sections())
+        {
+          out << "\n## "
+              << (section.path.empty() ? "Top level" : code(section.path))
+              << "\n\n";
+          if (!section.documentation.empty())
+            out << cell(section.documentation) << "\n\n";
+          out << "| entry | default | allowed | meaning |\n"
+                 "| --- | --- | --- | --- |\n";
+          for (const Schema::Entry &entry : generic.entries())
+            if (entry.section == section.path)
+              out << "| " << cell(entry.name) << " | "
+                  << code(entry.default_value) << " | "
+                  << cell(entry.allowed.words()) << " | "
+                  << cell(entry.documentation + " Units: " + entry.units + ".")
+                  << " |\n";
+        }
+    }
+  } // namespace prm
+
+
+
   void
   print_defaults(std::ostream &out)
   {
     const prm::GenericSchema generic;
-    print_section(*generic, "", "", "", out);
+    prm::print_defaults(*generic, out);
   }
 
 
@@ -124,22 +160,6 @@ namespace squeal
            "Every entry of a parameter file. A section with `<name>` exists "
            "once for each name in its list. Numbers may be written as powers, "
            "`10^10.4`.\n";
-    for (const prm::Schema::Section &section : generic->sections())
-      {
-        out << "\n## "
-            << (section.path.empty() ? "Top level" : code(section.path))
-            << "\n\n";
-        if (!section.documentation.empty())
-          out << cell(section.documentation) << "\n\n";
-        out << "| entry | default | allowed | meaning |\n"
-               "| --- | --- | --- | --- |\n";
-        for (const prm::Schema::Entry &entry : generic->entries())
-          if (entry.section == section.path)
-            out << "| " << cell(entry.name) << " | "
-                << code(entry.default_value) << " | "
-                << cell(entry.allowed.words()) << " | "
-                << cell(entry.documentation + " Units: " + entry.units + ".")
-                << " |\n";
-      }
+    prm::print_documentation(*generic, out);
   }
 } // namespace squeal

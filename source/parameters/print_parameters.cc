@@ -3,6 +3,7 @@
 
 #include <squeal/parameters/declarations.h>
 #include <squeal/parameters/parameters.h>
+#include <squeal/parameters/schema_text.h>
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
@@ -87,15 +88,16 @@ namespace squeal
 
 
   void
-  print_parameters(const Parameters &parameters, std::ostream &out)
+  prm::print_used(const UsedEntries &used_entries,
+                  const Schema      &generic,
+                  std::ostream      &out)
   {
-    const prm::GenericSchema                generic;
     std::vector<std::array<std::string, 3>> rows = {
       {{"entry", "value", "default"}}};
-    for (const auto &used : parameters.used)
+    for (const auto &used : used_entries)
       {
         const std::string standard =
-          generic->find(prm::generic_path(used.first))->default_value;
+          generic.find(generic_path(used.first))->default_value;
         if (used.second != standard)
           rows.push_back({{used.first, used.second, standard}});
       }
@@ -118,16 +120,17 @@ namespace squeal
 
 
   void
-  write_used_parameters(const Parameters &parameters, const std::string &file)
+  prm::write_used(const UsedEntries &used_entries,
+                  const Schema      &generic,
+                  const std::string &file)
   {
-    const prm::GenericSchema generic;
     write_atomically(file, [&](std::ostream &out) {
       out << "# Every entry as used.\n\n";
       SectionWriter writer(out);
-      for (const auto &used : parameters.used)
+      for (const auto &used : used_entries)
         {
           const prm::Schema::Entry &entry =
-            *generic->find(prm::generic_path(used.first));
+            *generic.find(generic_path(used.first));
           writer.enter(prm::section_of(used.first));
           writer.set(entry.name,
                      entry.allowed.kind() == prm::Allowed::Kind::file
@@ -136,5 +139,23 @@ namespace squeal
         }
       writer.enter("");
     });
+  }
+
+
+
+  void
+  print_parameters(const Parameters &parameters, std::ostream &out)
+  {
+    const prm::GenericSchema generic;
+    prm::print_used(parameters.used, *generic, out);
+  }
+
+
+
+  void
+  write_used_parameters(const Parameters &parameters, const std::string &file)
+  {
+    const prm::GenericSchema generic;
+    prm::write_used(parameters.used, *generic, file);
   }
 } // namespace squeal

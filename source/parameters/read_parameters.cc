@@ -6,6 +6,7 @@
 #include <squeal/parameters/names.h>
 #include <squeal/parameters/parameters.h>
 #include <squeal/parameters/prm_tree.h>
+#include <squeal/parameters/schema_text.h>
 #include <squeal/parameters/text.h>
 #include <squeal/parameters/unknown_names.h>
 
@@ -26,30 +27,46 @@ namespace squeal
         return tree.find_section(section) != nullptr ||
                std::any_of(tree.entries.begin(), tree.entries.end(), is_inside);
       }
-
-
-
-      /** The names in the list of @p family; each must have its section. */
-      std::vector<std::string>
-      listed_names(const PrmTree &tree, const SectionFamily &family)
-      {
-        const RawEntry *list = tree.find(family.list_path());
-        if (list == nullptr)
-          return {};
-        const std::vector<std::string> names = split(list->value, ',');
-        const std::string start = list->location.text() + ": '" + list->path +
-                                  " = " + list->value + "': ";
-        const std::string fault = fault_of_names(names);
-        if (!fault.empty())
-          throw InputError(start + fault);
-        for (const std::string &name : names)
-          if (!mentions_section(tree, family.section(name)))
-            throw InputError(start + "there is no section " +
-                             quoted(family.section(name)) +
-                             "; add it or remove the name");
-        return names;
-      }
     } // namespace
+
+
+
+    std::vector<std::string>
+    listed_names(const PrmTree     &tree,
+                 const std::string &list_path,
+                 const std::function<std::string(const std::string &)> &section)
+    {
+      const RawEntry *list = tree.find(list_path);
+      if (list == nullptr)
+        return {};
+      const std::vector<std::string> names = split(list->value, ',');
+      const std::string start = list->location.text() + ": '" + list->path +
+                                " = " + list->value + "': ";
+      const std::string fault = fault_of_names(names);
+      if (!fault.empty())
+        throw InputError(start + fault);
+      for (const std::string &name : names)
+        if (!mentions_section(tree, section(name)))
+          throw InputError(start + "there is no section " +
+                           quoted(section(name)) +
+                           "; add it or remove the name");
+      return names;
+    }
+
+
+
+    UsedEntries
+    fill_schema(const PrmTree &tree, Schema &schema, const Schema &generic)
+    {
+      check_names_are_known(tree, schema, generic);
+      for (const RawEntry &entry : tree.entries)
+        schema.set(entry);
+      schema.assign();
+      UsedEntries used;
+      for (const Schema::Entry &entry : schema.entries())
+        used.emplace_back(entry.path(), schema.value(entry));
+      return used;
+    }
 
 
 
@@ -61,16 +78,18 @@ namespace squeal
       parameters.notes = apply_aliases(tree, entry_aliases());
 
       for (const SectionFamily &family : section_families())
-        name_members(parameters, family, listed_names(tree, family));
+        name_members(parameters,
+                     family,
+                     listed_names(tree,
+                                  family.list_path(),
+                                  [&family](const std::string &name) {
+                                    return family.section(name);
+                                  }));
       Schema schema;
       declare_parameters(schema, parameters);
 
-      check_names_are_known(tree, schema);
-      for (const RawEntry &entry : tree.entries)
-        schema.set(entry);
-      schema.assign();
-      for (const Schema::Entry &entry : schema.entries())
-        parameters.used.emplace_back(entry.path(), schema.value(entry));
+      const GenericSchema generic;
+      parameters.used = fill_schema(tree, schema, *generic);
       return parameters;
     }
   } // namespace prm

@@ -125,7 +125,8 @@ namespace squeal
       void
       check_entry(const RawEntry &entry,
                   const PrmTree  &tree,
-                  const Schema   &schema)
+                  const Schema   &schema,
+                  const Schema   &generic)
       {
         const std::string section = section_of(entry.path);
         check_section(section, entry.location, tree, schema);
@@ -134,8 +135,7 @@ namespace squeal
 
         const std::string        name = entry_of(entry.path);
         std::vector<std::string> places;
-        const GenericSchema      generic;
-        for (const Schema::Entry &other : generic->entries())
+        for (const Schema::Entry &other : generic.entries())
           if (other.name == name)
             places.push_back(other.section);
         const std::vector<std::string> names = schema.entries_of(section);
@@ -148,12 +148,14 @@ namespace squeal
 
 
     void
-    check_names_are_known(const PrmTree &tree, const Schema &schema)
+    check_names_are_known(const PrmTree &tree,
+                          const Schema  &schema,
+                          const Schema  &generic)
     {
       for (const RawSection &section : tree.sections)
         check_section(section.path, section.location, tree, schema);
       for (const RawEntry &entry : tree.entries)
-        check_entry(entry, tree, schema);
+        check_entry(entry, tree, schema, generic);
     }
   } // namespace prm
 } // namespace squeal

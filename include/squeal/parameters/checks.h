@@ -22,6 +22,9 @@ namespace squeal
     /** Contact pairs: bodies, faces, and that they meet. */
     void check_contacts(const SceneParameters &scene);
 
+    /** One expected value. */
+    void check_result_check(const ResultCheckParameters &check);
+
     /** Everything outside the scene. */
     void check_analysis(const Parameters &parameters);
     //@}

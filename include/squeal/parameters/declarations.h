@@ -76,6 +76,10 @@ namespace squeal
     void declare_contact(Schema &schema, ContactParameters &contact);
     void declare_analysis(Schema &schema, Parameters &parameters);
 
+    /** Section "Result checks", which every program has. */
+    void declare_result_checks(Schema                             &schema,
+                               std::vector<ResultCheckParameters> &checks);
+
     /** The list entry of a family; its value names the members beforehand. */
     void declare_list(Schema &schema, const SectionFamily &family);
 

@@ -12,9 +12,11 @@ namespace squeal
     /**
      * Throws InputError for the first section or entry of @p tree that is not
      * declared: location, what is unknown, the nearest name, and what is
-     * allowed there, in one line.
+     * allowed there, in one line. @p generic has one member of each family.
      */
-    void check_names_are_known(const PrmTree &tree, const Schema &schema);
+    void check_names_are_known(const PrmTree &tree,
+                               const Schema  &schema,
+                               const Schema  &generic);
   } // namespace prm
 } // namespace squeal
 

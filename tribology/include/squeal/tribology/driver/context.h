@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_driver_context_h
+#define squeal_tribology_driver_context_h
+
+#include <squeal/driver/run_session.h>
+#include <squeal/tribology/setup/tribology_parameters.h>
+
+namespace squeal::tribology
+{
+  /** What every analysis shares: its parameters and its session. */
+  class Context : public RunSession
+  {
+  public:
+    explicit Context(const TribologyParameters &parameters);
+
+    const TribologyParameters &parameters;
+  };
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/choices.h>
+#include <squeal/tribology/driver/context.h>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    RunDescription
+    description_of(const TribologyParameters &p)
+    {
+      return {choice_name(p.analysis),
+              p.name,
+              p.file,
+              p.used,
+              p.notes,
+              p.result_checks,
+              p.output.directory,
+              p.output.overwrite};
+    }
+  } // namespace
+
+
+
+  Context::Context(const TribologyParameters &p)
+    : RunSession(description_of(p), *GenericTribologySchema(), true)
+    , parameters(p)
+  {
+  }
+} // namespace squeal::tribology

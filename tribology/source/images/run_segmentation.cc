@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/driver/analyses.h>
+
+namespace squeal::tribology
+{
+  void
+  run_segmentation(Context &)
+  {
+    throw InputError("this version does not have the image analyses");
+  }
+} // namespace squeal::tribology

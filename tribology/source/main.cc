@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/memory.h>
+#include <squeal/driver/command_line.h>
+#include <squeal/tribology/driver/analyses.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+
+#include <cblas.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+  using namespace squeal;
+  using namespace squeal::tribology;
+
+  const char *const usage =
+    "usage: squeal-tribology [--set 'Section/Entry = value']... FILE.prm\n"
+    "       squeal-tribology --validate FILE.prm...\n"
+    "       squeal-tribology --print-defaults | --print-documentation | "
+    "--version | --help\n";
+
+  const std::vector<std::string> actions = {"--validate",
+                                            "--print-defaults",
+                                            "--print-documentation",
+                                            "--version",
+                                            "--help"};
+
+  void
+  run_file(const CommandLine &line)
+  {
+    if (line.files.size() != 1)
+      throw InputError("give one parameter file; see squeal-tribology --help");
+    const TribologyParameters parameters =
+      read_tribology_parameters(line.files[0], line.overrides);
+    parameters.check();
+    Context context(parameters);
+    switch (parameters.analysis)
+      {
+      case TribologyParameters::Analysis::damage:
+        return run_damage(context);
+      case TribologyParameters::Analysis::segmentation:
+        return run_segmentation(context);
+      case TribologyParameters::Analysis::correlation:
+        return run_correlation(context);
+      case TribologyParameters::Analysis::synthetic_specimen:
+        return run_synthetic_specimen(context);
+      case TribologyParameters::Analysis::recorded_history:
+        return run_recorded_history(context);
+      }
+  }
+
+  void
+  act(const CommandLine &line)
+  {
+    if (line.action == "--help")
+      std::cout << usage;
+    else if (line.action == "--version")
+      {
+        print_version("squeal-tribology");
+        std::cout << "  OpenCV " << CV_VERSION << "\n";
+      }
+    else if (line.action == "--print-defaults")
+      print_tribology_defaults(std::cout);
+    else if (line.action == "--print-documentation")
+      print_tribology_documentation(std::cout);
+    else if (line.action == "--validate")
+      {
+        if (line.files.empty())
+          throw InputError("--validate needs a parameter file");
+        for (const auto &file : line.files)
+          {
+            read_tribology_parameters(file, line.overrides).check();
+            std::cout << file << ": valid\n";
+          }
+      }
+    else
+      run_file(line);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  // Threads never multiply with other work on the machine.
+  const char *threads   = std::getenv("SQUEAL_THREADS");
+  const int   n_threads = threads ? std::max(1, std::atoi(threads)) : 1;
+  openblas_set_num_threads(n_threads);
+  cv::setNumThreads(n_threads);
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  keep_freed_memory();
+  return run_guarded(true,
+                     [&]() { act(read_command_line(argc, argv, actions)); });
+}

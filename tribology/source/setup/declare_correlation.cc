@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/schema.h>
+#include <squeal/tribology/setup/damage_parameters.h>
+
+namespace squeal::tribology
+{
+  using prm::Allowed;
+
+
+
+  void
+  declare_correlation(prm::Schema &schema, CorrelationParameters &c)
+  {
+    schema.enter_section("Correlation",
+                         "Damage maps against maps of features, cell by cell.");
+    schema.add("Damage tables",
+               c.damage_tables,
+               Allowed::list(Allowed::file()),
+               "Tables damage.csv, one for each pad.");
+    schema.add("Feature tables",
+               c.feature_tables,
+               Allowed::list(Allowed::file()),
+               "Tables of features on the same cells (columns x_m and y_m), "
+               "one for each pad in the same order.");
+    schema.add("Indices",
+               c.indices,
+               Allowed::list(Allowed::text()),
+               "Columns of the damage tables; empty: all indices.");
+    schema.add("Features",
+               c.features,
+               Allowed::list(Allowed::text()),
+               "Columns of the feature tables; empty: all features.");
+    schema.add("Groups",
+               c.groups,
+               Allowed::list(Allowed::one_of({"silent", "squealing"})),
+               "Which group each pad belongs to; empty: all squealed.");
+    schema.add(
+      "Level", c.level, Allowed::number(1e-4, 0.5), "Level of significance.");
+    schema.add("Surrogates",
+               c.n_surrogates,
+               Allowed::integer(99, 1000000),
+               "Phase-randomised maps behind each p-value.");
+    schema.add("Bootstraps",
+               c.n_bootstraps,
+               Allowed::integer(0, 1000000),
+               "Resampled block sets behind each interval.");
+    schema.add(
+      "Seed", c.seed, Allowed::integer(0), "Start of the random numbers.");
+    schema.add("Wanted power",
+               c.wanted_power,
+               Allowed::number(0.1, 0.9999),
+               "Below this power a link that is not found is undecided.");
+    schema.add("Relevant link",
+               c.relevant_link,
+               Allowed::number(0.01, 0.99),
+               "Smallest correlation that is worth finding: the power is that "
+               "of finding it.");
+    schema.add("Synthetic",
+               c.is_synthetic,
+               "The images were made by the generator: every verdict says so.");
+    schema.add("Self test",
+               c.self_test,
+               "Test the test: rate of false positives on pairs of independent "
+               "maps, and power against the strength of a link.");
+    schema.add("Test pairs",
+               c.n_test_pairs,
+               Allowed::integer(100, 1000000),
+               "Pairs of maps in the self test at each length.");
+    schema.add("Test lengths",
+               c.test_lengths,
+               Allowed::list(Allowed::number(0., 100.)),
+               "Correlation lengths of these maps.",
+               "nodes");
+    schema.leave_section();
+  }
+
+
+
+  void
+  check_correlation(const CorrelationParameters &c)
+  {
+    const std::string section = "Correlation";
+    if (c.damage_tables.empty() && !c.self_test)
+      prm::refuse_entry(section,
+                        "Damage tables",
+                        "is empty: name tables, or set 'Self test = true'");
+    if (c.damage_tables.size() != c.feature_tables.size())
+      prm::refuse_entry(section,
+                        "Feature tables",
+                        "has not one table for each of 'Damage tables'");
+    if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
+      prm::refuse_entry(
+        section, "Groups", "has not one group for each of 'Damage tables'");
+    for (const std::string &file : c.damage_tables)
+      prm::require_file(file, section, "Damage tables", true);
+    for (const std::string &file : c.feature_tables)
+      prm::require_file(file, section, "Feature tables", true);
+  }
+} // namespace squeal::tribology
