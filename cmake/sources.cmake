@@ -70,6 +70,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/element_matrices.cc
     source/discretization/face_quadrature.cc
     source/discretization/free_unknowns.cc
+    source/discretization/load_vector.cc
     source/discretization/pencil.cc
     source/discretization/point_evaluator.cc)
 
@@ -95,7 +96,11 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/sliding_inverse.cc
     source/eigen/undamped_modes.cc)
 
-set(SQUEAL_SOURCES_TRANSIENT)
+set(SQUEAL_SOURCES_TRANSIENT
+    source/transient/contact_solver.cc
+    source/transient/reduced_contact_model.cc
+    source/transient/reduced_transient.cc
+    source/transient/steady_sliding.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc

@@ -85,6 +85,12 @@ namespace squeal
     return *row_space;
   }
 
+  std::shared_ptr<const RowSpace>
+  Functionals::space_pointer() const
+  {
+    return row_space;
+  }
+
   const std::vector<Functionals::Row> &
   Functionals::rows() const
   {

@@ -104,7 +104,7 @@ namespace squeal
 
 
 
-    void
+    std::shared_ptr<const Elimination>
     eliminate(LinearizedSystem                 &result,
               const DependentUnknowns          &dependent,
               const std::vector<MortarContact> &mortar_contacts)
@@ -146,6 +146,58 @@ namespace squeal
       result.expand = [elimination](const Block &v) {
         return elimination->expand(v);
       };
+      result.restrict_forces = [elimination](const Block &f) {
+        return elimination->restrict_forces(f);
+      };
+      return elimination;
+    }
+
+    /** Dependent unknowns of the ties that are not conforming. */
+    DependentUnknowns
+    tied_unknowns(const Discretization &d, const PointEvaluator &evaluator)
+    {
+      const auto       &scene = d.scene();
+      DependentUnknowns dependent;
+      for (unsigned int i = 0; i < scene.ties.size(); ++i)
+        if (!d.coarse_mesh().tie_is_conforming[i])
+          {
+            const auto &tie = scene.ties[i];
+            append_dependent(
+              make_mortar_coupling(
+                d,
+                evaluator,
+                face_id(
+                  d.coarse_mesh(), scene, tie.source_body, tie.source_face),
+                body_index(scene, tie.target_body),
+                "Scene/Tie " + tie.name),
+              {{true, true, true}},
+              dependent);
+          }
+      return dependent;
+    }
+
+    MortarCoupling
+    coupling_of(const Discretization    &d,
+                const PointEvaluator    &evaluator,
+                const ContactParameters &contact)
+    {
+      return make_mortar_coupling(
+        d,
+        evaluator,
+        face_id(
+          d.coarse_mesh(), d.scene(), contact.source_body, contact.source_face),
+        target_of(d.scene(), contact),
+        "Scene/Contact " + contact.name);
+    }
+
+    LinearizedSystem
+    bodies_alone(const Discretization            &d,
+                 const std::vector<BodyMatrices> &bodies)
+    {
+      LinearizedSystem result;
+      result.system = body_system(d, bodies);
+      result.expand = result.restrict_forces = [](const Block &v) { return v; };
+      return result;
     }
   } // namespace
 
@@ -155,29 +207,11 @@ namespace squeal
   linearized_system(const Discretization            &d,
                     const std::vector<BodyMatrices> &bodies)
   {
-    const auto          &scene = d.scene();
-    const PointEvaluator evaluator(d);
-    LinearizedSystem     result;
-    result.system = body_system(d, bodies);
-    result.expand = [](const Block &v) { return v; };
-
-    DependentUnknowns          dependent;
+    const auto                &scene = d.scene();
+    const PointEvaluator       evaluator(d);
+    LinearizedSystem           result    = bodies_alone(d, bodies);
+    DependentUnknowns          dependent = tied_unknowns(d, evaluator);
     std::vector<MortarContact> mortar_contacts;
-    for (unsigned int i = 0; i < scene.ties.size(); ++i)
-      if (!d.coarse_mesh().tie_is_conforming[i])
-        {
-          const auto &tie = scene.ties[i];
-          append_dependent(
-            make_mortar_coupling(
-              d,
-              evaluator,
-              face_id(d.coarse_mesh(), scene, tie.source_body, tie.source_face),
-              body_index(scene, tie.target_body),
-              "Scene/Tie " + tie.name),
-            {{true, true, true}},
-            dependent);
-        }
-
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {
         const auto         &contact = scene.contacts[i];
@@ -192,14 +226,8 @@ namespace squeal
             result.states.push_back(std::move(state));
             continue;
           }
-        const MortarCoupling coupling = make_mortar_coupling(
-          d,
-          evaluator,
-          face_id(
-            d.coarse_mesh(), scene, contact.source_body, contact.source_face),
-          target_of(scene, contact),
-          "Scene/Contact " + contact.name);
-        const auto numbers = append_dependent(
+        const MortarCoupling coupling = coupling_of(d, evaluator, contact);
+        const auto           numbers  = append_dependent(
           coupling, {{!slips(contact), !slips(contact), true}}, dependent);
         ContactGeometry g     = nodal_geometry(d, contact, coupling);
         ContactState    state = even_pressure(g, status);
@@ -213,6 +241,32 @@ namespace squeal
       }
     if (!dependent.rows.empty())
       eliminate(result, dependent, mortar_contacts);
+    return result;
+  }
+
+
+
+  LinearizedSystem
+  separated_system(const Discretization            &d,
+                   const std::vector<BodyMatrices> &bodies)
+  {
+    const PointEvaluator evaluator(d);
+    LinearizedSystem     result = bodies_alone(d, bodies);
+    for (const auto &contact : d.scene().contacts)
+      result.contacts.push_back(
+        contact.formulation == ContactParameters::Formulation::springs
+          ? make_contact_geometry(d, evaluator, contact)
+          : nodal_geometry(d, contact, coupling_of(d, evaluator, contact)));
+    const DependentUnknowns dependent = tied_unknowns(d, evaluator);
+    if (!dependent.rows.empty())
+      {
+        const auto elimination = eliminate(result, dependent, {});
+        for (auto &g : result.contacts)
+          for (auto *rows : {&g.normal, &g.tangential, &g.transverse})
+            *rows = elimination->reduce(**rows);
+      }
+    for (const auto &g : result.contacts)
+      result.states.push_back(uniform_state(g, ContactStatus::open));
     return result;
   }
 } // namespace squeal

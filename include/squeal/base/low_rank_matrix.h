@@ -38,6 +38,7 @@ namespace squeal
 
     const std::vector<Row> &rows() const;
     const RowSpace         &space() const;
+    std::shared_ptr<const RowSpace> space_pointer() const;
 
   private:
     std::shared_ptr<const RowSpace>              row_space;

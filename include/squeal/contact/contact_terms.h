@@ -45,9 +45,21 @@ namespace squeal
     /** Unknowns of the discretisation from those of the system (the identity
      * where nothing was eliminated). */
     std::function<Block(const Block &)> expand;
+    /** Forces on the unknowns of the discretisation as forces on those of the
+     * system: the transposed map. */
+    std::function<Block(const Block &)> restrict_forces;
   };
   LinearizedSystem linearized_system(const Discretization &discretization,
                                      const std::vector<BodyMatrices> &bodies);
+
+  /**
+   * The scene with its contacts cut open: bodies, springs and ties, and the
+   * places where the contact pairs would touch (mortar pairs: the nodes of the
+   * source face, with D_j as areas), as functionals of the unknowns of the
+   * system. Every point is open.
+   */
+  LinearizedSystem separated_system(const Discretization &discretization,
+                                    const std::vector<BodyMatrices> &bodies);
 } // namespace squeal
 
 #endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_discretization_load_vector_h
+#define squeal_discretization_load_vector_h
+
+#include <squeal/base/row_space.h>
+#include <squeal/discretization/discretization.h>
+#include <squeal/discretization/point_evaluator.h>
+
+namespace squeal
+{
+  /**
+   * Nodal forces of a load: its resultant spread evenly over the face, N, one
+   * column in the rows of the discretisation. Throws InputError where body or
+   * face do not exist.
+   */
+  Block load_vector(const Discretization &discretization,
+                    const PointEvaluator &evaluator,
+                    const LoadParameters &load);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_reduced_contact_model_h
+#define squeal_transient_reduced_contact_model_h
+
+#include <squeal/contact/contact_geometry.h>
+#include <squeal/discretization/affine_system.h>
+#include <squeal/eigen/undamped_modes.h>
+
+namespace squeal
+{
+  /**
+   * The bodies without contact in their modes up to a cut-off, and the contact
+   * nodes on the quasi-static flexibility of all higher modes: a massless
+   * interface.
+   *
+   * Contact forces lambda (three a node: normal, along and across the sliding,
+   * interleaved) act as -B^T lambda on the bodies. The relative motion of the
+   * nodes, target minus source, is
+   *   B u = Psi q + (residual motion by the load) - G lambda,
+   *   q'' + diag(damping) q' + diag(omega^2) q = phi^T f - Psi^T lambda,
+   * with mass-normalised modes phi, Psi = B phi and
+   *   G = B K^-1 B^T - Psi diag(omega^-2) Psi^T,
+   * so that statics are exact for any cut-off (Craig and Chang's residual
+   * flexibility; massless contact: Khenous, Laborde, Renard 2008). The inertia
+   * and damping of the residual part are left out.
+   */
+  struct ReducedContactModel
+  {
+    Eigen::VectorXd omega_squared; /**< (rad/s)^2; 0 for rigid motions */
+    Eigen::VectorXd damping;       /**< c_k = alpha + beta omega_k^2, 1/s */
+    Eigen::MatrixXd participation; /**< Psi: 3 nodes x modes */
+    Eigen::MatrixXd flexibility;   /**< G: 3 nodes x 3 nodes, m/N, symmetric */
+    Eigen::VectorXd load;          /**< phi^T f at full load */
+    Eigen::VectorXd load_motion;   /**< residual motion of the nodes, m */
+    Eigen::VectorXd initial_gap;   /**< of every node, m */
+    /** |V| over |V| at the centre of the face, of every node. */
+    Eigen::VectorXd speed_ratio;
+    double          cut_off; /**< Hz: all modes below it are there */
+
+    unsigned int
+    n_modes() const
+    {
+      return omega_squared.size();
+    }
+    unsigned int
+    n_nodes() const
+    {
+      return initial_gap.size();
+    }
+  };
+
+  /**
+   * Reduces the bodies of @p pencil (no contact in it) with the contact pair
+   * @p geometry under the nodal forces @p load.
+   *
+   * @param pencil     symmetric, whole-model Rayleigh damping
+   * @param modes      all modes below the cut-off, mass-normalised
+   * @param cut_off    Hz
+   * Throws InputError where the damping is not alpha M + beta K.
+   */
+  ReducedContactModel reduce_contact_model(const Pencil          &pencil,
+                                           const UndampedModes   &modes,
+                                           const double           cut_off,
+                                           const ContactGeometry &geometry,
+                                           const Block           &load);
+} // namespace squeal
+
+#endif

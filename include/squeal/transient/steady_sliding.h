@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_steady_sliding_h
+#define squeal_transient_steady_sliding_h
+
+#include <squeal/transient/contact_solver.h>
+#include <squeal/transient/reduced_contact_model.h>
+
+namespace squeal
+{
+  /** Steady sliding under a constant load: everything at rest but the target,
+   * which slides on; all closed nodes slip. */
+  struct SteadySliding
+  {
+    Eigen::VectorXd            coordinates; /**< q */
+    Eigen::VectorXd            forces;      /**< lambda, N, three a node */
+    Eigen::VectorXd            motion;      /**< B u, m, three a node */
+    std::vector<ContactStatus> status;
+    ContactReport              report;
+
+    unsigned int n_closed() const;
+    /** Sum of the nodal forces: normal, along and across the sliding, N. */
+    Eigen::Vector3d resultant() const;
+  };
+
+  /**
+   * Solves K u + B^T lambda = f with Signorini's and Coulomb's law for the
+   * share @p load_factor of the load and a speed > 0 (whose size does not
+   * matter). Throws ComputationError where there is no steady sliding (the
+   * friction wedges or sprags).
+   */
+  SteadySliding steady_sliding(const ReducedContactModel &model,
+                               const double               friction,
+                               const double               load_factor = 1.);
+
+
+
+  /** Eigenvalues of the motion about steady sliding with its contact state,
+   * and the left vectors that pick the amplitude of each out of a motion. */
+  struct LinearizedMotion
+  {
+    Eigen::VectorXcd lambda; /**< sigma + i omega, omega >= 0, ascending in
+                                omega */
+    /** Rows l_k with l_k (q; v) = amplitude of pair k, scaled so that an
+     * eigenmotion of kinetic energy amplitude 1 J has amplitude 1. */
+    Eigen::MatrixXcd left;
+  };
+
+  /**
+   * Closed nodes keep u_n; their friction follows the normal force and turns
+   * with the slip: along the sliding mu lambda_n, across it mu p_0/|V| times
+   * the slip rate of the modes there.
+   */
+  LinearizedMotion linearize(const ReducedContactModel &model,
+                             const SteadySliding       &steady,
+                             const double               friction,
+                             const double               speed);
+} // namespace squeal
+
+#endif

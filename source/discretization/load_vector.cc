@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/load_vector.h>
+
+namespace squeal
+{
+  Block
+  load_vector(const Discretization &d,
+              const PointEvaluator &evaluator,
+              const LoadParameters &load)
+  {
+    const FaceQuadrature face = face_quadrature(
+      d, face_id(d.coarse_mesh(), d.scene(), load.body, load.face));
+    const auto rows = evaluator.displacements(
+      body_index(d.scene(), load.body), face.points, 1e-4);
+    const double area  = face.total_area();
+    const auto   first = d.space()->first_owned(), n = d.space()->n_owned();
+    Block        f = Block::Zero(n, 1);
+    for (std::size_t q = 0; q < face.points.size(); ++q)
+      for (unsigned int c = 0; c < 3; ++c)
+        for (const auto &[row, weight] : rows.rows[q][c])
+          if (row >= first && row < first + n)
+            f(row - first, 0) += load.force[c] * face.areas[q] / area * weight;
+    return f;
+  }
+} // namespace squeal

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/transient/reduced_transient.h>
+
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** The columns of exp(A dt) that carry position, velocity, force and its
+     * rate of one mode over a step. */
+    Eigen::Matrix4d
+    propagator(const double omega_squared,
+               const double damping,
+               const double dt)
+    {
+      // In units of the step, so that the entries are of one size.
+      Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
+      A(0, 1)           = 1.;
+      A(1, 0)           = -omega_squared * dt * dt;
+      A(1, 1)           = -damping * dt;
+      A(1, 2)           = 1.;
+      A(2, 3)           = 1.;
+      return A.exp();
+    }
+
+    Eigen::VectorXd
+    response_by_force(const ReducedContactModel &model, const double dt)
+    {
+      Eigen::VectorXd result(model.n_modes());
+      for (unsigned int k = 0; k < model.n_modes(); ++k)
+        result[k] =
+          dt * dt *
+          propagator(model.omega_squared[k], model.damping[k], dt)(0, 3);
+      return result;
+    }
+
+    Eigen::MatrixXd
+    step_delassus(const ReducedContactModel &model, const double dt)
+    {
+      const Eigen::MatrixXd &Psi = model.participation;
+      return Psi * response_by_force(model, dt).asDiagonal() * Psi.transpose() +
+             model.flexibility;
+    }
+
+    /** Integral of the product of the slopes of two cubics over a step, from
+     * values and slopes at both ends. */
+    double
+    slope_product(const double q0,
+                  const double v0,
+                  const double q1,
+                  const double v1,
+                  const double h)
+    {
+      const double d = (q1 - q0) / h;
+      return h *
+             (36. * d * d - 6. * d * (v0 + v1) + 4. * (v0 * v0 + v1 * v1) -
+              2. * v0 * v1) /
+             30.;
+    }
+  } // namespace
+
+
+
+  double
+  EnergyLedger::imbalance() const
+  {
+    const double work = std::abs(driving) + std::abs(load) + start;
+    return std::abs(kinetic + elastic - start + damping + friction + numerical -
+                    driving - load) /
+           std::max(work, 1e-300);
+  }
+
+
+
+  ReducedTransient::ReducedTransient(const ReducedContactModel &m,
+                                     const double               time_step,
+                                     TransientDrive             d,
+                                     const double               nodal_force,
+                                     const double               tolerance)
+    : model(m)
+    , dt(time_step)
+    , drive(std::move(d))
+    , solver(step_delassus(m, time_step),
+             m.initial_gap,
+             m.speed_ratio,
+             nodal_force,
+             tolerance)
+  {
+    const Eigen::Index n = model.n_modes();
+    for (auto *x : {&q_q, &q_v, &q_f0, &q_f1, &v_q, &v_v, &v_f0, &v_f1})
+      x->resize(n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        const Eigen::Matrix4d E =
+          propagator(model.omega_squared[k], model.damping[k], dt);
+        q_q[k]  = E(0, 0);
+        q_v[k]  = dt * E(0, 1);
+        q_f1[k] = dt * dt * E(0, 3);
+        q_f0[k] = dt * dt * E(0, 2) - q_f1[k];
+        v_q[k]  = E(1, 0) / dt;
+        v_v[k]  = E(1, 1);
+        v_f1[k] = dt * E(1, 3);
+        v_f0[k] = dt * E(1, 2) - v_f1[k];
+      }
+  }
+
+
+
+  Eigen::VectorXd
+  ReducedTransient::modal_forces(const double           time,
+                                 const Eigen::VectorXd &forces) const
+  {
+    Eigen::VectorXd f = drive.load(time) * model.load;
+    f.noalias() -= model.participation.transpose() * forces;
+    if (drive.trigger)
+      f += drive.trigger(time);
+    return f;
+  }
+
+
+
+  void
+  ReducedTransient::start(const Eigen::VectorXd &positions,
+                          const Eigen::VectorXd &velocity,
+                          const Eigen::VectorXd &forces)
+  {
+    n_steps       = 0;
+    q             = positions;
+    v             = velocity;
+    lambda        = forces;
+    lambda_before = forces;
+    total_force   = modal_forces(0., lambda);
+    u = model.participation * q + drive.load(0.) * model.load_motion -
+        model.flexibility * lambda;
+    energies         = {};
+    energies.start   = stored_energy();
+    energies.kinetic = 0.5 * v.squaredNorm();
+    energies.elastic = energies.start - energies.kinetic;
+  }
+
+
+
+  ContactReport
+  ReducedTransient::advance()
+  {
+    const double          t      = dt * (n_steps + 1);
+    const double          factor = drive.load(t);
+    const Eigen::VectorXd zero   = Eigen::VectorXd::Zero(lambda.size());
+    const Eigen::VectorXd load   = modal_forces(t, zero);
+    const Eigen::VectorXd q_free = q_q.cwiseProduct(q) + q_v.cwiseProduct(v) +
+                                   q_f0.cwiseProduct(total_force) +
+                                   q_f1.cwiseProduct(load);
+    ContactStep step;
+    step.free_motion = factor * model.load_motion;
+    step.free_motion.noalias() += model.participation * q_free;
+    step.previous_motion = u;
+    step.duration        = dt;
+    step.friction        = drive.friction;
+    step.speed           = drive.speed(t - 0.5 * dt);
+
+    Eigen::VectorXd       guess  = 2. * lambda - lambda_before;
+    const ContactReport   report = solver.solve(step, guess);
+    const Eigen::VectorXd force =
+      load - model.participation.transpose() * guess;
+    const Eigen::VectorXd q_before = q, v_before = v, u_before = u;
+    v = v_q.cwiseProduct(q_before) + v_v.cwiseProduct(v_before) +
+        v_f0.cwiseProduct(total_force) + v_f1.cwiseProduct(force);
+    q             = q_free + q_f1.cwiseProduct(force - load);
+    lambda_before = lambda;
+    lambda        = guess;
+    total_force   = force;
+    u             = solver.motion();
+    ++n_steps;
+    update_ledger(q_before, v_before, lambda_before, u_before);
+    return report;
+  }
+
+
+
+  double
+  ReducedTransient::stored_energy() const
+  {
+    return 0.5 * v.squaredNorm() +
+           0.5 * model.omega_squared.dot(q.cwiseAbs2()) +
+           0.5 * lambda.dot(model.flexibility * lambda);
+  }
+
+
+
+  void
+  ReducedTransient::update_ledger(const Eigen::VectorXd &q_before,
+                                  const Eigen::VectorXd &v_before,
+                                  const Eigen::VectorXd &forces_before,
+                                  const Eigen::VectorXd &motion_before)
+  {
+    const double t   = time();
+    energies.kinetic = 0.5 * v.squaredNorm();
+    energies.elastic = stored_energy() - energies.kinetic;
+    for (Eigen::Index k = 0; k < q.size(); ++k)
+      energies.damping +=
+        model.damping[k] *
+        slope_product(q_before[k], v_before[k], q[k], v[k], dt);
+    const Eigen::VectorXd f =
+      0.5 * (drive.load(t) + drive.load(t - dt)) * model.load;
+    energies.load += f.dot(q - q_before);
+    if (drive.trigger)
+      energies.load +=
+        0.5 * (drive.trigger(t) + drive.trigger(t - dt)).dot(q - q_before);
+    const double speed = drive.speed(t - 0.5 * dt);
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      {
+        const Eigen::Vector3d mean =
+          0.5 * (lambda + forces_before).segment<3>(3 * j);
+        const Eigen::Vector3d change = (u - motion_before).segment<3>(3 * j);
+        const double          way    = dt * speed * model.speed_ratio[j];
+        energies.driving += mean[1] * way;
+        energies.friction += mean[1] * (way + change[1]) + mean[2] * change[2];
+        energies.numerical += mean[0] * change[0];
+      }
+  }
+
+
+
+  double
+  ReducedTransient::time() const
+  {
+    return dt * n_steps;
+  }
+
+  const Eigen::VectorXd &
+  ReducedTransient::coordinates() const
+  {
+    return q;
+  }
+
+  const Eigen::VectorXd &
+  ReducedTransient::velocities() const
+  {
+    return v;
+  }
+
+  const Eigen::VectorXd &
+  ReducedTransient::forces() const
+  {
+    return lambda;
+  }
+
+  const Eigen::VectorXd &
+  ReducedTransient::motion() const
+  {
+    return u;
+  }
+
+  const std::vector<ContactStatus> &
+  ReducedTransient::status() const
+  {
+    return solver.status();
+  }
+
+  const EnergyLedger &
+  ReducedTransient::ledger() const
+  {
+    return energies;
+  }
+} // namespace squeal
