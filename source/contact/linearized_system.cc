@@ -28,23 +28,46 @@ namespace squeal
       std::vector<Functionals::Row> tangential;
     };
 
-    /** Appends the dependent unknowns of a coupling: the given components of
-     * every source node follow the target. */
-    std::vector<unsigned int>
-    append_dependent(const MortarCoupling      &coupling,
-                     const std::array<bool, 3> &components,
-                     DependentUnknowns         &dependent)
+    /** All components of every source node follow the target. */
+    void
+    append_tie(const MortarCoupling &coupling, DependentUnknowns &dependent)
     {
-      std::vector<unsigned int> numbers;
       for (std::size_t j = 0; j < coupling.nodes.size(); ++j)
         for (unsigned int c = 0; c < 3; ++c)
-          if (components[c] && coupling.source_rows[j][c] != -1u)
+          if (coupling.source_rows[j][c] != -1u)
             {
-              numbers.push_back(dependent.rows.size());
               dependent.rows.push_back(coupling.source_rows[j][c]);
               dependent.combinations.push_back(coupling.target_rows[j][c]);
             }
-      return numbers;
+    }
+
+    /** Closed nodes follow the target along z, sticking ones in every
+     * direction; the multipliers of slipping ones make friction. */
+    MortarContact
+    append_contact(const MortarCoupling  &coupling,
+                   const ContactGeometry &geometry,
+                   const ContactState    &state,
+                   const unsigned int     number,
+                   DependentUnknowns     &dependent)
+    {
+      MortarContact contact{number, {}, {}};
+      for (std::size_t j = 0; j < coupling.nodes.size(); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const bool follows =
+              state.status[j] == ContactStatus::stick ||
+              (state.status[j] == ContactStatus::slip && c == 2);
+            if (!follows || coupling.source_rows[j][c] == -1u)
+              continue;
+            if (state.status[j] == ContactStatus::slip)
+              {
+                contact.dependent.push_back(dependent.rows.size());
+                contact.tangential.push_back(geometry.tangential->rows()[j]);
+              }
+            dependent.rows.push_back(coupling.source_rows[j][c]);
+            dependent.combinations.push_back(coupling.target_rows[j][c]);
+          }
+      return contact;
     }
 
     /** Contact geometry of a mortar pair: its nodes. */
@@ -162,16 +185,15 @@ namespace squeal
         if (!d.coarse_mesh().tie_is_conforming[i])
           {
             const auto &tie = scene.ties[i];
-            append_dependent(
-              make_mortar_coupling(
-                d,
-                evaluator,
-                face_id(
-                  d.coarse_mesh(), scene, tie.source_body, tie.source_face),
-                body_index(scene, tie.target_body),
-                "Scene/Tie " + tie.name),
-              {{true, true, true}},
-              dependent);
+            append_tie(make_mortar_coupling(d,
+                                            evaluator,
+                                            face_id(d.coarse_mesh(),
+                                                    scene,
+                                                    tie.source_body,
+                                                    tie.source_face),
+                                            body_index(scene, tie.target_body),
+                                            "Scene/Tie " + tie.name),
+                       dependent);
           }
       return dependent;
     }
@@ -205,7 +227,8 @@ namespace squeal
 
   LinearizedSystem
   linearized_system(const Discretization            &d,
-                    const std::vector<BodyMatrices> &bodies)
+                    const std::vector<BodyMatrices> &bodies,
+                    const std::vector<ContactState> &given)
   {
     const auto                &scene = d.scene();
     const PointEvaluator       evaluator(d);
@@ -220,22 +243,23 @@ namespace squeal
         if (contact.formulation == ContactParameters::Formulation::springs)
           {
             ContactGeometry g = make_contact_geometry(d, evaluator, contact);
-            ContactState    state = uniform_state(g, status);
+            ContactState    state =
+              given.empty() ? uniform_state(g, status) : given[i];
             add_spring_contact(d, i, g, state, result.system);
             result.contacts.push_back(std::move(g));
             result.states.push_back(std::move(state));
             continue;
           }
         const MortarCoupling coupling = coupling_of(d, evaluator, contact);
-        const auto           numbers  = append_dependent(
-          coupling, {{!slips(contact), !slips(contact), true}}, dependent);
-        ContactGeometry g     = nodal_geometry(d, contact, coupling);
-        ContactState    state = even_pressure(g, status);
-        if (slips(contact))
-          {
-            mortar_contacts.push_back({i, numbers, g.tangential->rows()});
-            add_slip_rate_terms(d, i, g, state, result.system);
-          }
+        ContactGeometry      g        = nodal_geometry(d, contact, coupling);
+        ContactState         state =
+          given.empty() ? even_pressure(g, status) : given[i];
+        AssertDimension(state.status.size(), g.points.size());
+        const MortarContact pair =
+          append_contact(coupling, g, state, i, dependent);
+        if (!pair.dependent.empty())
+          mortar_contacts.push_back(pair);
+        add_slip_rate_terms(d, i, g, state, result.system);
         result.contacts.push_back(std::move(g));
         result.states.push_back(std::move(state));
       }

@@ -15,7 +15,20 @@ namespace squeal
     /** Stiffness that stands in for that of rigid motions while they are
      * solved for; what it holds goes back into the load. */
     constexpr double auxiliary_frequency = 3.; // Hz
-  }                                            // namespace
+
+    [[noreturn]] void
+    throw_none(const bool without_friction, const double reached)
+    {
+      if (without_friction)
+        throw ComputationError("there is no steady sliding: nothing presses "
+                               "the bodies of the contact together");
+      throw ComputationError(
+        "there is no steady sliding beyond mu = " + std::to_string(reached) +
+        ": the friction wedges or sprags");
+    }
+  } // namespace
+
+
 
   unsigned int
   SteadySliding::n_closed() const
@@ -79,26 +92,124 @@ namespace squeal
     result.forces           = Eigen::VectorXd::Zero(Psi.rows());
     result.coordinates      = Eigen::VectorXd::Zero(model.n_modes());
     const Eigen::VectorXd f = load_factor * model.load;
-    for (unsigned int i = 0;; ++i)
+    // One solution with what the auxiliary stiffness held in the load; false
+    // where there is none near the forces at hand.
+    const auto solve = [&](SteadySliding &state) {
+      for (unsigned int i = 0; i < 100; ++i)
+        {
+          const Eigen::VectorXd q_free =
+            compliance.cwiseProduct(f + held.cwiseProduct(state.coordinates));
+          step.free_motion = Psi * q_free + load_factor * model.load_motion;
+          if (!solver.newton(step, state.forces, state.report))
+            return false;
+          const Eigen::VectorXd q =
+            q_free - compliance.cwiseProduct(Psi.transpose() * state.forces);
+          const double change = held.cwiseProduct(q - state.coordinates).norm();
+          state.coordinates   = q;
+          if (change <= 1e-11 * f.norm())
+            return true;
+          if (!(change < 1e6 * f.norm()))
+            return false;
+        }
+      return false;
+    };
+    // Friction comes in steps, from the solution without it, which is unique.
+    double reached = 0., increment = friction;
+    for (bool first = true; first || reached < friction; first = false)
       {
-        const Eigen::VectorXd q_free =
-          compliance.cwiseProduct(f + held.cwiseProduct(result.coordinates));
-        step.free_motion = Psi * q_free + load_factor * model.load_motion;
-        result.report    = solver.solve(step, result.forces);
-        const Eigen::VectorXd q =
-          q_free - compliance.cwiseProduct(Psi.transpose() * result.forces);
-        const double change = held.cwiseProduct(q - result.coordinates).norm();
-        result.coordinates  = q;
-        if (change <= 1e-11 * f.norm())
-          break;
-        if (i > 200 || !(change < 1e6 * f.norm()))
-          throw ComputationError(
-            "there is no steady sliding: nothing presses the bodies of the "
-            "contact together, or the friction wedges or sprags");
+        step.friction = first ? 0. : std::min(reached + increment, friction);
+        SteadySliding next   = result;
+        const bool    solved = solve(next);
+        if (!solved && (first || increment < 1e-3 * friction))
+          throw_none(first, reached);
+        if (!solved)
+          {
+            increment *= 0.5;
+            continue;
+          }
+        result  = next;
+        reached = step.friction;
       }
     result.motion = solver.motion();
     result.status = solver.status();
     return result;
+  }
+
+
+
+  namespace
+  {
+    /** Rows of component @p c (normal, along, across) of the closed nodes. */
+    Eigen::MatrixXd
+    closed_rows(const Eigen::MatrixXd &all,
+                const SteadySliding   &steady,
+                const int              c)
+    {
+      std::vector<int> rows;
+      for (std::size_t j = 0; j < steady.status.size(); ++j)
+        if (steady.status[j] != ContactStatus::open)
+          rows.push_back(3 * j + c);
+      return all(rows, Eigen::all);
+    }
+
+    /** Eigenvalues of x' = A x, x = (q, v, ...) with @p n positions. */
+    LinearizedMotion
+    left_vectors(Eigen::MatrixXd A, const unsigned int n)
+    {
+      // Every state in the unit that makes row and column alike.
+      Eigen::VectorXd unit = Eigen::VectorXd::Ones(A.rows());
+      for (unsigned int pass = 0; pass < 8; ++pass)
+        for (Eigen::Index i = 0; i < A.rows(); ++i)
+          {
+            const double diagonal = std::abs(A(i, i));
+            const double row      = A.row(i).cwiseAbs().sum() - diagonal,
+                         column   = A.col(i).cwiseAbs().sum() - diagonal;
+            if (row <= 0. || column <= 0.)
+              continue;
+            const double factor = std::sqrt(row / column);
+            A.row(i) /= factor;
+            A.col(i) *= factor;
+            unit[i] *= factor;
+          }
+      const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+      const Eigen::MatrixXcd inverse = solver.eigenvectors().inverse();
+      std::vector<int>       kept;
+      for (Eigen::Index k = 0; k < A.rows(); ++k)
+        if (solver.eigenvalues()[k].imag() >= 0.)
+          kept.push_back(k);
+      std::sort(kept.begin(), kept.end(), [&](const int a, const int b) {
+        return solver.eigenvalues()[a].imag() < solver.eigenvalues()[b].imag();
+      });
+      LinearizedMotion result;
+      result.lambda.resize(kept.size());
+      result.left.resize(kept.size(), A.rows());
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        {
+          result.lambda[i] = solver.eigenvalues()[kept[i]];
+          const Eigen::VectorXcd x =
+            unit.asDiagonal() * solver.eigenvectors().col(kept[i]);
+          result.left.row(i) = x.segment(n, n).norm() / std::sqrt(2.) *
+                               inverse.row(kept[i]) *
+                               unit.cwiseInverse().asDiagonal();
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  Eigen::VectorXcd
+  LinearizedMotion::amplitudes(const SteadySliding   &steady,
+                               const Eigen::VectorXd &q,
+                               const Eigen::VectorXd &v,
+                               const Eigen::VectorXd &forces) const
+  {
+    Eigen::VectorXd x(left.cols());
+    x.head(2 * q.size()) << q - steady.coordinates, v;
+    if (left.cols() > 2 * q.size())
+      x.tail(left.cols() - 2 * q.size()) =
+        closed_rows(forces - steady.forces, steady, 2);
+    return left * x;
   }
 
 
@@ -109,68 +220,52 @@ namespace squeal
             const double               friction,
             const double               speed)
   {
-    std::vector<int> normal, transverse;
-    Eigen::VectorXd  kappa(3 * model.n_nodes());
-    for (unsigned int j = 0; j < model.n_nodes(); ++j)
-      if (steady.status[j] != ContactStatus::open)
-        {
-          normal.push_back(3 * j);
-          transverse.push_back(3 * j + 2);
-        }
-    const Eigen::Index    n = model.n_modes(), m = normal.size();
-    const Eigen::MatrixXd Psi_n = model.participation(normal, Eigen::all);
-    const Eigen::MatrixXd Psi_s = model.participation(transverse, Eigen::all);
-    std::vector<int>      tangential = normal;
-    for (int &i : tangential)
-      ++i;
-    const Eigen::MatrixXd Psi_t = model.participation(tangential, Eigen::all);
-    Eigen::VectorXd       rate(m);
-    for (Eigen::Index i = 0; i < m; ++i)
-      rate[i] = friction * steady.forces[normal[i]] /
-                (speed * model.speed_ratio[normal[i] / 3]);
-    // lambda_s = rate Psi_s v; G_nn lambda_n + mu G_nt lambda_n + G_ns lambda_s
-    // = Psi_n q.
-    const Eigen::MatrixXd                     &G = model.flexibility;
+    const unsigned int    m = steady.n_closed(), n = model.n_modes();
+    const Eigen::MatrixXd Psi_n = closed_rows(model.participation, steady, 0),
+                          Psi_t = closed_rows(model.participation, steady, 1),
+                          Psi_s = closed_rows(model.participation, steady, 2);
+    const auto flexibility      = [&](const int row, const int column) {
+      return closed_rows(
+               closed_rows(model.flexibility, steady, row).transpose(),
+               steady,
+               column)
+        .transpose()
+        .eval();
+    };
+    // (G_nn + mu G_nt) lambda_n + G_ns lambda_s = Psi_n q.
     const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
-      Eigen::MatrixXd(G(normal, normal) + friction * G(normal, tangential)));
-    const Eigen::MatrixXd lambda_s = rate.asDiagonal() * Psi_s;
-    const Eigen::MatrixXd by_q     = factor.solve(Psi_n);
-    const Eigen::MatrixXd by_v =
-      -factor.solve(Eigen::MatrixXd(G(normal, transverse) * lambda_s));
-    const Eigen::MatrixXd drag = (Psi_n + friction * Psi_t).transpose();
-    Eigen::MatrixXd       A    = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    A.topRightCorner(n, n).setIdentity();
-    A.bottomLeftCorner(n, n) = -drag * by_q;
-    A.bottomLeftCorner(n, n).diagonal() -= model.omega_squared;
-    A.bottomRightCorner(n, n) = -drag * by_v - Psi_s.transpose() * lambda_s;
-    A.bottomRightCorner(n, n).diagonal() -= model.damping;
+      Eigen::MatrixXd(flexibility(0, 0) + friction * flexibility(0, 1)));
+    const Eigen::MatrixXd n_by_q = factor.solve(Psi_n);
+    const Eigen::MatrixXd n_by_s =
+      -factor.solve(Eigen::MatrixXd(flexibility(0, 2)));
+    const Eigen::MatrixXd drag = -(Psi_n + friction * Psi_t).transpose();
 
-    // Positions in the unit of velocities: the matrix is balanced, and the left
-    // vectors come from the inverse of the right ones.
-    const double unit = std::sqrt(std::max(1., model.omega_squared.mean()));
-    A.topRightCorner(n, n) *= unit;
-    A.bottomLeftCorner(n, n) /= unit;
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-    const Eigen::MatrixXcd inverse = solver.eigenvectors().inverse();
-
-    std::vector<int> kept;
-    for (Eigen::Index k = 0; k < 2 * n; ++k)
-      if (solver.eigenvalues()[k].imag() >= 0.)
-        kept.push_back(k);
-    std::sort(kept.begin(), kept.end(), [&](const int a, const int b) {
-      return solver.eigenvalues()[a].imag() < solver.eigenvalues()[b].imag();
-    });
-    LinearizedMotion result;
-    result.lambda.resize(kept.size());
-    result.left.resize(kept.size(), 2 * n);
-    for (std::size_t i = 0; i < kept.size(); ++i)
+    // States q, v and, with friction, lambda_s = rate d/dt u_s.
+    const Eigen::Index n_s  = friction > 0. ? m : 0;
+    const Eigen::Index size = 2 * n + n_s;
+    Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(size, size);
+    A.block(0, n, n, n).setIdentity();
+    A.block(n, 0, n, n) = drag * n_by_q;
+    A.block(n, 0, n, n).diagonal() -= model.omega_squared;
+    A.block(n, n, n, n).diagonal() -= model.damping;
+    if (n_s > 0)
       {
-        result.lambda[i] = solver.eigenvalues()[kept[i]];
-        const double size =
-          solver.eigenvectors().col(kept[i]).tail(n).norm() / std::sqrt(2.);
-        result.left.row(i) = size * inverse.row(kept[i]);
-        result.left.row(i).head(n) *= unit;
+        const Eigen::MatrixXd H =
+          flexibility(2, 0) + friction * flexibility(2, 1);
+        const Eigen::MatrixXd E = flexibility(2, 2) + H * n_by_s;
+        Eigen::VectorXd       inverse_rate(m);
+        for (unsigned int j = 0, i = 0; j < model.n_nodes(); ++j)
+          if (steady.status[j] != ContactStatus::open)
+            inverse_rate[i++] =
+              speed * model.speed_ratio[j] /
+              (friction * std::max(steady.forces[3 * j],
+                                   1e-6 * steady.resultant()[0] / m));
+        Eigen::MatrixXd right(m, n + m);
+        right << Psi_s - H * n_by_q,
+          Eigen::MatrixXd((-inverse_rate).asDiagonal());
+        A.block(2 * n, n, m, n + m) = E.partialPivLu().solve(right);
+        A.block(n, 2 * n, n, m)     = drag * n_by_s - Psi_s.transpose();
       }
-    return result;
+    return left_vectors(A, n);
   }
 } // namespace squeal

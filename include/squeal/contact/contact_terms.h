@@ -49,8 +49,13 @@ namespace squeal
      * system: the transposed map. */
     std::function<Block(const Block &)> restrict_forces;
   };
-  LinearizedSystem linearized_system(const Discretization &discretization,
-                                     const std::vector<BodyMatrices> &bodies);
+  /** The contact states are those of the scene's parameters (the whole face
+   * slips or sticks under an even pressure) unless @p states are given, one a
+   * pair. */
+  LinearizedSystem linearized_system(
+    const Discretization            &discretization,
+    const std::vector<BodyMatrices> &bodies,
+    const std::vector<ContactState> &states = {});
 
   /**
    * The scene with its contacts cut open: bodies, springs and ties, and the

@@ -61,6 +61,12 @@ namespace squeal
      * solution is found. */
     ContactReport solve(const ContactStep &step, Eigen::VectorXd &lambda);
 
+    /** Newton's method alone: false, with @p lambda spoilt, where it does not
+     * converge. */
+    bool newton(const ContactStep &step,
+                Eigen::VectorXd   &lambda,
+                ContactReport     &report);
+
     /** Of the last solution. */
     const std::vector<ContactStatus> &status() const;
     /** u = a - W lambda of the last solution. */
@@ -73,9 +79,6 @@ namespace squeal
                        const unsigned int     node) const;
     double     evaluate(const ContactStep &step, const Eigen::VectorXd &lambda);
     void factorize(const ContactStep &step, const Eigen::VectorXd &lambda);
-    bool newton(const ContactStep &step,
-                Eigen::VectorXd   &lambda,
-                ContactReport     &report);
     void sweep(const ContactStep &step, Eigen::VectorXd &lambda);
     /** Takes the forces off open nodes; true where there were any. */
     bool release_open(Eigen::VectorXd &lambda) const;

@@ -40,15 +40,22 @@ namespace squeal
   {
     Eigen::VectorXcd lambda; /**< sigma + i omega, omega >= 0, ascending in
                                 omega */
-    /** Rows l_k with l_k (q; v) = amplitude of pair k, scaled so that an
-     * eigenmotion of kinetic energy amplitude 1 J has amplitude 1. */
+    /** Rows l_k: l_k (q; v; lambda across the sliding at the closed nodes) is
+     * the amplitude of pair k in a motion, scaled so that an eigenmotion of
+     * kinetic energy amplitude 1 J has amplitude 1. */
     Eigen::MatrixXcd left;
+
+    /** Amplitudes of all pairs in what a motion is away from @p steady. */
+    Eigen::VectorXcd amplitudes(const SteadySliding   &steady,
+                                const Eigen::VectorXd &coordinates,
+                                const Eigen::VectorXd &velocities,
+                                const Eigen::VectorXd &forces) const;
   };
 
   /**
    * Closed nodes keep u_n; their friction follows the normal force and turns
    * with the slip: along the sliding mu lambda_n, across it mu p_0/|V| times
-   * the slip rate of the modes there.
+   * the slip rate there.
    */
   LinearizedMotion linearize(const ReducedContactModel &model,
                              const SteadySliding       &steady,

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The coarse brake on its modes with a massless contact interface: steady
+// sliding, its linearisation beside the eigenvalue analysis of the whole model,
+// and growth in time.
+
+#include "scenes.h"
+
+#include <squeal/discretization/load_vector.h>
+#include <squeal/transient/reduced_transient.h>
+#include <squeal/transient/steady_sliding.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  constexpr double speed = 0.1126, load = 100.;
+
+  SceneParameters
+  pressed_brake(const double friction)
+  {
+    SceneParameters s      = coarse_brake(friction);
+    auto           &c      = s.contacts[0];
+    c.formulation          = ContactParameters::Formulation::mortar;
+    c.transverse_slip_term = true;
+    c.sliding_speed        = speed;
+    c.normal_force         = load;
+    LoadParameters top;
+    top.name  = "top";
+    top.body  = "support";
+    top.face  = "z_max";
+    top.force = {{0., 0., -load}};
+    s.loads   = {top};
+    return s;
+  }
+
+  /** The bodies of a brake reduced at a cut-off. */
+  struct Reduced
+  {
+    Reduced(const SceneParameters &s, const double cut_off)
+      : scene(s)
+      , discretization(scene, Model::parameters(0), 2, MPI_COMM_SELF)
+      , bodies(assemble_bodies(discretization))
+      , separated(separated_system(discretization, bodies))
+      , pencil(separated.system, scene)
+      , model(reduce_contact_model(
+          pencil,
+          undamped_modes(
+            pencil,
+            ShiftedInverse(pencil, std::pow(2. * M_PI * cut_off, 2))),
+          cut_off,
+          separated.contacts[0],
+          separated.restrict_forces(load_vector(discretization,
+                                                PointEvaluator(discretization),
+                                                scene.loads[0]))))
+    {
+    }
+
+    SceneParameters           scene;
+    Discretization            discretization;
+    std::vector<BodyMatrices> bodies;
+    LinearizedSystem          separated;
+    Pencil                    pencil;
+    ReducedContactModel       model;
+  };
+
+  void
+  steady()
+  {
+    for (const double mu : {0., .2, .5})
+      {
+        const Reduced         few(pressed_brake(mu), 15e3);
+        const Reduced         many(pressed_brake(mu), 40e3);
+        const SteadySliding   a   = steady_sliding(few.model, mu);
+        const SteadySliding   b   = steady_sliding(many.model, mu);
+        const Eigen::Vector3d sum = a.resultant();
+        const std::string     at  = "mu = " + number(mu) + ": ";
+        check_below(std::abs(sum[0] - load) / load,
+                    1e-9,
+                    at + "the contact carries the load");
+        check_below(std::abs(sum[1] - mu * sum[0]) / load,
+                    1e-9,
+                    at + "friction is mu times it");
+        check_below(std::abs(sum[2]) / load, 1e-9, at + "none across");
+        check_below((a.forces - b.forces).cwiseAbs().maxCoeff() /
+                      a.forces.maxCoeff(),
+                    1e-6,
+                    at + "statics do not depend on the cut-off");
+        check(a.forces.minCoeff() >= -1e-9 * load, at + "no tension");
+        std::printf("mu %g: %u of %u nodes closed, %u iterations\n",
+                    mu,
+                    a.n_closed(),
+                    few.model.n_nodes(),
+                    a.report.iterations);
+      }
+  }
+
+  /** Eigenvalues of the whole model about the contact state of the reduced
+   * one. */
+  Eigen::VectorXcd
+  whole_model(const Reduced &r, const SteadySliding &s)
+  {
+    ContactState state;
+    state.status = s.status;
+    for (unsigned int j = 0; j < r.model.n_nodes(); ++j)
+      state.force_share.push_back(s.forces[3 * j] / load);
+    const LinearizedSystem system =
+      linearized_system(r.discretization, r.bodies, {state});
+    const Pencil         pencil(system.system, r.scene);
+    const ShiftedInverse inverse(pencil, std::pow(2. * M_PI * 8e3, 2));
+    const UndampedModes  modes = undamped_modes(pencil, inverse);
+    CertifiedSolver      solver(pencil, inverse, modes);
+    return solver.solve(band(500., 7e3)).lambda;
+  }
+
+  void
+  linearization()
+  {
+    const double mu     = .4;
+    double       before = 0.;
+    for (const double cut_off : {12e3, 40e3})
+      {
+        const Reduced          r(pressed_brake(mu), cut_off);
+        const SteadySliding    s       = steady_sliding(r.model, mu);
+        const LinearizedMotion reduced = linearize(r.model, s, mu, speed);
+        const Eigen::VectorXcd whole   = whole_model(r, s);
+        check(whole.size() > 8, "pairs in the band");
+        double worst = 0.;
+        for (const Complex &l : whole)
+          {
+            const double d = distance(reduced.lambda, l);
+            worst          = std::max(worst, d);
+            std::printf(
+              "  %.3f Hz %.4f: %.2e\n", l.imag() / (2 * M_PI), l.real(), d);
+          }
+        std::printf(
+          "cut-off %g: worst %.3e, %u closed\n", cut_off, worst, s.n_closed());
+        if (before > 0.)
+          check_below(
+            worst, .5 * before, "the reduction converges with its cut-off");
+        before = worst;
+      }
+    check_below(before, 1e-3, "eigenvalues of the whole model");
+  }
+
+  void
+  growth()
+  {
+    const double    mu            = .5;
+    SceneParameters scene         = pressed_brake(mu);
+    scene.bodies[1].young_modulus = 1.6e10;
+    const Reduced          r(scene, 24e3);
+    const SteadySliding    s      = steady_sliding(r.model, mu);
+    const LinearizedMotion linear = linearize(r.model, s, mu, speed);
+    Eigen::Index           worst;
+    linear.lambda.real().maxCoeff(&worst);
+    const Complex lambda = linear.lambda[worst];
+    std::printf("fastest: %.3f Hz, %.3f 1/s\n",
+                lambda.imag() / (2 * M_PI),
+                lambda.real());
+    check(lambda.real() > 20., "an unstable pair");
+    for (const double dt : {4e-6, 2e-6})
+      {
+        TransientDrive drive;
+        drive.friction = mu;
+        drive.speed    = [](double) { return speed; };
+        drive.load     = [](double) { return 1.; };
+        ReducedTransient run(r.model, dt, drive, load / r.model.n_nodes());
+        Eigen::VectorXd  v = Eigen::VectorXd::Zero(r.model.n_modes());
+        v.setConstant(1e-9);
+        run.start(s.coordinates, v, s.forces);
+        const double        end = 6. / lambda.real();
+        std::vector<double> logs, phases, times;
+        unsigned int        iterations = 0, n = 0;
+        const auto          begin = std::chrono::steady_clock::now();
+        while (run.time() < end)
+          {
+            iterations += run.advance().iterations;
+            ++n;
+            const Complex a = linear.amplitudes(
+              s, run.coordinates(), run.velocities(), run.forces())[worst];
+            times.push_back(run.time());
+            logs.push_back(std::log(std::abs(a)));
+            phases.push_back(std::arg(a));
+          }
+        const double seconds = std::chrono::duration<double>(
+                                 std::chrono::steady_clock::now() - begin)
+                                 .count();
+        const std::size_t a = logs.size() / 3, b = logs.size() - 1;
+        const double      rate  = (logs[b] - logs[a]) / (times[b] - times[a]);
+        double            turns = 0.;
+        for (std::size_t k = a; k < b; ++k)
+          turns += std::remainder(phases[k + 1] - phases[k], 2 * M_PI);
+        const double f = turns / (2 * M_PI) / (times[b] - times[a]);
+        std::printf("dt %g: rate %.4f (%.4f), f %.4f (%.4f), imbalance %.2e, "
+                    "%.2f iterations a step, %.0f steps/s\n",
+                    dt,
+                    rate,
+                    lambda.real(),
+                    f,
+                    lambda.imag() / (2 * M_PI),
+                    run.ledger().imbalance(),
+                    double(iterations) / n,
+                    n / seconds);
+        check_below(std::abs(rate - lambda.real()),
+                    std::max(.02 * lambda.real(), 3.),
+                    "growth rate");
+        check_below(
+          std::abs(f / lambda.imag() * 2 * M_PI - 1.), 2e-3, "frequency");
+        check_below(run.ledger().imbalance(), 1e-3, "the ledger closes");
+      }
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string                        which = argc > 1 ? argv[1] : "";
+  if (which == "steady")
+    steady();
+  else if (which == "linearization")
+    linearization();
+  else if (which == "growth")
+    growth();
+  else
+    check(false, "an argument: steady, linearization or growth");
+}
