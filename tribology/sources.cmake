@@ -33,4 +33,8 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_damage.cc
     source/setup/declare_history.cc
     source/setup/tribology_parameters.cc
+    source/statistics/association.cc
+    source/statistics/link_test.cc
+    source/statistics/pad_tables.cc
+    source/statistics/spatial.cc
     source/subsurface/half_space.cc)

@@ -64,7 +64,7 @@ namespace squeal::tribology
       drawing.add(map.logarithmic ? "set logscale cb" : "unset logscale cb");
       drawing.add("set cbrange [" + plot_number(range.lower) + ":" +
                   plot_number(range.upper) + "]");
-      drawing.add("set cblabel " + quoted(map.label));
+      drawing.add("set cblabel " + quoted(map.label) + " offset 1");
     }
   } // namespace
 
@@ -113,8 +113,7 @@ namespace squeal::tribology
           plot = drawing.add_data(grey.str()) +
                  " using 1:2:3:4:5:6 with boxxyerror lc rgb '#d0d0d0'";
         if (!data.str().empty())
-          plot += (plot.empty() ? "" : ", ") +
-                  drawing.add_data(data.str()) +
+          plot += (plot.empty() ? "" : ", ") + drawing.add_data(data.str()) +
                   " using 1:2:3:4:5:6:7 with boxxyerror lc palette";
         drawing.add("plot " + plot);
       }
