@@ -12,7 +12,9 @@ namespace squeal::tribology
 {
   namespace
   {
-    const std::vector<Table::Column> places = {{"x_m"}, {"y_m"}};
+    const std::vector<Table::Column> places = {
+      {"x_m", Table::Type::real, "m", ""},
+      {"y_m", Table::Type::real, "m", ""}};
 
     /** Columns of places and names, which are no features. */
     bool
@@ -95,7 +97,7 @@ namespace squeal::tribology
              const CorrelationParameters &p)
     {
       std::vector<Table::Column> needed = places;
-      needed.push_back({"area_m2"});
+      needed.push_back({"area_m2", Table::Type::real, "m^2", ""});
       const Table damage   = read_csv(damage_file, needed);
       const Table features = read_csv(feature_file, places);
       std::vector<std::array<double, 3>> points;
@@ -168,8 +170,9 @@ namespace squeal::tribology
                   const std::size_t          k,
                   const double               observed)
     {
-      std::vector<char> chosen(values.size(), 0);
-      std::fill(chosen.end() - k, chosen.end(), 1);
+      std::vector<int> chosen(values.size());
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        chosen[i] = i + k >= chosen.size() ? 1 : 0;
       double n_all = 0., n_larger = 0.;
       do
         {
