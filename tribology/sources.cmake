@@ -12,14 +12,19 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/fatigue/mean_stress.cc
     source/fatigue/sn_curve.cc
     source/fatigue/spectral.cc
+    source/images/areas.cc
     source/images/centre_line.cc
     source/images/crack_finder.cc
     source/images/crack_growth.cc
     source/images/crack_width.cc
     source/images/image_parameters.cc
+    source/images/metadata.cc
+    source/images/micrograph.cc
     source/images/ridge_filter.cc
     source/images/run_segmentation.cc
     source/images/run_synthetic_specimen.cc
+    source/images/specimen.cc
+    source/images/specimen_shapes.cc
     source/setup/choices.cc
     source/setup/declare.cc
     source/setup/declare_correlation.cc
