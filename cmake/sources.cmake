@@ -102,6 +102,9 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/compare.cc
     source/results/cost_at_error.cc
     source/results/display_mesh.cc
+    source/results/hdf5_file.cc
+    source/results/history_reader.cc
+    source/results/history_writer.cc
     source/results/html_report.cc
     source/results/label_layout.cc
     source/results/matrix_market.cc

@@ -3,6 +3,9 @@
 # Every source file of squeal_tribology, sorted.
 
 set(SQUEAL_TRIBOLOGY_SOURCES
+    source/criteria/critical_plane.cc
+    source/criteria/enclosing_ball.cc
+    source/criteria/multiaxial.cc
     source/driver/context.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
@@ -12,6 +15,9 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/fatigue/mean_stress.cc
     source/fatigue/sn_curve.cc
     source/fatigue/spectral.cc
+    source/history/clipped_sine.cc
+    source/history/contact_grid.cc
+    source/history/csv_import.cc
     source/images/areas.cc
     source/images/centre_line.cc
     source/images/crack_finder.cc
@@ -30,4 +36,5 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_correlation.cc
     source/setup/declare_damage.cc
     source/setup/declare_history.cc
-    source/setup/tribology_parameters.cc)
+    source/setup/tribology_parameters.cc
+    source/subsurface/half_space.cc)

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_results_contact_history_h
+#define squeal_results_contact_history_h
+
+#include <squeal/base/files.h>
+#include <squeal/results/hdf5_file.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** State of a contact node. */
+  enum class ContactStatus : std::uint8_t
+  {
+    open  = 0,
+    stick = 1,
+    slip  = 2
+  };
+
+  /** What a contact history is about; doc/history_format.md. */
+  struct HistoryLayout
+  {
+    std::string                        name;   /**< of the run */
+    std::vector<std::array<double, 3>> points; /**< m, one a node */
+    std::vector<double>                areas; /**< m^2, tributary, one a node */
+    std::vector<std::string> probe_names;  /**< with unit, "pad_ay_m_per_s2" */
+    std::vector<std::string> energy_names; /**< with unit, "kinetic_j" */
+    bool                     has_slip_rate  = true;
+    bool                     has_gap        = true;
+    bool                     has_status     = true;
+    bool                     has_resultants = true;
+
+    std::size_t
+    n_nodes() const
+    {
+      return points.size();
+    }
+  };
+
+  /** Some samples in order of time. Arrays hold node after node for the first
+   * sample, then for the second; what the layout lacks is empty. */
+  struct HistorySamples
+  {
+    std::vector<double> time;       /**< s */
+    std::vector<double> pressure;   /**< Pa, compression positive */
+    std::vector<double> traction;   /**< Pa, x and y, by the disc on the pad */
+    std::vector<double> slip_rate;  /**< m/s, x and y, disc minus pad */
+    std::vector<double> gap;        /**< m */
+    std::vector<double> status;     /**< ContactStatus as a number */
+    std::vector<double> resultants; /**< N: x, y, normal */
+    std::vector<double> probes;
+    std::vector<double> energies;
+
+    std::size_t
+    n_samples() const
+    {
+      return time.size();
+    }
+
+    void clear();
+  };
+
+  /** A change of status with its time, between samples too. */
+  struct StatusChange
+  {
+    double        time   = 0.; /**< s */
+    std::size_t   node   = 0;
+    ContactStatus status = ContactStatus::open; /**< from then on */
+  };
+
+  /**
+   * Writes a contact history, in pieces; the file has its name only after
+   * finish(). Fields of nodes are kept as 32-bit numbers, all else in double.
+   */
+  class HistoryWriter
+  {
+  public:
+    static constexpr int format_version = 1;
+
+    HistoryWriter(const std::string &path, const HistoryLayout &layout);
+
+    /** Adds samples. The number of values must fit the layout. */
+    void append(const HistorySamples &samples);
+
+    void append(const std::vector<StatusChange> &changes);
+
+    /** Marks the file as complete and gives it its name. */
+    void finish();
+
+  private:
+    HistoryLayout             layout;
+    AtomicFile                target;
+    std::unique_ptr<Hdf5File> file;
+  };
+
+  /**
+   * Reads a contact history in pieces. Throws InputError, one line with the
+   * file's name, for a file that is missing, no HDF5, truncated, incomplete, of
+   * another format or version, without a dataset, with datasets that do not fit
+   * each other, with an area that is not positive, with a value that is not a
+   * number, or with times that do not increase.
+   */
+  class HistoryReader
+  {
+  public:
+    explicit HistoryReader(const std::string &path);
+
+    const HistoryLayout &layout() const;
+
+    std::uint64_t n_samples() const;
+
+    /** Times of the first and of the last sample, s. */
+    std::array<double, 2> time_range() const;
+
+    /** First sample that is not before @p time. */
+    std::uint64_t sample_at(double time) const;
+
+    /** Reads @p n samples from @p first on. */
+    void read(std::uint64_t   first,
+              std::uint64_t   n,
+              HistorySamples &samples) const;
+
+    std::vector<StatusChange> status_changes() const;
+
+    const std::string &path() const;
+
+  private:
+    void check_shape(const std::string          &name,
+                     const Hdf5File::Dimensions &row) const;
+
+    Hdf5File      file;
+    HistoryLayout what;
+    std::uint64_t samples = 0;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_history_contact_grid_h
+#define squeal_tribology_history_contact_grid_h
+
+#include <squeal/results/contact_history.h>
+#include <squeal/tribology/subsurface/half_space.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace squeal::tribology
+{
+  /**
+   * The nodal cells of a pad's face: where the nodes stand on a rectangular
+   * grid, rectangles between the lines midway between nodes, at the rim cut at
+   * the nodes themselves; else squares of the tributary area.
+   */
+  class ContactGrid
+  {
+  public:
+    ContactGrid(const std::vector<std::array<double, 3>> &points,
+                const std::vector<double>                &areas);
+
+    explicit ContactGrid(const HistoryLayout &layout);
+
+    std::size_t
+    n_nodes() const
+    {
+      return cells.size();
+    }
+
+    /** Cell of a node. */
+    const Patch &cell(std::size_t node) const;
+
+    double area(std::size_t node) const;
+
+    /** Whether the nodes stand on a rectangular grid. */
+    bool is_grid() const;
+
+    /** Numbers of nodes along x and y, and the node at each place, x fastest;
+     * only if is_grid(). */
+    std::size_t                     n_x() const;
+    std::size_t                     n_y() const;
+    const std::vector<std::size_t> &order() const;
+
+    /** Distance of a node from the nearest edge of the face. */
+    double edge_distance(std::size_t node) const;
+
+    /**
+     * Row i: weights of all nodes in the average about node i, a normal
+     * distribution with two standard deviations to @p length / 2 times the
+     * tributary areas; the unit matrix for 0.
+     */
+    Eigen::MatrixXd averaging(double length) const;
+
+  private:
+    void build(const std::vector<std::array<double, 3>> &points);
+
+    std::vector<std::array<double, 2>> places;
+    std::vector<double>                areas, xs, ys;
+    std::vector<Patch>                 cells;
+    std::vector<std::size_t>           ordered;
+    Patch                              face{};
+  };
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/history/contact_grid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    /** The different values of a coordinate, up to @p tolerance. */
+    std::vector<double>
+    levels(std::vector<double> values, const double tolerance)
+    {
+      std::sort(values.begin(), values.end());
+      std::vector<double> result;
+      for (const double value : values)
+        if (result.empty() || value - result.back() > tolerance)
+          result.push_back(value);
+      return result;
+    }
+
+
+
+    std::size_t
+    level_of(const std::vector<double> &levels, const double value)
+    {
+      std::size_t nearest = 0;
+      for (std::size_t i = 1; i < levels.size(); ++i)
+        if (std::abs(levels[i] - value) < std::abs(levels[nearest] - value))
+          nearest = i;
+      return nearest;
+    }
+
+
+
+    /** From midway to the level before to midway to the one behind. */
+    std::array<double, 2>
+    around(const std::vector<double> &levels, const std::size_t i)
+    {
+      return {{i == 0 ? levels[i] : .5 * (levels[i - 1] + levels[i]),
+               i + 1 == levels.size() ? levels[i]
+                                      : .5 * (levels[i] + levels[i + 1])}};
+    }
+  } // namespace
+
+
+
+  ContactGrid::ContactGrid(const std::vector<std::array<double, 3>> &points,
+                           const std::vector<double>                &areas)
+    : areas(areas)
+  {
+    build(points);
+  }
+
+
+
+  ContactGrid::ContactGrid(const HistoryLayout &layout)
+    : ContactGrid(layout.points, layout.areas)
+  {
+  }
+
+
+
+  void
+  ContactGrid::build(const std::vector<std::array<double, 3>> &points)
+  {
+    std::vector<double> all_x, all_y;
+    double              smallest = 1e300;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        places.push_back({{points[i][0], points[i][1]}});
+        all_x.push_back(points[i][0]);
+        all_y.push_back(points[i][1]);
+        smallest = std::min(smallest, std::sqrt(areas[i]));
+      }
+    xs = levels(all_x, .1 * smallest);
+    ys = levels(all_y, .1 * smallest);
+    bool grid =
+      xs.size() * ys.size() == points.size() && xs.size() > 1 && ys.size() > 1;
+    ordered.assign(points.size(), points.size());
+    if (grid)
+      for (std::size_t i = 0; i < points.size(); ++i)
+        ordered[level_of(xs, all_x[i]) + xs.size() * level_of(ys, all_y[i])] =
+          i;
+    grid = grid && std::find(ordered.begin(), ordered.end(), points.size()) ==
+                     ordered.end();
+    if (!grid)
+      ordered.clear();
+
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const double h = .5 * std::sqrt(areas[i]);
+        if (grid)
+          {
+            const auto x = around(xs, level_of(xs, all_x[i]));
+            const auto y = around(ys, level_of(ys, all_y[i]));
+            cells.push_back({x[0], x[1], y[0], y[1]});
+          }
+        else
+          cells.push_back(
+            {all_x[i] - h, all_x[i] + h, all_y[i] - h, all_y[i] + h});
+      }
+    face = cells[0];
+    for (const Patch &c : cells)
+      face = {std::min(face.x_min, c.x_min),
+              std::max(face.x_max, c.x_max),
+              std::min(face.y_min, c.y_min),
+              std::max(face.y_max, c.y_max)};
+  }
+
+
+
+  const Patch &
+  ContactGrid::cell(const std::size_t node) const
+  {
+    return cells[node];
+  }
+
+
+
+  double
+  ContactGrid::area(const std::size_t node) const
+  {
+    return areas[node];
+  }
+
+
+
+  bool
+  ContactGrid::is_grid() const
+  {
+    return !ordered.empty();
+  }
+
+
+
+  std::size_t
+  ContactGrid::n_x() const
+  {
+    return xs.size();
+  }
+
+
+
+  std::size_t
+  ContactGrid::n_y() const
+  {
+    return ys.size();
+  }
+
+
+
+  const std::vector<std::size_t> &
+  ContactGrid::order() const
+  {
+    return ordered;
+  }
+
+
+
+  double
+  ContactGrid::edge_distance(const std::size_t node) const
+  {
+    const auto [x, y] = places[node];
+    return std::min(std::min(x - face.x_min, face.x_max - x),
+                    std::min(y - face.y_min, face.y_max - y));
+  }
+
+
+
+  Eigen::MatrixXd
+  ContactGrid::averaging(const double length) const
+  {
+    const std::size_t n = n_nodes();
+    if (length <= 0.)
+      return Eigen::MatrixXd::Identity(n, n);
+    const double    deviation = length / 4.;
+    Eigen::MatrixXd weights(n, n);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double dx = places[i][0] - places[j][0];
+            const double dy = places[i][1] - places[j][1];
+            weights(i, j)   = areas[j] * std::exp(-.5 * (dx * dx + dy * dy) /
+                                                (deviation * deviation));
+          }
+        weights.row(i) /= weights.row(i).sum();
+      }
+    return weights;
+  }
+} // namespace squeal::tribology
