@@ -16,6 +16,7 @@ namespace squeal::tribology
     constexpr double inner_share       = 0.7; // of the threshold, for edges
     constexpr int    roughness_window  = 9;   // pixels
     constexpr double plateau_roughness = 1.3; // of the bulk's
+    constexpr double rough_pit         = 1.5; // of the bulk's
     constexpr double least_thickness   = 3.;  // pixels, radius
 
     double
@@ -59,6 +60,47 @@ namespace squeal::tribology
       // A second peak close by widens one side only.
       const double deviation = std::max(1, std::min(top - left, right - top));
       return {(top + 0.5) * width - range, deviation * width};
+    }
+
+
+
+    /** Least squares with Tukey's weights. */
+    template <std::size_t n>
+    cv::Mat1d
+    robust_fit(const std::vector<std::array<double, n>> &rows,
+               const std::vector<double>                &values)
+    {
+      cv::Mat1d           c = cv::Mat1d::zeros(int(n), 1);
+      std::vector<double> weights(values.size(), 1.), sizes(values.size());
+      for (int iteration = 0; iteration < 15; ++iteration)
+        {
+          cv::Mat1d normal = cv::Mat1d::eye(int(n), int(n)) * 1e-9;
+          cv::Mat1d right  = cv::Mat1d::zeros(int(n), 1);
+          for (std::size_t i = 0; i < values.size(); ++i)
+            for (std::size_t a = 0; a < n; ++a)
+              {
+                right(a) += weights[i] * rows[i][a] * values[i];
+                for (std::size_t b = 0; b < n; ++b)
+                  normal(a, b) += weights[i] * rows[i][a] * rows[i][b];
+              }
+          cv::solve(normal, right, c, cv::DECOMP_SVD);
+          std::vector<double> residuals(values);
+          for (std::size_t i = 0; i < values.size(); ++i)
+            {
+              for (std::size_t a = 0; a < n; ++a)
+                residuals[i] -= c(a) * rows[i][a];
+              sizes[i] = std::abs(residuals[i]);
+            }
+          const auto middle = sizes.begin() + sizes.size() / 2;
+          std::nth_element(sizes.begin(), middle, sizes.end());
+          const double scale = std::max(1e-5, 4. * 1.4826 * *middle);
+          for (std::size_t i = 0; i < residuals.size(); ++i)
+            {
+              const double u = residuals[i] / scale;
+              weights[i]     = u * u < 1. ? (1. - u * u) * (1. - u * u) : 0.;
+            }
+        }
+      return c;
     }
 
 
@@ -114,70 +156,88 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** Parts of @p mask whose mean of @p rough is above @p least. */
+    cv::Mat
+    rough_parts(const cv::Mat &mask, const cv::Mat1f &rough, const double least)
+    {
+      cv::Mat1i           labels;
+      const int           n = cv::connectedComponents(mask, labels, 8);
+      std::vector<double> sum(n, 0.), area(n, 0.);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            sum[labels(y, x)] += rough(y, x);
+            area[labels(y, x)] += 1.;
+          }
+      cv::Mat result = cv::Mat::zeros(mask.size(), CV_8U);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            const int l = labels(y, x);
+            if (l > 0 && sum[l] > least * area[l])
+              result.at<uchar>(y, x) = 255;
+          }
+      return result;
+    }
+  } // namespace
+
+
+
   cv::Mat
   flatten_illumination(const cv::Mat &grey)
   {
-    constexpr int n_terms = 6;
-    const auto    terms   = [&](const int x, const int y) {
+    constexpr int n_terms = 5;
+    using Terms           = std::array<double, n_terms>;
+    const auto terms      = [&](const double x, const double y) {
       const double u = 2. * x / grey.cols - 1., v = 2. * y / grey.rows - 1.;
-      return std::array<double, n_terms>{1., u, v, u * u, u * v, v * v};
+      return Terms{u, v, u * u, u * v, v * v};
     };
-    const int step = std::max(1, std::min(grey.rows, grey.cols) / 100);
-    cv::Mat   smooth;
-    cv::blur(grey, smooth, cv::Size(step, step));
-    std::vector<std::array<double, n_terms>> rows;
-    std::vector<double>                      values;
-    for (int y = step / 2; y < grey.rows; y += step)
-      for (int x = step / 2; x < grey.cols; x += step)
-        {
-          rows.push_back(terms(x, y));
-          values.push_back(std::log(std::max(1.F, smooth.at<float>(y, x))));
-        }
-    cv::Mat1d           coefficients = cv::Mat1d::zeros(n_terms, 1);
-    std::vector<double> weights(values.size(), 1.);
-    for (int iteration = 0; iteration < 12; ++iteration)
-      {
-        cv::Mat1d normal = cv::Mat1d::zeros(n_terms, n_terms);
-        cv::Mat1d right  = cv::Mat1d::zeros(n_terms, 1);
-        for (std::size_t i = 0; i < values.size(); ++i)
-          for (int a = 0; a < n_terms; ++a)
+    // Differences of neighbouring cells: an area of other brightness disturbs
+    // those across its edge only.
+    const int step = std::max(2, std::min(grey.rows, grey.cols) / 80);
+    cv::Mat   cells;
+    cv::resize(
+      grey,
+      cells,
+      cv::Size(std::max(2, grey.cols / step), std::max(2, grey.rows / step)),
+      0.,
+      0.,
+      cv::INTER_AREA);
+    cv::max(cells, 1., cells);
+    cv::log(cells, cells);
+    std::vector<Terms>  rows;
+    std::vector<double> values;
+    const double        sx = double(grey.cols) / cells.cols,
+                 sy        = double(grey.rows) / cells.rows;
+    for (int y = 0; y < cells.rows; ++y)
+      for (int x = 0; x < cells.cols; ++x)
+        for (const cv::Point &d : {cv::Point(1, 0), cv::Point(0, 1)})
+          if (x + d.x < cells.cols && y + d.y < cells.rows)
             {
-              right(a) += weights[i] * rows[i][a] * values[i];
-              for (int b = 0; b < n_terms; ++b)
-                normal(a, b) += weights[i] * rows[i][a] * rows[i][b];
+              const Terms a = terms(sx * x, sy * y);
+              Terms       b = terms(sx * (x + d.x), sy * (y + d.y));
+              for (int k = 0; k < n_terms; ++k)
+                b[k] -= a[k];
+              rows.push_back(b);
+              values.push_back(cells.at<float>(y + d.y, x + d.x) -
+                               cells.at<float>(y, x));
             }
-        cv::solve(normal, right, coefficients, cv::DECOMP_SVD);
-        std::vector<double> residuals(values.size());
-        for (std::size_t i = 0; i < values.size(); ++i)
-          {
-            residuals[i] = values[i];
-            for (int a = 0; a < n_terms; ++a)
-              residuals[i] -= coefficients(a) * rows[i][a];
-          }
-        std::vector<double> sizes;
-        for (const double r : residuals)
-          sizes.push_back(std::abs(r));
-        const auto middle = sizes.begin() + sizes.size() / 2;
-        std::nth_element(sizes.begin(), middle, sizes.end());
-        const double scale = std::max(1e-4, 3. * 1.4826 * *middle);
-        for (std::size_t i = 0; i < residuals.size(); ++i)
-          {
-            const double u = residuals[i] / scale;
-            weights[i]     = u * u < 1. ? (1. - u * u) * (1. - u * u) : 0.;
-          }
-      }
-    cv::Mat flat(grey.size(), CV_32F);
+    const cv::Mat1d c = robust_fit(rows, values);
+    cv::Mat         flat(grey.size(), CV_32F);
     for (int y = 0; y < grey.rows; ++y)
       for (int x = 0; x < grey.cols; ++x)
         {
-          const auto t   = terms(x, y);
-          double     sum = 0.;
-          for (int a = 0; a < n_terms; ++a)
-            sum += coefficients(a) * t[a];
-          flat.at<float>(y, x) =
-            float(grey.at<float>(y, x) / std::exp(sum) - 1.);
+          const Terms t   = terms(x, y);
+          double      sum = 0.;
+          for (int k = 0; k < n_terms; ++k)
+            sum += c(k) * t[k];
+          flat.at<float>(y, x) = float(grey.at<float>(y, x) * std::exp(-sum));
         }
-    return flat;
+    const double top  = 255.;
+    const double bulk = main_peak(cv::Mat(flat * (1. / top))).first * top;
+    return flat * (1. / std::max(1., bulk)) - 1.;
   }
 
 
@@ -212,6 +272,7 @@ namespace squeal::tribology
     map.exfoliation    = clean(smooth < bulk - inner_share * dark,
                             smooth < bulk - dark,
                             settings.smallest_area);
+    map.rough          = rough_parts(map.exfoliation, rough, rough_pit * usual);
     const cv::Mat even = rough < plateau_roughness * usual;
     map.plateau        = clean((smooth > bulk + inner_share * bright) & even,
                         (smooth > bulk + bright) & even,

@@ -27,6 +27,9 @@ namespace squeal::tribology
     constexpr double least_axis_share = 0.2;
     constexpr int    straight_length  = 40;
     constexpr double straight_within  = 0.0075;
+    constexpr int    scratch_votes    = 60;
+    constexpr int    scratch_length   = 90;
+    constexpr int    scratch_gap      = 6;
 
     /** Strength of the axis of a piece. */
     struct Weight
@@ -91,6 +94,27 @@ namespace squeal::tribology
 
 
 
+    /** Pixels within two of a straight line that crests follow over a long
+     * way: grooves, scratches and edges of the specimen. */
+    cv::Mat
+    straight_lines(const cv::Mat &crests)
+    {
+      std::vector<cv::Vec4i> lines;
+      cv::HoughLinesP(crests,
+                      lines,
+                      1.,
+                      CV_PI / 360.,
+                      scratch_votes,
+                      scratch_length,
+                      scratch_gap);
+      cv::Mat mask = cv::Mat::zeros(crests.size(), CV_8U);
+      for (const cv::Vec4i &l : lines)
+        cv::line(mask, {l[0], l[1]}, {l[2], l[3]}, 255, 5);
+      return mask;
+    }
+
+
+
     cv::Mat
     crests_above(const RidgeField &ridges, const double level)
     {
@@ -130,8 +154,14 @@ namespace squeal::tribology
 
 
   cv::Mat
-  find_centre_lines(const RidgeField &ridges)
+  find_centre_lines(const RidgeField &field)
   {
+    // Scratches neither count nor lead a crack on.
+    RidgeField    ridges = field;
+    const cv::Mat straight =
+      straight_lines(crests_above(field, crest_levels[0]));
+    ridges.strength = field.strength.clone();
+    ridges.strength.setTo(0., straight);
     cv::Mat cracks = cv::Mat::zeros(ridges.strength.size(), CV_8U);
     for (const double level : crest_levels)
       add_cracks(ridges, level, cracks);

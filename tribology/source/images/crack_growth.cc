@@ -12,12 +12,13 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double reach          = 35.; // pixels ahead
-    constexpr double half_sector    = 0.5; // cosine
-    constexpr double least_strength = 2.;
-    constexpr double crest_strength = 2.;
-    constexpr int    n_trials       = 400;
-    constexpr int    n_rounds       = 12;
+    constexpr double reach           = 35.; // pixels ahead
+    constexpr double half_sector     = 0.5; // cosine
+    constexpr double least_strength  = 2.;
+    constexpr double crest_strength  = 2.;
+    constexpr double straight_within = 0.45; // pixels
+    constexpr int    n_trials        = 400;
+    constexpr int    n_rounds        = 12;
 
     double
     median(std::vector<double> values)
@@ -25,6 +26,17 @@ namespace squeal::tribology
       const auto middle = values.begin() + values.size() / 2;
       std::nth_element(values.begin(), middle, values.end());
       return *middle;
+    }
+
+
+
+    /** A groove that the crack meets. */
+    bool
+    is_straight(const PixelPath &way)
+    {
+      LinePiece piece;
+      piece.axis = way;
+      return way.size() > 20 && piece.waviness() < straight_within;
     }
   } // namespace
 
@@ -159,7 +171,8 @@ namespace squeal::tribology
         for (const LineEnd &end : line_ends(before))
           {
             const Extension e = extend(end, before);
-            if (e.way.empty() || e.mean_strength < threshold)
+            if (e.way.empty() || e.mean_strength < threshold ||
+                is_straight(e.way))
               continue;
             for (const cv::Point &p : e.way)
               network.at<uchar>(p) = 255;

@@ -14,6 +14,8 @@ namespace squeal::tribology
     constexpr int    profile_reach = 16;  // pixels to each side
     constexpr int    n_along       = 3;   // profiles averaged on each side
     constexpr double sample_step   = 0.5; // pixels
+    // Of optics, pixel and the smoothing below.
+    constexpr double blur = 1.; // pixels
 
     float
     value_at(const cv::Mat &grey, const double x, const double y)
@@ -95,6 +97,64 @@ namespace squeal::tribology
         }
       return width;
     }
+
+
+
+    /** Where a crack fades the profile says little: no width is more than
+     * twice or less than half the median of its connected crack. */
+    void
+    limit_widths(cv::Mat &widths)
+    {
+      for (const LinePiece &piece : line_pieces(widths > 0.))
+        {
+          std::vector<float> sample;
+          for (const cv::Point &p : piece.pixels)
+            sample.push_back(widths.at<float>(p));
+          const auto middle = sample.begin() + sample.size() / 2;
+          std::nth_element(sample.begin(), middle, sample.end());
+          for (const cv::Point &p : piece.pixels)
+            {
+              float &w = widths.at<float>(p);
+              w        = std::clamp(w, 0.5F * *middle, 2.F * *middle);
+            }
+        }
+    }
+
+
+
+    /** Width at half depth of a slit of @p width behind a Gaussian blur. */
+    double
+    blurred_width(const double width)
+    {
+      const auto dark = [&](const double x) {
+        return std::erf((0.5 * width - x) / (std::sqrt(2.) * blur)) +
+               std::erf((0.5 * width + x) / (std::sqrt(2.) * blur));
+      };
+      double low = 0., high = width + 4. * blur;
+      for (int i = 0; i < 40; ++i)
+        {
+          const double x                          = 0.5 * (low + high);
+          (dark(x) > 0.5 * dark(0.) ? low : high) = x;
+        }
+      return 2. * low;
+    }
+
+
+
+    /** Width of the slit that looks @p measured pixels wide. */
+    double
+    resolved_width(const double measured)
+    {
+      if (measured > 4.)
+        return measured;
+      double low = 0.5, high = 4.;
+      for (int i = 0; i < 20; ++i)
+        {
+          const double w                             = 0.5 * (low + high);
+          (blurred_width(w) < measured ? low : high) = w;
+        }
+      return low;
+    }
   } // namespace
 
 
@@ -120,6 +180,7 @@ namespace squeal::tribology
         map.direction.at<float>(p) = float(a);
         raw.at<float>(p) = float(std::max(1., width_at(smooth, p, a)));
       }
+    limit_widths(raw);
     for (const cv::Point &p : pixels)
       {
         // The median over neighbours on the line: one grain is no widening.
@@ -132,8 +193,9 @@ namespace squeal::tribology
               widths.push_back(raw.at<float>(y, x));
         const auto middle = widths.begin() + widths.size() / 2;
         std::nth_element(widths.begin(), middle, widths.end());
-        map.width.at<float>(p) = *middle;
-        const double r         = 0.5 * *middle;
+        const double width     = resolved_width(*middle);
+        map.width.at<float>(p) = float(width);
+        const double r         = 0.5 * std::max(1., width);
         const int    ir        = int(std::ceil(r));
         for (int y = -ir; y <= ir; ++y)
           for (int x = -ir; x <= ir; ++x)

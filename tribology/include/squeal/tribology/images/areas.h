@@ -8,15 +8,17 @@
 
 namespace squeal::tribology
 {
-  /** @p grey over its shading, minus 1, so that the bulk of the surface is 0.
-   * The shading is a polynomial of second degree fitted robustly to the
-   * logarithm, so that areas of other brightness do not bend it. */
+  /** @p grey over its shading, minus 1, so that the bulk of the surface (its
+   * most frequent brightness) is 0. The shading is a polynomial of second
+   * degree whose slopes are fitted robustly to those of the logarithm: areas
+   * of other brightness disturb at their edges only. */
   cv::Mat flatten_illumination(const cv::Mat &grey);
 
   /** Exfoliations and contact plateaus. */
   struct AreaMap
   {
     cv::Mat exfoliation; /**< CV_8U, 255 inside */
+    cv::Mat rough;       /**< CV_8U, the exfoliations that are rough as well */
     cv::Mat plateau;     /**< CV_8U, 255 inside */
   };
 
