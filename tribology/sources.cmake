@@ -6,6 +6,12 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/criteria/critical_plane.cc
     source/criteria/enclosing_ball.cc
     source/criteria/multiaxial.cc
+    source/damage/damage_files.cc
+    source/damage/damage_table.cc
+    source/damage/history_damage.cc
+    source/damage/map_picture.cc
+    source/damage/subsurface.cc
+    source/damage/surface.cc
     source/driver/context.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
@@ -43,4 +49,8 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_damage.cc
     source/setup/declare_history.cc
     source/setup/tribology_parameters.cc
+    source/statistics/association.cc
+    source/statistics/link_test.cc
+    source/statistics/pad_tables.cc
+    source/statistics/spatial.cc
     source/subsurface/half_space.cc)

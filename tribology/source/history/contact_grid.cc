@@ -127,6 +127,14 @@ namespace squeal::tribology
 
 
 
+  const std::array<double, 2> &
+  ContactGrid::place(const std::size_t node) const
+  {
+    return places[node];
+  }
+
+
+
   bool
   ContactGrid::is_grid() const
   {

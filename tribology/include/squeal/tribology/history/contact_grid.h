@@ -35,6 +35,9 @@ namespace squeal::tribology
 
     double area(std::size_t node) const;
 
+    /** x and y of a node. */
+    const std::array<double, 2> &place(std::size_t node) const;
+
     /** Whether the nodes stand on a rectangular grid. */
     bool is_grid() const;
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_damage_surface_h
+#define squeal_tribology_damage_surface_h
+
+#include <squeal/results/contact_history.h>
+#include <squeal/tribology/setup/damage_parameters.h>
+
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** What happens on the face at one node, summed over a history. */
+  struct SurfaceSums
+  {
+    double duration        = 0.; /**< s */
+    double contact_time    = 0.; /**< s */
+    double pressure_time   = 0.; /**< Pa s, integral of the pressure */
+    double peak_pressure   = 0.; /**< Pa */
+    double friction_energy = 0.; /**< J/m^2, integral of traction . slip */
+    double pressure_slip   = 0.; /**< Pa m, integral of p |v|: Archard */
+    double impacts         = 0.; /**< closures after separation */
+    double impulse         = 0.; /**< Pa s, from closure to first maximum */
+    double stick_slip      = 0.; /**< changes between stick and slip */
+
+    double duty() const;          /**< part of the time in contact */
+    double mean_pressure() const; /**< Pa */
+  };
+
+  /**
+   * Sums the surface figures of all nodes over a history that comes in pieces,
+   * by the trapezoidal rule between samples. The sums do not depend on the
+   * pieces.
+   */
+  class SurfaceSummer
+  {
+  public:
+    SurfaceSummer(const HistoryLayout &layout, const SurfaceParameters &rules);
+
+    void add(const HistorySamples &samples);
+
+    const std::vector<SurfaceSums> &sums() const;
+
+  private:
+    /** One node at one time. */
+    struct Moment
+    {
+      double        pressure = 0., power = 0., pressure_slip = 0.;
+      ContactStatus status = ContactStatus::open;
+    };
+
+    Moment moment(const HistorySamples &s,
+                  std::size_t           i,
+                  std::size_t           node) const;
+
+    HistoryLayout            layout;
+    SurfaceParameters        rules;
+    std::vector<SurfaceSums> result;
+    std::vector<Moment>      last;
+    std::vector<char>        is_loading; /**< closed and still rising */
+    double                   last_time = 0.;
+    bool                     has_last  = false;
+  };
+} // namespace squeal::tribology
+
+#endif

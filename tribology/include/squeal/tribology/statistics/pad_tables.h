@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_statistics_pad_tables_h
+#define squeal_tribology_statistics_pad_tables_h
+
+#include <squeal/tribology/history/contact_grid.h>
+#include <squeal/tribology/statistics/link_test.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** Indices and features of one pad on its nodal cells. */
+  struct PadMaps
+  {
+    std::unique_ptr<ContactGrid>   grid;
+    std::map<std::string, GridMap> indices;
+    std::map<std::string, GridMap> features; /**< NaN where not looked at */
+    bool                           is_silent = false;
+  };
+
+  /**
+   * Reads a damage table and a table of features for each pad and joins their
+   * rows by place (x_m, y_m: a tenth of a cell). The damage table must cover a
+   * rectangular grid. Throws InputError for a missing column, a feature that
+   * lies in no cell, or two in one.
+   */
+  std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
+
+  /** One index against one feature on one pad. */
+  struct PadLink
+  {
+    std::size_t pad = 0;
+    std::string index, feature;
+    LinkTest    test;
+  };
+
+  /** All links with their verdicts. */
+  std::vector<PadLink> link_pads(const std::vector<PadMaps>  &pads,
+                                 const CorrelationParameters &parameters);
+
+  /** A feature's mean on squealing against silent pads. */
+  struct GroupResult
+  {
+    std::string feature;
+    std::size_t n_silent = 0, n_squealing = 0;
+    double      mean_silent = 0., mean_squealing = 0.;
+    double      p_value = 1.;
+    Verdict     verdict = Verdict::undecided;
+    std::string reason;
+  };
+
+  /**
+   * Exact two-sided permutation test of the means of pads. A pad is one sample:
+   * where the smallest p-value that the numbers of pads allow is above the
+   * level, the verdict is undecided and says so. Empty if a group has no pad.
+   */
+  std::vector<GroupResult> compare_groups(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+} // namespace squeal::tribology
+
+#endif

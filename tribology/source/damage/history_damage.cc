@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/damage/history_damage.h>
+#include <squeal/tribology/fatigue/spectral.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    using RowMajor =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    /** Windows of the spectra: samples. */
+    constexpr std::size_t n_window = 1024;
+
+    /** Stress of all nodes: a row for each node. */
+    RowMajor
+    stresses(const HistorySamples    &s,
+             const std::size_t        n_nodes,
+             const FatigueParameters &fatigue)
+    {
+      using Q = FatigueParameters::Quantity;
+      RowMajor          result(n_nodes, s.n_samples());
+      const std::size_t step   = fatigue.quantity == Q::pressure ? 1 : 2;
+      const std::size_t offset = fatigue.quantity == Q::traction_y ? 1 : 0;
+      const double     *values =
+        fatigue.quantity == Q::pressure ? s.pressure.data() : s.traction.data();
+      const double factor =
+        fatigue.plateau_factor * (fatigue.quantity == Q::pressure ? -1. : 1.);
+      // in squares, so that both sides stay in the cache
+      const std::size_t edge = 32;
+      for (std::size_t i = 0; i < s.n_samples(); i += edge)
+        for (std::size_t k = 0; k < n_nodes; k += edge)
+          for (std::size_t a = i; a < std::min(i + edge, s.n_samples()); ++a)
+            for (std::size_t b = k; b < std::min(k + edge, n_nodes); ++b)
+              result(b, a) = factor * values[(a * n_nodes + b) * step + offset];
+      return result;
+    }
+
+
+
+    /** Lowest and highest stress of the history. */
+    std::array<double, 2>
+    stress_bounds(const HistoryReader     &reader,
+                  const HistoryWindow     &window,
+                  const std::size_t        n_chunk,
+                  const FatigueParameters &fatigue)
+    {
+      double lowest = 1e300, highest = -1e300;
+      for_each_chunk(reader, window, n_chunk, [&](const HistorySamples &s) {
+        const RowMajor stress = stresses(s, reader.layout().n_nodes(), fatigue);
+        lowest                = std::min(lowest, stress.minCoeff());
+        highest               = std::max(highest, stress.maxCoeff());
+      });
+      return {{lowest, highest}};
+    }
+
+
+
+    /** Samples per second, or 0 if they are not evenly spaced. */
+    double
+    even_rate(const HistoryReader &reader, const HistoryWindow &window)
+    {
+      HistorySamples    s;
+      const std::size_t n = std::min<std::uint64_t>(window.n, 1000);
+      reader.read(window.first, n, s);
+      const double step = (s.time.back() - s.time.front()) / (n - 1);
+      for (std::size_t i = 1; i < n; ++i)
+        if (std::abs(s.time[i] - s.time[i - 1] - step) > 1e-3 * step)
+          return 0.;
+      return 1. / step;
+    }
+
+
+
+    void
+    require_finite(const HistoryDamage &result)
+    {
+      for (const HistoryDamage::Node &node : result.nodes)
+        for (const double damage : node.damage)
+          if (!std::isfinite(damage))
+            throw InputError("a mean stress of the history exceeds 'Fatigue/"
+                             "Ultimate strength' or 'Strength coefficient': "
+                             "raise it or choose another 'Mean stress'");
+    }
+  } // namespace
+
+
+
+  HistoryWindow
+  history_window(const HistoryReader &reader, const HistoryParameters &p)
+  {
+    HistoryWindow       window;
+    const std::uint64_t end =
+      p.end_time >= reader.time_range()[1]
+        ? reader.n_samples()
+        : reader.sample_at(std::nextafter(p.end_time, 1e300));
+    window.first = reader.sample_at(p.start_time);
+    window.n     = end > window.first ? end - window.first : 0;
+    if (window.n < 2)
+      throw InputError("'" + reader.path() +
+                       "' has fewer than two samples between 'History/Start "
+                       "time' and 'End time'");
+    return window;
+  }
+
+
+
+  void
+  for_each_chunk(const HistoryReader                               &reader,
+                 const HistoryWindow                               &window,
+                 const std::size_t                                  n_chunk,
+                 const std::function<void(const HistorySamples &)> &action)
+  {
+    HistorySamples samples;
+    double         last = -1e300;
+    for (std::uint64_t done = 0; done < window.n;)
+      {
+        const std::uint64_t n =
+          std::min<std::uint64_t>(n_chunk, window.n - done);
+        reader.read(window.first + done, n, samples);
+        if (!(samples.time[0] > last))
+          throw InputError("'" + reader.path() +
+                           "' has times that do not increase, at " +
+                           std::to_string(samples.time[0]) + " s");
+        last = samples.time.back();
+        action(samples);
+        done += n;
+      }
+  }
+
+
+
+  HistoryDamage
+  count_history(const HistoryReader                    &reader,
+                const HistoryParameters                &history,
+                const FatigueParameters                &fatigue,
+                const SurfaceParameters                &surface,
+                const ContactGrid                      &grid,
+                const std::function<void(std::size_t)> &progress)
+  {
+    const std::size_t   n      = reader.layout().n_nodes();
+    const HistoryWindow window = history_window(reader, history);
+    const auto [lowest, highest] =
+      stress_bounds(reader, window, history.chunk, fatigue);
+    const CountingRules plain = counting_rules(fatigue);
+    CountingRules       rules = plain;
+    const double        largest =
+      fatigue.largest_range > 0. ? fatigue.largest_range : highest - lowest;
+    rules.empty_matrix.emplace(fatigue.n_classes,
+                               std::max(largest, 1e-300),
+                               lowest,
+                               std::max(highest, lowest + 1e-300));
+    std::vector<DamageCounter> counters(n, DamageCounter(rules));
+    std::vector<DamageCounter> averaged(n, DamageCounter(plain));
+    const RowMajor weights = grid.averaging(fatigue.averaging_length);
+    SurfaceSummer  summer(reader.layout(), surface);
+
+    HistoryDamage result;
+    const double  rate = fatigue.spectral ? even_rate(reader, window) : 0.;
+    std::vector<WelchEstimator> spectra;
+    if (rate > 0. && window.n >= n_window)
+      spectra.assign(n, WelchEstimator(n_window, rate));
+    else if (fatigue.spectral)
+      result.notes.push_back(
+        "no spectral estimate: it needs evenly spaced times and at least " +
+        std::to_string(n_window) + " samples");
+
+    double first = 0., last = 0.;
+    for_each_chunk(reader, window, history.chunk, [&](const HistorySamples &s) {
+      if (result.samples == 0)
+        first = s.time[0];
+      last = s.time.back();
+      result.samples += s.n_samples();
+      const RowMajor stress = stresses(s, n, fatigue);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          counters[k].add(stress.row(k).data(), s.n_samples());
+          if (!spectra.empty())
+            spectra[k].add(stress.row(k).data(), s.n_samples());
+        }
+      if (fatigue.averaging_length > 0.)
+        {
+          // sample by sample: the sums do not depend on the length of a piece
+          RowMajor mean(n, s.n_samples());
+          for (std::size_t i = 0; i < s.n_samples(); ++i)
+            mean.col(i) = weights * stress.col(i);
+          for (std::size_t k = 0; k < n; ++k)
+            averaged[k].add(mean.row(k).data(), s.n_samples());
+        }
+      summer.add(s);
+      if (progress)
+        progress(s.n_samples());
+    });
+    result.duration = last - first;
+
+    result.nodes.resize(n);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        HistoryDamage::Node &node = result.nodes[k];
+        counters[k].finish();
+        averaged[k].finish();
+        node.damage = counters[k].damages();
+        node.averaged =
+          fatigue.averaging_length > 0. ? averaged[k].damages() : node.damage;
+        node.cycles        = counters[k].n_cycles();
+        node.largest_range = counters[k].largest_range();
+        node.surface       = summer.sums()[k];
+        result.deepest     = std::max(result.deepest, counters[k].deepest());
+        result.matrices.push_back(*counters[k].matrix());
+        if (!spectra.empty())
+          {
+            const std::array<double, 5> moments =
+              spectra[k].spectrum().moments();
+            for (const SnCurve &curve : rules.curves)
+              node.dirlik.push_back(dirlik_damage(moments, curve));
+          }
+      }
+    require_finite(result);
+    return result;
+  }
+} // namespace squeal::tribology

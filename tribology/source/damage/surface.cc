@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/damage/surface.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  double
+  SurfaceSums::duty() const
+  {
+    return duration > 0. ? contact_time / duration : 0.;
+  }
+
+
+
+  double
+  SurfaceSums::mean_pressure() const
+  {
+    return duration > 0. ? pressure_time / duration : 0.;
+  }
+
+
+
+  SurfaceSummer::SurfaceSummer(const HistoryLayout     &layout,
+                               const SurfaceParameters &rules)
+    : layout(layout)
+    , rules(rules)
+    , result(layout.n_nodes())
+    , last(layout.n_nodes())
+    , is_loading(layout.n_nodes(), 0)
+  {
+  }
+
+
+
+  SurfaceSummer::Moment
+  SurfaceSummer::moment(const HistorySamples &s,
+                        const std::size_t     i,
+                        const std::size_t     node) const
+  {
+    const std::size_t k = i * layout.n_nodes() + node;
+    Moment            m;
+    m.pressure   = s.pressure[k];
+    double speed = 0.;
+    if (layout.has_slip_rate)
+      {
+        const double vx = s.slip_rate[2 * k], vy = s.slip_rate[2 * k + 1];
+        speed           = std::hypot(vx, vy);
+        m.power         = s.traction[2 * k] * vx + s.traction[2 * k + 1] * vy;
+        m.pressure_slip = m.pressure * speed;
+      }
+    if (layout.has_status)
+      m.status = static_cast<ContactStatus>(s.status[k]);
+    else if (m.pressure > rules.contact_pressure)
+      m.status = layout.has_slip_rate && speed < rules.stick_speed
+                   ? ContactStatus::stick
+                   : ContactStatus::slip;
+    return m;
+  }
+
+
+
+  void
+  SurfaceSummer::add(const HistorySamples &s)
+  {
+    for (std::size_t i = 0; i < s.n_samples(); ++i)
+      {
+        const double dt = has_last ? s.time[i] - last_time : 0.;
+        for (std::size_t node = 0; node < last.size(); ++node)
+          {
+            const Moment now    = moment(s, i, node);
+            Moment      &before = last[node];
+            SurfaceSums &sum    = result[node];
+            sum.peak_pressure   = std::max(sum.peak_pressure, now.pressure);
+            if (has_last)
+              {
+                const double push = .5 * dt * (before.pressure + now.pressure);
+                const bool closed_before = before.status != ContactStatus::open;
+                const bool closed        = now.status != ContactStatus::open;
+                sum.duration += dt;
+                sum.contact_time += .5 * dt * (closed_before + closed);
+                sum.pressure_time += push;
+                sum.friction_energy += .5 * dt * (before.power + now.power);
+                sum.pressure_slip +=
+                  .5 * dt * (before.pressure_slip + now.pressure_slip);
+                if (closed && !closed_before)
+                  {
+                    sum.impacts += 1.;
+                    is_loading[node] = 1;
+                  }
+                if (is_loading[node] && now.pressure < before.pressure)
+                  is_loading[node] = 0;
+                if (is_loading[node])
+                  sum.impulse += push;
+                if (closed && closed_before && now.status != before.status)
+                  sum.stick_slip += 1.;
+              }
+            before = now;
+          }
+        last_time = s.time[i];
+        has_last  = true;
+      }
+  }
+
+
+
+  const std::vector<SurfaceSums> &
+  SurfaceSummer::sums() const
+  {
+    return result;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/results/table.h>
+#include <squeal/tribology/damage/damage_table.h>
+#include <squeal/tribology/statistics/association.h>
+#include <squeal/tribology/statistics/pad_tables.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    const std::vector<Table::Column> places = {{"x_m"}, {"y_m"}};
+
+    /** Columns of places and names, which are no features. */
+    bool
+    is_place(const std::string &name)
+    {
+      for (const char *other :
+           {"node", "cell", "x_m", "y_m", "area_m2", "images", "pad"})
+        if (name == other)
+          return true;
+      return false;
+    }
+
+
+
+    std::vector<std::string>
+    feature_columns(const Table &table, const std::vector<std::string> &asked)
+    {
+      if (!asked.empty())
+        return asked;
+      std::vector<std::string> names;
+      for (const Table::Column &column : table.columns())
+        if (column.type != Table::Type::text && !is_place(column.name))
+          names.push_back(column.name);
+      return names;
+    }
+
+
+
+    GridMap
+    on_grid(const ContactGrid &grid, const std::vector<double> &by_node)
+    {
+      GridMap map{grid.n_x(), grid.n_y(), {}};
+      for (const std::size_t node : grid.order())
+        map.values.push_back(by_node[node]);
+      return map;
+    }
+
+
+
+    /** The node in whose cell each row of a table of features lies. */
+    std::vector<std::size_t>
+    nodes_of(const ContactGrid &grid,
+             const Table       &table,
+             const std::string &file)
+    {
+      std::vector<std::size_t> nodes;
+      std::vector<char>        is_taken(grid.n_nodes(), 0);
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        {
+          const double x = table.real(row, "x_m"), y = table.real(row, "y_m");
+          std::size_t  nearest  = 0;
+          double       distance = 1e300;
+          for (std::size_t k = 0; k < grid.n_nodes(); ++k)
+            if (const double d =
+                  std::hypot(x - grid.place(k)[0], y - grid.place(k)[1]);
+                d < distance)
+              {
+                distance = d;
+                nearest  = k;
+              }
+          const std::string where = file + ":" + std::to_string(row + 2) +
+                                    ": (" + shortest_text(x) + ", " +
+                                    shortest_text(y) + ") m ";
+          if (!(distance <= .1 * std::sqrt(grid.area(nearest))))
+            throw InputError(where + "is the place of no cell of the damage "
+                                     "table");
+          if (is_taken[nearest])
+            throw InputError(where + "is the place of an earlier row");
+          is_taken[nearest] = 1;
+          nodes.push_back(nearest);
+        }
+      return nodes;
+    }
+
+
+
+    PadMaps
+    read_pad(const std::string           &damage_file,
+             const std::string           &feature_file,
+             const CorrelationParameters &p)
+    {
+      std::vector<Table::Column> needed = places;
+      needed.push_back({"area_m2"});
+      const Table damage   = read_csv(damage_file, needed);
+      const Table features = read_csv(feature_file, places);
+      std::vector<std::array<double, 3>> points;
+      for (std::size_t i = 0; i < damage.n_rows(); ++i)
+        {
+          points.push_back(
+            {{damage.real(i, "x_m"), damage.real(i, "y_m"), 0.}});
+          if (!(damage.real(i, "area_m2") > 0.))
+            throw InputError(damage_file + ":" + std::to_string(i + 2) +
+                             ": area_m2 is not positive");
+        }
+      if (points.empty())
+        throw InputError("'" + damage_file + "' has no cells");
+      PadMaps pad;
+      pad.grid = std::make_unique<ContactGrid>(points, damage.reals("area_m2"));
+      if (!pad.grid->is_grid())
+        throw InputError("'" + damage_file +
+                         "': its cells form no rectangular grid");
+      for (const std::string &name :
+           p.indices.empty() ? damage_indices(damage) : p.indices)
+        {
+          damage.column_index(name);
+          const GridMap map = on_grid(*pad.grid, damage.reals(name));
+          if (std::all_of(map.values.begin(),
+                          map.values.end(),
+                          [](const double v) { return std::isfinite(v); }))
+            pad.indices[name] = map;
+          else if (!p.indices.empty())
+            throw InputError("'" + damage_file + "': the index '" + name +
+                             "' is not known in every cell");
+        }
+      const std::vector<std::size_t> nodes =
+        nodes_of(*pad.grid, features, feature_file);
+      for (const std::string &name : feature_columns(features, p.features))
+        {
+          features.column_index(name);
+          std::vector<double> values(pad.grid->n_nodes(), NAN);
+          for (std::size_t row = 0; row < nodes.size(); ++row)
+            values[nodes[row]] = features.real(row, name);
+          pad.features[name] = on_grid(*pad.grid, values);
+        }
+      if (pad.features.empty() || pad.indices.empty())
+        throw InputError("'" +
+                         (pad.features.empty() ? feature_file : damage_file) +
+                         "' has no columns to correlate");
+      return pad;
+    }
+
+
+
+    double
+    known_mean(const GridMap &map)
+    {
+      double sum = 0., n = 0.;
+      for (const double v : map.values)
+        if (std::isfinite(v))
+          {
+            sum += v;
+            n += 1.;
+          }
+      return n > 0. ? sum / n : NAN;
+    }
+
+
+
+    /** Part of all choices of @p k of the values whose difference of means is
+     * at least the one given. */
+    double
+    permutation_p(const std::vector<double> &values,
+                  const std::size_t          k,
+                  const double               observed)
+    {
+      std::vector<char> chosen(values.size(), 0);
+      std::fill(chosen.end() - k, chosen.end(), 1);
+      double n_all = 0., n_larger = 0.;
+      do
+        {
+          double in = 0., out = 0.;
+          for (std::size_t i = 0; i < values.size(); ++i)
+            (chosen[i] ? in : out) += values[i];
+          const double difference = in / k - out / (values.size() - k);
+          n_all += 1.;
+          n_larger +=
+            std::abs(difference) >= std::abs(observed) * (1. - 1e-12) ? 1. : 0.;
+        }
+      while (std::next_permutation(chosen.begin(), chosen.end()) &&
+             n_all < 1e6);
+      return n_larger / n_all;
+    }
+  } // namespace
+
+
+
+  std::vector<PadMaps>
+  read_pads(const CorrelationParameters &p)
+  {
+    std::vector<PadMaps> pads;
+    for (std::size_t i = 0; i < p.damage_tables.size(); ++i)
+      {
+        pads.push_back(read_pad(p.damage_tables[i], p.feature_tables[i], p));
+        pads.back().is_silent = !p.groups.empty() && p.groups[i] == "silent";
+      }
+    return pads;
+  }
+
+
+
+  std::vector<PadLink>
+  link_pads(const std::vector<PadMaps> &pads, const CorrelationParameters &p)
+  {
+    std::vector<PadLink> links;
+    std::mt19937_64      generator(p.seed);
+    for (std::size_t pad = 0; pad < pads.size(); ++pad)
+      for (const auto &[index, x] : pads[pad].indices)
+        for (const auto &[feature, y] : pads[pad].features)
+          links.push_back(
+            {pad, index, feature, measure_link(x, y, p, generator)});
+    std::vector<LinkTest> tests;
+    for (const PadLink &link : links)
+      tests.push_back(link.test);
+    decide(tests, p);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      links[i].test = tests[i];
+    return links;
+  }
+
+
+
+  std::vector<GroupResult>
+  compare_groups(const std::vector<PadMaps>  &pads,
+                 const CorrelationParameters &p)
+  {
+    std::vector<GroupResult> results;
+    if (pads.empty())
+      return results;
+    for (const auto &[feature, map] : pads[0].features)
+      {
+        GroupResult         result;
+        std::vector<double> silent, squealing;
+        result.feature = feature;
+        for (const PadMaps &pad : pads)
+          if (pad.features.count(feature) > 0)
+            if (const double mean = known_mean(pad.features.at(feature));
+                std::isfinite(mean))
+              (pad.is_silent ? silent : squealing).push_back(mean);
+        if (silent.empty() || squealing.empty())
+          continue;
+        result.n_silent    = silent.size();
+        result.n_squealing = squealing.size();
+        for (const double v : silent)
+          result.mean_silent += v / silent.size();
+        for (const double v : squealing)
+          result.mean_squealing += v / squealing.size();
+        const double difference = result.mean_squealing - result.mean_silent;
+        std::vector<double> all = silent;
+        all.insert(all.end(), squealing.begin(), squealing.end());
+        result.p_value = permutation_p(all, squealing.size(), difference);
+        double choices = 1.;
+        for (std::size_t i = 1; i <= squealing.size(); ++i)
+          choices *= double(silent.size() + i) / i;
+        const double smallest =
+          std::min(1., (silent.size() == squealing.size() ? 2. : 1.) / choices);
+        if (result.p_value <= p.level)
+          result.verdict =
+            difference > 0. ? Verdict::supported : Verdict::contradicted;
+        else if (smallest > p.level)
+          result.reason = "So few pads cannot decide: a pad is one sample, and "
+                          "the smallest p-value of these numbers is " +
+                          rounded_text(smallest, 2) + ".";
+        results.push_back(result);
+      }
+    return results;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/statistics/association.h>
+#include <squeal/tribology/statistics/spatial.h>
+
+#include <Eigen/Core>
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    /** Cells where both maps are known. */
+    std::vector<std::size_t>
+    common_cells(const GridMap &x, const GridMap &y)
+    {
+      std::vector<std::size_t> cells;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        if (std::isfinite(x.values[i]) && std::isfinite(y.values[i]))
+          cells.push_back(i);
+      return cells;
+    }
+
+
+
+    /** Class of the distance of two cells: whole cells, rounded. */
+    Eigen::MatrixXi
+    distance_classes(const GridMap &map, const std::vector<std::size_t> &cells)
+    {
+      const std::size_t n = cells.size();
+      Eigen::MatrixXi   classes(n, n);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const double dx =
+              double(cells[i] % map.n_x) - double(cells[j] % map.n_x);
+            const double dy =
+              double(cells[i] / map.n_x) - double(cells[j] / map.n_x);
+            classes(i, j) = static_cast<int>(std::lround(std::hypot(dx, dy)));
+          }
+      return classes;
+    }
+
+
+
+    /** Covariance matrix with one value for each class of distance. */
+    Eigen::MatrixXd
+    covariance(const Eigen::VectorXd &values, const Eigen::MatrixXi &classes)
+    {
+      const int             n_classes = classes.maxCoeff() + 1;
+      const Eigen::VectorXd centred   = values.array() - values.mean();
+      std::vector<double>   sums(n_classes, 0.), counts(n_classes, 0.);
+      for (int j = 0; j < classes.cols(); ++j)
+        for (int i = 0; i < classes.rows(); ++i)
+          {
+            sums[classes(i, j)] += centred(i) * centred(j);
+            counts[classes(i, j)] += 1.;
+          }
+      Eigen::MatrixXd result(classes.rows(), classes.cols());
+      for (int j = 0; j < classes.cols(); ++j)
+        for (int i = 0; i < classes.rows(); ++i)
+          result(i, j) = sums[classes(i, j)] / counts[classes(i, j)];
+      return result;
+    }
+
+
+
+    /** B S B with B = 1 - 1/n. */
+    Eigen::MatrixXd
+    centred(Eigen::MatrixXd s)
+    {
+      const Eigen::RowVectorXd columns = s.colwise().mean();
+      s.rowwise() -= columns;
+      const Eigen::VectorXd rows = s.rowwise().mean();
+      s.colwise() -= rows;
+      return s;
+    }
+  } // namespace
+
+
+
+  std::array<std::vector<double>, 2>
+  common_values(const GridMap &x, const GridMap &y)
+  {
+    std::array<std::vector<double>, 2> values;
+    for (const std::size_t i : common_cells(x, y))
+      {
+        values[0].push_back(x.values[i]);
+        values[1].push_back(y.values[i]);
+      }
+    return values;
+  }
+
+
+
+  double
+  effective_sample_size(const GridMap &x, const GridMap &y)
+  {
+    const std::vector<std::size_t> cells = common_cells(x, y);
+    const auto [vx, vy]                  = common_values(x, y);
+    const std::size_t n                  = cells.size();
+    if (n < 4)
+      return static_cast<double>(n);
+    const Eigen::MatrixXi classes = distance_classes(x, cells);
+    const Eigen::MatrixXd sx      = centred(
+      covariance(Eigen::Map<const Eigen::VectorXd>(vx.data(), n), classes));
+    const Eigen::MatrixXd sy = centred(
+      covariance(Eigen::Map<const Eigen::VectorXd>(vy.data(), n), classes));
+    const double traces = sx.trace() * sy.trace();
+    const double shared = sx.cwiseProduct(sy).sum();
+    if (!(traces > 0.) || !(shared > 0.))
+      return static_cast<double>(n);
+    return std::min(1. + traces / shared, static_cast<double>(n));
+  }
+
+
+
+  struct PhaseSurrogates::Spectrum
+  {
+    cv::Mat amplitudes; /**< of the mirrored map */
+  };
+
+
+
+  PhaseSurrogates::PhaseSurrogates(const GridMap &map)
+    : n_x(map.n_x)
+    , n_y(map.n_y)
+    , mean(std::accumulate(map.values.begin(), map.values.end(), 0.) /
+           map.size())
+    , spectrum(std::make_unique<Spectrum>())
+  {
+    const int width = static_cast<int>(n_x), height = static_cast<int>(n_y);
+    cv::Mat   mirrored(2 * height, 2 * width, CV_64F);
+    for (int j = 0; j < 2 * height; ++j)
+      for (int i = 0; i < 2 * width; ++i)
+        mirrored.at<double>(j, i) =
+          map.values[std::min(i, 2 * width - 1 - i) +
+                     n_x * std::min(j, 2 * height - 1 - j)] -
+          mean;
+    cv::Mat transformed;
+    cv::dft(mirrored, transformed, cv::DFT_COMPLEX_OUTPUT);
+    spectrum->amplitudes = cv::Mat(2 * height, 2 * width, CV_64F);
+    for (int j = 0; j < 2 * height; ++j)
+      for (int i = 0; i < 2 * width; ++i)
+        {
+          const cv::Vec2d c = transformed.at<cv::Vec2d>(j, i);
+          spectrum->amplitudes.at<double>(j, i) = std::hypot(c[0], c[1]);
+        }
+  }
+
+
+
+  PhaseSurrogates::~PhaseSurrogates() = default;
+
+
+
+  GridMap
+  PhaseSurrogates::draw(std::mt19937_64 &generator) const
+  {
+    const cv::Mat &amplitudes = spectrum->amplitudes;
+    const int      rows = amplitudes.rows, columns = amplitudes.cols;
+    cv::Mat        transformed(rows, columns, CV_64FC2);
+    std::uniform_real_distribution<double> phase(0., 2. * M_PI);
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i)
+        {
+          const int oj = (rows - j) % rows, oi = (columns - i) % columns;
+          // the map is real: a frequency and its opposite are conjugate
+          if (std::make_pair(oj, oi) < std::make_pair(j, i))
+            continue;
+          const double a     = amplitudes.at<double>(j, i);
+          const double angle = phase(generator);
+          if (oj == j && oi == i)
+            transformed.at<cv::Vec2d>(j, i) = {angle < M_PI ? a : -a, 0.};
+          else
+            {
+              const double re = a * std::cos(angle), im = a * std::sin(angle);
+              transformed.at<cv::Vec2d>(j, i)   = {re, im};
+              transformed.at<cv::Vec2d>(oj, oi) = {re, -im};
+            }
+        }
+    cv::Mat map;
+    cv::dft(
+      transformed, map, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
+    GridMap result{n_x, n_y, {}};
+    for (std::size_t j = 0; j < n_y; ++j)
+      for (std::size_t i = 0; i < n_x; ++i)
+        result.values.push_back(
+          mean + map.at<double>(static_cast<int>(j), static_cast<int>(i)));
+    return result;
+  }
+
+
+
+  double
+  surrogate_p_value(const GridMap     &x,
+                    const GridMap     &y,
+                    const unsigned int n,
+                    std::mt19937_64   &generator)
+  {
+    const auto   observed = common_values(x, y);
+    const double r        = std::abs(pearson(observed[0], observed[1]));
+    if (std::isnan(r))
+      return 1.;
+    const PhaseSurrogates surrogates(x);
+    unsigned int          n_larger = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const auto   values = common_values(surrogates.draw(generator), y);
+        const double other  = pearson(values[0], values[1]);
+        if (!(std::abs(other) < r))
+          ++n_larger;
+      }
+    return (1. + n_larger) / (1. + n);
+  }
+
+
+
+  std::array<double, 2>
+  block_bootstrap_interval(const GridMap     &x,
+                           const GridMap     &y,
+                           const unsigned int n,
+                           const double       level,
+                           std::mt19937_64   &generator)
+  {
+    std::vector<std::vector<std::size_t>> blocks;
+    for (std::size_t j = 0; j < x.n_y; j += 3)
+      for (std::size_t i = 0; i < x.n_x; i += 3)
+        {
+          std::vector<std::size_t> block;
+          for (std::size_t b = j; b < std::min(j + 3, x.n_y); ++b)
+            for (std::size_t a = i; a < std::min(i + 3, x.n_x); ++a)
+              {
+                const std::size_t cell = a + x.n_x * b;
+                if (std::isfinite(x.values[cell]) &&
+                    std::isfinite(y.values[cell]))
+                  block.push_back(cell);
+              }
+          if (!block.empty())
+            blocks.push_back(block);
+        }
+    std::vector<double> found;
+    if (blocks.size() >= 4)
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          std::uniform_int_distribution<std::size_t> pick(0, blocks.size() - 1);
+          std::vector<double>                        a, b;
+          for (std::size_t i = 0; i < blocks.size(); ++i)
+            for (const std::size_t cell : blocks[pick(generator)])
+              {
+                a.push_back(x.values[cell]);
+                b.push_back(y.values[cell]);
+              }
+          const double r = pearson(a, b);
+          if (std::isfinite(r))
+            found.push_back(r);
+        }
+    if (found.size() < 20)
+      return {{-1., 1.}};
+    std::sort(found.begin(), found.end());
+    const auto at = [&found](const double part) {
+      return found[static_cast<std::size_t>(part * (found.size() - 1))];
+    };
+    return {{at(level / 2.), at(1. - level / 2.)}};
+  }
+
+
+
+  GridMap
+  random_map(const std::size_t n_x,
+             const std::size_t n_y,
+             const double      length,
+             std::mt19937_64  &generator)
+  {
+    std::normal_distribution<double> normal;
+    const int           reach = static_cast<int>(std::ceil(2. * length));
+    const int           wide  = static_cast<int>(n_x) + 2 * reach;
+    const int           high  = static_cast<int>(n_y) + 2 * reach;
+    std::vector<double> kernel;
+    double              squares = 0.;
+    for (int k = -reach; k <= reach; ++k)
+      {
+        kernel.push_back(length > 0. ? std::exp(-2. * k * k / (length * length))
+                                     : 1.);
+        squares += kernel.back() * kernel.back();
+      }
+    Eigen::MatrixXd noise(wide, high);
+    for (int j = 0; j < high; ++j)
+      for (int i = 0; i < wide; ++i)
+        noise(i, j) = normal(generator);
+    Eigen::MatrixXd along = Eigen::MatrixXd::Zero(n_x, high);
+    for (int k = 0; k <= 2 * reach; ++k)
+      along += kernel[k] * noise.middleRows(k, n_x);
+    Eigen::MatrixXd both = Eigen::MatrixXd::Zero(n_x, n_y);
+    for (int k = 0; k <= 2 * reach; ++k)
+      both += kernel[k] * along.middleCols(k, n_y);
+    both /= squares;
+    return {n_x, n_y, {both.data(), both.data() + both.size()}};
+  }
+} // namespace squeal::tribology
