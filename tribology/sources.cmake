@@ -24,9 +24,25 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/history/clipped_sine.cc
     source/history/contact_grid.cc
     source/history/csv_import.cc
+    source/images/areas.cc
+    source/images/centre_line.cc
+    source/images/crack_finder.cc
+    source/images/crack_growth.cc
+    source/images/crack_width.cc
+    source/images/image_files.cc
     source/images/image_parameters.cc
+    source/images/metadata.cc
+    source/images/micrograph.cc
+    source/images/registration.cc
+    source/images/ridge_filter.cc
     source/images/run_segmentation.cc
     source/images/run_synthetic_specimen.cc
+    source/images/section_profile.cc
+    source/images/segmentation.cc
+    source/images/segmentation_record.cc
+    source/images/specimen.cc
+    source/images/specimen_shapes.cc
+    source/images/statistics.cc
     source/setup/choices.cc
     source/setup/declare.cc
     source/setup/declare_correlation.cc

@@ -5,39 +5,238 @@
 
 namespace squeal::tribology
 {
-  void
-  declare_images(prm::Schema     &schema,
-                 ImageParameters &images,
-                 SegmentationParameters &,
-                 SpecimenParameters &)
+  namespace
   {
-    schema.enter_section("Images", "Micrographs and their scale.");
+    using prm::Allowed;
+    const char *const segmentation_section = "Segmentation";
+    const char *const specimen_section     = "Synthetic specimen";
+
+    void
+    declare_segmentation(prm::Schema &schema, SegmentationParameters &s)
+    {
+      schema.enter_section(segmentation_section,
+                           "Cracks, exfoliations and plateaus in images.");
+      schema.add("View",
+                 s.view,
+                 "The worn face, or a section with the worn face at the top: "
+                 "cracks and third-body layer against depth.");
+      schema.add("Sliding direction",
+                 s.sliding_direction,
+                 Allowed::number(0., 180.),
+                 "In the image, from its x axis towards its y axis, which "
+                 "points down.",
+                 "degrees");
+      schema.add("Largest crack width",
+                 s.largest_width,
+                 Allowed::number(0.),
+                 "Widest dark line that is looked for; 0: 9 pixels.",
+                 "um");
+      schema.add("Smallest area",
+                 s.smallest_area,
+                 Allowed::number(0.),
+                 "Smallest exfoliation or plateau; 0: 60 pixels.",
+                 "um^2");
+      schema.add("Cells",
+                 s.cells,
+                 Allowed::list(Allowed::integer(1, 1000), 2, 2),
+                 "Cells along x and y over the pad, or over the image when it "
+                 "is not registered.");
+      schema.add("Pad size",
+                 s.pad_size,
+                 Allowed::list(Allowed::positive(), 2, 2),
+                 "Edges of the pad along x and y; its centre is the origin.",
+                 "mm");
+      schema.add("Registration",
+                 s.registration,
+                 "How images lie on the pad: not known, by the stage position "
+                 "in their metadata, or by points known in image and pad.");
+      schema.add(
+        "Transform", s.transform, "What takes image points to pad points.");
+      schema.add("Image points",
+                 s.image_points,
+                 Allowed::list(Allowed::number()),
+                 "x and y of each point in turn.",
+                 "pixels");
+      schema.add("Pad points",
+                 s.pad_points,
+                 Allowed::list(Allowed::number()),
+                 "x and y of the same points in turn.",
+                 "mm");
+      schema.add("Scale bar box",
+                 s.scale_bar_box,
+                 Allowed::list(Allowed::integer(0), 0, 4),
+                 "x, y, width and height of a box around the scale bar.");
+      schema.add("Scale bar length",
+                 s.scale_bar_length,
+                 Allowed::number(0.),
+                 "What the bar stands for; 0: no bar is used.",
+                 "um");
+      schema.add(
+        "Mosaic", s.mosaic, "Join all images to one by their stage positions.");
+      schema.add("Depth band",
+                 s.depth_band,
+                 Allowed::positive(),
+                 "Thickness of the layers of the crack profile of a section.",
+                 "um");
+      schema.add("Element maps",
+                 s.element_maps,
+                 Allowed::list(Allowed::file()),
+                 "Element maps of the same view as the first image; the mean "
+                 "of each cell becomes a column named like the file.");
+      schema.leave_section();
+    }
+
+
+
+    void
+    declare_specimen(prm::Schema &schema, SpecimenParameters &s)
+    {
+      schema.enter_section(specimen_section,
+                           "Images with known cracks and exfoliations.");
+      schema.add("Number of images",
+                 s.n_images,
+                 Allowed::integer(1, 1000),
+                 "Images with seeds that follow each other.");
+      schema.add("Seed", s.seed, Allowed::integer(0), "Seed of the first.");
+      schema.add("Field",
+                 s.field,
+                 Allowed::list(Allowed::positive(), 2, 2),
+                 "Width and height of the view.",
+                 "um");
+      schema.add("Feature size",
+                 s.feature_size,
+                 Allowed::positive(),
+                 "Multiplies every length of a feature.");
+      schema.add("Crack density",
+                 s.crack_density,
+                 Allowed::number(0.),
+                 "Number of cracks for each unit of area, at feature size 1.",
+                 "1/mm^2");
+      schema.add("Exfoliated",
+                 s.exfoliated,
+                 Allowed::number(0., 0.5),
+                 "Share of the area, about.");
+      schema.add("Plateaus",
+                 s.plateaus,
+                 Allowed::number(0., 0.5),
+                 "Share of the area, about.");
+      schema.add("Noise",
+                 s.noise,
+                 Allowed::number(0., 100.),
+                 "Rms of the detector's noise in grey levels of 255.");
+      schema.add("Shading",
+                 s.shading,
+                 Allowed::number(0., 1.),
+                 "Change of brightness over the view.");
+      schema.add("Data bar", s.data_bar, "Add a data bar with a scale bar.");
+      schema.add("Damage table",
+                 s.damage_table,
+                 Allowed::file(),
+                 "damage.csv whose map the cracks follow; empty: none.");
+      schema.add(
+        "Damage column", s.damage_column, Allowed::text(), "Its column.");
+      schema.add("Link strength",
+                 s.link_strength,
+                 Allowed::number(0., 1.),
+                 "0: cracks anywhere; 1: their rate is proportional to the "
+                 "damage.");
+      schema.leave_section();
+    }
+  } // namespace
+
+
+
+  Choices<SegmentationParameters::View>
+  choices(SegmentationParameters::View)
+  {
+    using V = SegmentationParameters::View;
+    return {{"face", V::face}, {"section", V::section}};
+  }
+
+
+
+  Choices<SegmentationParameters::Registration>
+  choices(SegmentationParameters::Registration)
+  {
+    using R = SegmentationParameters::Registration;
+    return {{"none", R::none}, {"stage", R::stage}, {"points", R::points}};
+  }
+
+
+
+  Choices<SegmentationParameters::Transform>
+  choices(SegmentationParameters::Transform)
+  {
+    using T = SegmentationParameters::Transform;
+    return {{"similarity", T::similarity},
+            {"affine", T::affine},
+            {"homography", T::homography}};
+  }
+
+
+
+  void
+  declare_images(prm::Schema            &schema,
+                 ImageParameters        &images,
+                 SegmentationParameters &segmentation,
+                 SpecimenParameters     &specimen)
+  {
     schema.add("Images",
                images.images,
-               prm::Allowed::list(prm::Allowed::file()),
-               "Image files; * and ? stand for any letters.");
+               Allowed::list(Allowed::file()),
+               "Image files of 8 or 16 bit (PNG, TIFF, JPEG); * and ? stand "
+               "for any letters.");
     schema.add("Pixel size",
                images.pixel_size,
-               prm::Allowed::number(0.),
-               "Edge of a pixel; 0: from the metadata of each image.",
-               "m");
-    schema.leave_section();
+               Allowed::number(0.),
+               "Edge of a pixel; 0: from the scale bar or the metadata of each "
+               "image.",
+               "um");
+    declare_segmentation(schema, segmentation);
+    declare_specimen(schema, specimen);
   }
 
 
 
   void
-  check_segmentation(const ImageParameters &images,
-                     const SegmentationParameters &)
+  check_segmentation(const ImageParameters        &images,
+                     const SegmentationParameters &s)
   {
     if (images.images.empty())
-      prm::refuse_entry("Images", "Images", "is empty: name image files");
+      prm::refuse_entry("", "Images", "is empty: name image files");
+    using R = SegmentationParameters::Registration;
+    if (s.registration == R::points &&
+        s.image_points.size() != s.pad_points.size())
+      prm::refuse_entry(segmentation_section,
+                        "Pad points",
+                        "must have as many numbers as 'Image points'");
+    if (s.scale_bar_length > 0. && s.scale_bar_box.size() != 4)
+      prm::refuse_entry(
+        segmentation_section, "Scale bar box", "needs x, y, width and height");
+    for (const std::string &file : s.element_maps)
+      prm::require_file(file, segmentation_section, "Element maps", true);
   }
 
 
 
   void
-  check_specimen(const ImageParameters &, const SpecimenParameters &)
+  check_specimen(const ImageParameters &images, const SpecimenParameters &s)
   {
+    const double pixel = images.pixel_size > 0. ? images.pixel_size : 1.;
+    for (const double edge : s.field)
+      if (edge / pixel < 64. || edge / pixel > 12000.)
+        prm::refuse_entry(specimen_section,
+                          "Field",
+                          "must give between 64 and 12000 pixels: change it "
+                          "or 'Pixel size'");
+    if (s.link_strength > 0. && s.damage_table.empty())
+      prm::refuse_entry(specimen_section,
+                        "Damage table",
+                        "is empty, but 'Link strength' is not 0");
+    prm::require_file(s.damage_table, specimen_section, "Damage table", false);
+    if (!s.damage_table.empty() && s.damage_column.empty())
+      prm::refuse_entry(specimen_section,
+                        "Damage column",
+                        "is empty: name a column of 'Damage table'");
   }
 } // namespace squeal::tribology

@@ -1,12 +1,308 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/section_profile.h>
+#include <squeal/tribology/images/segmentation_record.h>
+#include <squeal/tribology/images/statistics.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <sstream>
 
 namespace squeal::tribology
 {
-  void
-  run_segmentation(Context &)
+  namespace
   {
-    throw InputError("this version does not have the image analyses");
+    using R = SegmentationParameters::Registration;
+    using V = SegmentationParameters::View;
+
+    SegmentationSettings
+    settings_of(const SegmentationParameters &p, const double pixel_size)
+    {
+      SegmentationSettings s;
+      // Two octaves reach nine pixels.
+      const double width = p.largest_width / pixel_size;
+      while (s.n_octaves < 6 && width > 4.5 * std::pow(2., s.n_octaves - 1))
+        ++s.n_octaves;
+      if (p.smallest_area > 0.)
+        s.areas.smallest_area = p.smallest_area / (pixel_size * pixel_size);
+      return s;
+    }
+
+
+
+    std::vector<cv::Point2d>
+    points_of(const std::vector<double> &numbers, const double factor)
+    {
+      std::vector<cv::Point2d> points;
+      for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+        points.emplace_back(factor * numbers[i], factor * numbers[i + 1]);
+      return points;
+    }
+
+
+
+    /** Grows a map of the frame to the whole image: the data bar has no
+     * feature. */
+    cv::Mat
+    whole(const cv::Mat &map, const Micrograph &m)
+    {
+      cv::Mat full = cv::Mat::zeros(m.grey.size(), map.type());
+      map.copyTo(full(m.frame));
+      return full;
+    }
+
+
+
+    /** The analysis of one list of images. */
+    class Run
+    {
+    public:
+      explicit Run(Context &context)
+        : context(context)
+        , p(context.parameters.segmentation)
+        , sliding(p.sliding_direction * CV_PI / 180.)
+      {
+      }
+
+      void
+      operator()()
+      {
+        read();
+        if (p.mosaic)
+          join();
+        if (p.registration != R::none)
+          pad.emplace(cv::Size2d(1e3 * p.pad_size[0], 1e3 * p.pad_size[1]),
+                      p.cells[0],
+                      p.cells[1]);
+        for (std::size_t i = 0; i < images.size(); ++i)
+          process(images[i], i == 0);
+        if (pad)
+          append(*pad, "pad");
+        context.write_table("cells.csv", cells);
+        write_atomically(
+          context.output.file("segmentation.json"),
+          [&](std::ostream &out) { write_segmentation_record(record, out); });
+        context.write_table("segmentation.csv", summary_table(record));
+        std::ostringstream text;
+        summary_table(record).print(text);
+        context.log.heading("Images");
+        context.log.info(text.str());
+        context.record.figures = {
+          {"images", std::to_string(record.images.size())}};
+        context.finish(nullptr, "");
+      }
+
+    private:
+      /** Every image is read before anything is written. */
+      void
+      read()
+      {
+        Timers::Section section(context.timers, "Setup: read images");
+        ScaleBar        bar;
+        bar.length = p.scale_bar_length;
+        if (p.scale_bar_box.size() == 4)
+          bar.box = {p.scale_bar_box[0],
+                     p.scale_bar_box[1],
+                     p.scale_bar_box[2],
+                     p.scale_bar_box[3]};
+        for (const std::string &file :
+             expand_wildcards(context.parameters.images.images))
+          images.push_back(
+            read_micrograph(file, context.parameters.images.pixel_size, bar));
+        if (p.registration == R::points)
+          by_points = fit_placement(points_of(p.image_points, 1.),
+                                    points_of(p.pad_points, 1e3),
+                                    p.transform);
+        if (p.registration == R::stage)
+          for (const Micrograph &m : images)
+            place_by_stage(m);
+      }
+
+      void
+      join()
+      {
+        const Mosaic mosaic = join_frames(images);
+        Micrograph   m      = images[0];
+        cv::Point2d  centre(0., 0.);
+        m.stem         = "mosaic";
+        m.path         = "mosaic";
+        m.grey         = mosaic.grey;
+        m.frame        = {{0, 0}, mosaic.grey.size()};
+        const double s = m.pixel_size;
+        m.metadata.stage =
+          *m.metadata.stage - 0.5 * s * cv::Point2d(images[0].frame.size()) -
+          s * mosaic.shifts[0] + 0.5 * s * cv::Point2d(m.frame.size());
+        record.mosaic_refined    = mosaic.n_refined;
+        record.mosaic_correction = mosaic.correction * s;
+        images                   = {m};
+        write_png(context.output.file("mosaic.png"), bytes(mosaic.grey));
+      }
+
+      static cv::Mat
+      bytes(const cv::Mat &grey)
+      {
+        cv::Mat b;
+        grey.convertTo(b, CV_8U);
+        return b;
+      }
+
+      Placement
+      placement_of(const Micrograph &m) const
+      {
+        if (p.registration == R::points)
+          return by_points;
+        if (p.registration == R::stage)
+          return place_by_stage(m);
+        const double s = m.pixel_size;
+        return {cv::Matx33d(s,
+                            0.,
+                            -0.5 * s * m.frame.width,
+                            0.,
+                            s,
+                            -0.5 * s * m.frame.height,
+                            0.,
+                            0.,
+                            1.),
+                0.};
+      }
+
+      void
+      process(const Micrograph &m, const bool is_first)
+      {
+        SegmentedImage entry;
+        Segmentation   found;
+        {
+          Timers::Section section(context.timers, "Solve: segment images");
+          found = segment(m.grey(m.frame), settings_of(p, m.pixel_size));
+        }
+        entry.stem         = m.stem;
+        entry.path         = m.path;
+        entry.size         = m.grey.size();
+        entry.pixel_size   = m.pixel_size;
+        entry.scale_source = m.scale_source;
+        entry.is_synthetic = m.metadata.is_synthetic;
+        entry.stage        = m.metadata.stage;
+        entry.residual     = p.registration == R::points
+                               ? std::optional<double>(by_points.residual)
+                               : std::nullopt;
+        entry.statistics   = measure(found, m.pixel_size, sliding);
+        if (p.view == V::section)
+          section_table(m, found, entry);
+        Timers::Section section(context.timers, "Write: maps");
+        Segmentation    full    = found;
+        full.cracks.area        = whole(found.cracks.area, m);
+        full.cracks.centre_line = whole(found.cracks.centre_line, m);
+        full.areas.exfoliation  = whole(found.areas.exfoliation, m);
+        full.areas.plateau      = whole(found.areas.plateau, m);
+        const auto file         = [&](const std::string &end) {
+          return context.output.file(m.stem + end);
+        };
+        write_png(file("_cracks.png"), full.cracks.area);
+        write_png(file("_exfoliation.png"), full.areas.exfoliation);
+        write_png(file("_plateaus.png"), full.areas.plateau);
+        write_png(file("_overlay.png"), draw_overlay(m.grey, full));
+        gather(m, found, is_first);
+        record.images.push_back(entry);
+      }
+
+      void
+      gather(const Micrograph   &m,
+             const Segmentation &found,
+             const bool          is_first)
+      {
+        const Placement placement = placement_of(m);
+        CellGrid        own(
+          cv::Size2d(m.frame.size()) * m.pixel_size, p.cells[0], p.cells[1]);
+        CellGrid &grid = pad ? *pad : own;
+        grid.add(found, placement, sliding);
+        if (is_first)
+          for (const std::string &path : p.element_maps)
+            {
+              cv::Mat values = read_grey(path);
+              cv::resize(values, values, m.grey.size(), 0., 0., cv::INTER_AREA);
+              grid.add_covariate(
+                std::filesystem::path(path).stem(), values(m.frame), placement);
+            }
+        if (!pad)
+          append(own, m.stem);
+      }
+
+      void
+      append(const CellGrid &grid, const std::string &image)
+      {
+        Table part(grid.columns());
+        grid.append_rows(part, image);
+        if (cells.columns().empty())
+          {
+            cells = part;
+            return;
+          }
+        for (std::size_t r = 0; r < part.n_rows(); ++r)
+          {
+            // Later images have no element maps.
+            std::vector<Cell> row;
+            for (std::size_t c = 0; c < cells.columns().size(); ++c)
+              row.push_back(c < part.columns().size() ? part.cell(r, c)
+                                                      : Cell());
+            cells.add_row(row);
+          }
+      }
+
+      void
+      section_table(const Micrograph   &m,
+                    const Segmentation &found,
+                    SegmentedImage     &entry)
+      {
+        const double         s = m.pixel_size;
+        const SectionProfile profile =
+          profile_section(m.grey(m.frame),
+                          found.cracks.centre_line,
+                          std::max(1., p.depth_band / s));
+        using T = Table::Type;
+        Table        table({{"depth_m", T::real, "m", "middle of the band"},
+                            {"area_m2", T::real, "m^2", "area of the band"},
+                            {"crack_length_m", T::real, "m", "length in the band"},
+                            {"crack_density_per_m", T::real, "1/m", "over area"}});
+        const double band = std::max(s, p.depth_band);
+        for (std::size_t b = 0; b < profile.band_area.size(); ++b)
+          {
+            const double area   = 1e-12 * s * s * profile.band_area[b];
+            const double length = 1e-6 * s * profile.crack_length[b];
+            if (area > 0.)
+              table.add_row(
+                {1e-6 * band * (double(b) + 0.5), area, length, length / area});
+          }
+        context.write_table(m.stem + "_depth.csv", table);
+        entry.layer = {{s * profile.layer_10,
+                        s * profile.layer_median,
+                        s * profile.layer_90}};
+      }
+
+      Context                      &context;
+      const SegmentationParameters &p;
+      const double                  sliding;
+      std::vector<Micrograph>       images;
+      Placement                     by_points;
+      std::optional<CellGrid>       pad;
+      Table                         cells;
+      SegmentationRecord            record;
+    };
+  } // namespace
+
+
+
+  void
+  run_segmentation(Context &context)
+  {
+    Run run(context);
+    run();
   }
 } // namespace squeal::tribology

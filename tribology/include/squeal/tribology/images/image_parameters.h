@@ -2,6 +2,8 @@
 #ifndef squeal_tribology_images_image_parameters_h
 #define squeal_tribology_images_image_parameters_h
 
+#include <squeal/parameters/choices.h>
+
 #include <string>
 #include <vector>
 
@@ -14,24 +16,78 @@ namespace squeal
 
   namespace tribology
   {
-    /** Which images are read and their scale, section "Images". */
+    /** Which images are read and their scale. */
     struct ImageParameters
     {
       std::vector<std::string> images; /**< files or wildcards */
-      double pixel_size = 0.; /**< m; 0: from the image's own metadata */
+      double pixel_size = 0.; /**< um; 0: from the image's own metadata */
     };
 
     /** Crack, exfoliation and plateau maps, section "Segmentation". */
     struct SegmentationParameters
     {
+      enum class View
+      {
+        face,
+        section
+      };
+      enum class Registration
+      {
+        none,
+        stage,
+        points
+      };
+      enum class Transform
+      {
+        similarity,
+        affine,
+        homography
+      };
+      View                     view              = View::face;
+      double                   sliding_direction = 90.; /**< degrees */
+      double                   largest_width     = 0.;  /**< um */
+      double                   smallest_area     = 0.;  /**< um^2 */
+      std::vector<int>         cells             = {11, 11};
+      std::vector<double>      pad_size          = {10., 10.}; /**< mm */
+      Registration             registration      = Registration::none;
+      Transform                transform         = Transform::similarity;
+      std::vector<double>      image_points;  /**< px, x and y in turn */
+      std::vector<double>      pad_points;    /**< mm, x and y in turn */
+      std::vector<int>         scale_bar_box; /**< px: x, y, width, height */
+      double                   scale_bar_length = 0.; /**< um */
+      bool                     mosaic           = false;
+      double                   depth_band       = 10.; /**< um */
+      std::vector<std::string> element_maps;
     };
 
     /** Images that are made, section "Synthetic specimen". */
     struct SpecimenParameters
     {
+      unsigned int        n_images      = 1;
+      unsigned int        seed          = 1;
+      std::vector<double> field         = {1024., 768.}; /**< um */
+      double              feature_size  = 1.;
+      double              crack_density = 12.; /**< 1/mm^2 */
+      double              exfoliated    = 0.05;
+      double              plateaus      = 0.15;
+      double              noise         = 5.;
+      double              shading       = 0.15;
+      bool                data_bar      = true;
+      std::string         damage_table;
+      std::string         damage_column;
+      double              link_strength = 0.;
     };
 
-    /** Declares the three sections. */
+    /** @name Choices in parameter files */
+    //@{
+    Choices<SegmentationParameters::View> choices(SegmentationParameters::View);
+    Choices<SegmentationParameters::Registration> choices(
+      SegmentationParameters::Registration);
+    Choices<SegmentationParameters::Transform> choices(
+      SegmentationParameters::Transform);
+    //@}
+
+    /** Declares the entries and sections. */
     void declare_images(prm::Schema            &schema,
                         ImageParameters        &images,
                         SegmentationParameters &segmentation,

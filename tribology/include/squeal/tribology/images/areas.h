@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_areas_h
+#define squeal_tribology_images_areas_h
+
+#include <opencv2/core.hpp>
+
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** @p grey over its shading, minus 1, so that the bulk of the surface (its
+   * most frequent brightness) is 0. The shading is a polynomial of second
+   * degree whose slopes are fitted robustly to those of the logarithm: areas
+   * of other brightness disturb at their edges only. */
+  cv::Mat flatten_illumination(const cv::Mat &grey);
+
+  /** Exfoliations and contact plateaus. */
+  struct AreaMap
+  {
+    cv::Mat exfoliation; /**< CV_8U, 255 inside */
+    cv::Mat rough;       /**< CV_8U, the exfoliations that are rough as well */
+    cv::Mat plateau;     /**< CV_8U, 255 inside */
+  };
+
+  struct AreaSettings
+  {
+    double smallest_area   = 60.;  /**< pixels; smaller areas are grains */
+    double dark_contrast   = 0.12; /**< of the bulk's brightness */
+    double bright_contrast = 0.07; /**< of the bulk's brightness */
+  };
+
+  /**
+   * Areas darker than the bulk are exfoliations, areas that are brighter and
+   * no rougher than the bulk are plateaus. Both thresholds are absolute
+   * contrasts and at least three deviations of the smoothed bulk. Thin dark
+   * lines (@p cracks, CV_8U) are taken out before.
+   */
+  AreaMap find_areas(const cv::Mat      &grey,
+                     const cv::Mat      &cracks,
+                     const AreaSettings &settings = {});
+
+  /** Area of each connected part of @p mask, pixels, largest first. */
+  std::vector<double> part_areas(const cv::Mat &mask);
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_centre_line_h
+#define squeal_tribology_images_centre_line_h
+
+#include <opencv2/core.hpp>
+
+#include <vector>
+
+namespace squeal::tribology
+{
+  using PixelPath = std::vector<cv::Point>;
+
+  /** Skeleton of @p mask (CV_8U, 0 or 255) by Zhang and Suen's thinning. */
+  cv::Mat thin(const cv::Mat &mask);
+
+  /** Removes branches of a skeleton of at most @p n pixels that end in a
+   * junction, and thins again. */
+  void remove_spurs(cv::Mat &skeleton, int n);
+
+  /** Number of the eight neighbours that are set. */
+  int n_neighbours(const cv::Mat &skeleton, const cv::Point &p);
+
+  /** Pixels with one neighbour and the unit direction in which the line
+   * would go on, from its last 12 pixels. */
+  struct LineEnd
+  {
+    cv::Point   tip;
+    cv::Point2d ahead;
+  };
+  std::vector<LineEnd> line_ends(const cv::Mat &skeleton);
+
+  /** A connected piece of a skeleton. */
+  struct LinePiece
+  {
+    PixelPath pixels;
+    PixelPath axis; /**< its longest shortest way, end to end */
+
+    /** Distance of the two ends over the number of pixels between. */
+    double chord_ratio() const;
+
+    /** Root mean square distance of the axis from its best straight line,
+     * pixels. */
+    double waviness() const;
+  };
+  std::vector<LinePiece> line_pieces(const cv::Mat &skeleton);
+
+  /** Length of a skeleton in pixels: the weights 0.948 and 1.343 of straight
+   * and diagonal steps are right on average over all directions (Kulpa). */
+  double skeleton_length(const cv::Mat &skeleton);
+
+  /** Steps to the eight neighbours; odd ones are diagonal. */
+  extern const cv::Point neighbour_steps[8];
+} // namespace squeal::tribology
+
+#endif

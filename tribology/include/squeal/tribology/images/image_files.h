@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_image_files_h
+#define squeal_tribology_images_image_files_h
+
+#include <opencv2/core.hpp>
+
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** The files that names and wildcards stand for, each once, sorted within a
+   * wildcard. Throws InputError when a name or wildcard matches nothing or
+   * when two files have the same stem, as their results would. */
+  std::vector<std::string> expand_wildcards(
+    const std::vector<std::string> &names);
+
+  /** Writes a PNG, complete or not at all; @p text goes into a text chunk
+   * with the key "squeal". Throws InputError when it cannot be written. */
+  void write_png(const std::string &path,
+                 const cv::Mat     &image,
+                 const std::string &text = "");
+} // namespace squeal::tribology
+
+#endif

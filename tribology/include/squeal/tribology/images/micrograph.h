@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_micrograph_h
+#define squeal_tribology_images_micrograph_h
+
+#include <opencv2/core.hpp>
+
+#include <optional>
+#include <string>
+
+namespace squeal::tribology
+{
+  /** What a microscope writes beside the pixels. */
+  struct ImageMetadata
+  {
+    std::optional<double>      pixel_size; /**< um */
+    std::optional<cv::Point2d> stage;      /**< um, of the image centre */
+    std::string                source;     /**< "FEI tags", ... or empty */
+    bool                       is_synthetic = false;
+  };
+
+  /** Box around a scale bar and the length that it stands for. */
+  struct ScaleBar
+  {
+    cv::Rect box;         /**< pixels; empty: none */
+    double   length = 0.; /**< um */
+  };
+
+  /** One grey image with its scale. */
+  struct Micrograph
+  {
+    std::string   path;
+    std::string   stem;
+    cv::Mat       grey;  /**< CV_32F, 0 to 255 whatever the depth was */
+    cv::Rect      frame; /**< the specimen, without data bar */
+    double        pixel_size = 0.; /**< um */
+    std::string   scale_source;
+    ImageMetadata metadata;
+  };
+
+  /**
+   * Metadata of an image file: FEI or Zeiss tags of a TIFF, text chunks that a
+   * synthetic specimen has, or the text file of the same stem that JEOL
+   * microscopes write. Nothing there leaves it empty.
+   */
+  ImageMetadata read_metadata(const std::string &path);
+
+  /** Grey values of a PNG, TIFF or JPEG of 8 or 16 bit, scaled to 0..255.
+   * Throws InputError naming the file when it is missing, a directory, empty,
+   * truncated or no image. */
+  cv::Mat read_grey(const std::string &path);
+
+  /** Rows above a data bar at the bottom; all rows when there is none. A data
+   * bar is at least 2 and at most 20 percent of the height and has one and the
+   * same value in more than half of each row. */
+  int rows_above_data_bar(const cv::Mat &grey);
+
+  /** Pixels of the longest bright horizontal run in the box. Throws InputError
+   * when there is no bar. */
+  double scale_bar_pixels(const cv::Mat     &grey,
+                          const cv::Rect    &box,
+                          const std::string &path);
+
+  /**
+   * Reads an image with its scale: @p pixel_size (um) if it is not 0, else the
+   * scale bar if one is given, else the metadata. Throws InputError when there
+   * is no scale.
+   */
+  Micrograph read_micrograph(const std::string &path,
+                             double             pixel_size,
+                             const ScaleBar    &bar = {});
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_registration_h
+#define squeal_tribology_images_registration_h
+
+#include <squeal/tribology/images/image_parameters.h>
+#include <squeal/tribology/images/micrograph.h>
+
+#include <optional>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** A map from pixels of an image to um on the pad (centre at 0, x and y as
+   * those of the contact). */
+  struct Placement
+  {
+    cv::Matx33d to_pad   = cv::Matx33d::eye();
+    double      residual = 0.; /**< um, rms over the points */
+
+    cv::Point2d operator()(const cv::Point2d &pixel) const;
+  };
+
+  /**
+   * Least squares over pairs of points: similarity (2 points or more), affine
+   * (3) or homography (4). Throws InputError when there are too few or when
+   * they lie on one line, where affine maps and homographies do not exist and
+   * a mirrored similarity cannot be told.
+   */
+  Placement fit_placement(const std::vector<cv::Point2d>   &pixels,
+                          const std::vector<cv::Point2d>   &pad,
+                          SegmentationParameters::Transform kind);
+
+  /** The frame's centre at its stage position, rows along y. Throws InputError
+   * when its metadata has none. */
+  Placement place_by_stage(const Micrograph &micrograph);
+
+  /**
+   * Shift (pixels) that takes @p moving onto @p fixed by maximising their
+   * correlation from @p start on; nothing when it does not converge, when the
+   * correlation stays below 0.3, or when the overlap is too small.
+   */
+  std::optional<cv::Point2d> refine_shift(const cv::Mat     &fixed,
+                                          const cv::Mat     &moving,
+                                          const cv::Point2d &start);
+
+  /** Frames joined to one image. */
+  struct Mosaic
+  {
+    cv::Mat                  grey; /**< CV_32F, the mean where frames overlap */
+    std::vector<cv::Point2d> shifts; /**< px, of each frame */
+    int                      n_refined  = 0;
+    double                   correction = 0.; /**< px, largest */
+  };
+
+  /** Joins frames of one pixel size by stage positions, refined pair by pair
+   * on their overlaps. Throws InputError when a frame has no stage position,
+   * the scales differ or the result would be larger than 400 megapixels. */
+  Mosaic join_frames(const std::vector<Micrograph> &frames);
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_segmentation_h
+#define squeal_tribology_images_segmentation_h
+
+#include <squeal/tribology/images/areas.h>
+#include <squeal/tribology/images/crack_finder.h>
+
+namespace squeal::tribology
+{
+  /** Everything found in one image. */
+  struct Segmentation
+  {
+    CrackMap cracks;
+    AreaMap  areas;
+  };
+
+  struct SegmentationSettings
+  {
+    int          n_octaves = 2; /**< see filter_ridges() */
+    AreaSettings areas;
+  };
+
+  /** Cracks, exfoliations and plateaus of @p grey (CV_32F, 0 to 255). A dark
+   * line inside an exfoliation is part of its roughness, no crack. */
+  Segmentation segment(const cv::Mat              &grey,
+                       const SegmentationSettings &settings = {});
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_segmentation_record_h
+#define squeal_tribology_images_segmentation_record_h
+
+#include <squeal/tribology/images/statistics.h>
+
+#include <array>
+#include <iosfwd>
+#include <optional>
+
+namespace squeal::tribology
+{
+  /** What segmentation.json says of one image. */
+  struct SegmentedImage
+  {
+    std::string                          stem, path, scale_source;
+    cv::Size                             size;
+    double                               pixel_size   = 0.; /**< um */
+    bool                                 is_synthetic = false;
+    std::optional<cv::Point2d>           stage;    /**< um */
+    std::optional<double>                residual; /**< um */
+    ImageStatistics                      statistics;
+    std::optional<std::array<double, 3>> layer; /**< um: 10 %, median, 90 % */
+  };
+
+  struct SegmentationRecord
+  {
+    /** Version of the layout; a reader refuses any other. */
+    static constexpr int format_version = 1;
+
+    std::vector<SegmentedImage> images;
+    std::optional<int>          mosaic_refined;         /**< pairs aligned */
+    double                      mosaic_correction = 0.; /**< um, largest */
+  };
+
+  /** Writes segmentation.json. */
+  void write_segmentation_record(const SegmentationRecord &record,
+                                 std::ostream             &out);
+
+  /** A row of main figures for each image. */
+  Table summary_table(const SegmentationRecord &record);
+} // namespace squeal::tribology
+
+#endif

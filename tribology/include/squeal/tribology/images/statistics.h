@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_statistics_h
+#define squeal_tribology_images_statistics_h
+
+#include <squeal/results/table.h>
+#include <squeal/tribology/images/registration.h>
+#include <squeal/tribology/images/segmentation.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** Figures of one image; angles against the sliding direction. */
+  struct ImageStatistics
+  {
+    static constexpr int n_orientations = 12;
+
+    double              observed_area = 0.; /**< mm^2 */
+    int                 n_cracks      = 0;  /**< connected */
+    double              crack_length  = 0.; /**< mm */
+    double              crack_density = 0.; /**< mm per mm^2 */
+    double              crack_area    = 0.; /**< mm^2 */
+    double              crack_width   = 0.; /**< um, mean along the length */
+    std::vector<double> orientation; /**< length share in bins of 15 degrees
+                                        from 0 (along the sliding direction) */
+    double              exfoliation_fraction = 0.;
+    std::vector<double> exfoliation_areas; /**< um^2, largest first */
+    double              plateau_fraction = 0.;
+    std::vector<double> plateau_areas; /**< um^2, largest first */
+  };
+
+  /** @p sliding is the direction in the image, radians from x towards y. */
+  ImageStatistics measure(const Segmentation &segmentation,
+                          double              pixel_size,
+                          double              sliding);
+
+  /** Features of the images gathered on cells of the pad or of one image. */
+  class CellGrid
+  {
+  public:
+    /** Cells over a rectangle of @p size (um) about the origin. */
+    CellGrid(const cv::Size2d &size, int n_x, int n_y);
+
+    /** Adds a segmented image whose pixels @p placement takes to um. Lines
+     * are weighed with the local scale. */
+    void add(const Segmentation &segmentation,
+             const Placement    &placement,
+             double              sliding);
+
+    /** Adds the mean of a covariate (CV_32F, size of the image). */
+    void add_covariate(const std::string &name,
+                       const cv::Mat     &values,
+                       const Placement   &placement);
+
+    /** Columns of the table; covariates come last. */
+    std::vector<Table::Column> columns() const;
+
+    /** One row for each cell, after the name of the image. */
+    void append_rows(Table &table, const std::string &image) const;
+
+  private:
+    struct Cell
+    {
+      double area = 0., crack_length = 0., crack_width = 0., cosine = 0.,
+             sine = 0., exfoliation = 0., plateau = 0.; // um
+    };
+    struct Covariate
+    {
+      std::string         name;
+      std::vector<double> sum, weight;
+    };
+    int index(const cv::Point2d &p) const;
+
+    cv::Size2d             size;
+    int                    n_x, n_y;
+    std::vector<Cell>      cells;
+    std::vector<Covariate> covariates;
+  };
+
+  /** The picture with cracks in red, exfoliations outlined in magenta and
+   * plateaus in blue (CV_8UC3). */
+  cv::Mat draw_overlay(const cv::Mat &grey, const Segmentation &segmentation);
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/areas.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr double deviations_needed = 3.;
+    constexpr double smoothing         = 2.;  // pixels
+    constexpr double inner_share       = 0.7; // of the threshold, for edges
+    constexpr int    roughness_window  = 9;   // pixels
+    constexpr double plateau_roughness = 1.3; // of the bulk's
+    constexpr double rough_pit         = 1.5; // of the bulk's
+    constexpr double least_thickness   = 3.;  // pixels, radius
+
+    double
+    median_of(const cv::Mat1f &values)
+    {
+      std::vector<float> sample;
+      for (int y = 0; y < values.rows; y += 2)
+        for (int x = y / 2 % 2; x < values.cols; x += 2)
+          sample.push_back(values(y, x));
+      const auto middle = sample.begin() + sample.size() / 2;
+      std::nth_element(sample.begin(), middle, sample.end());
+      return *middle;
+    }
+
+
+
+    /** Most frequent value and the deviation of the peak around it, from its
+     * width at six tenths of its height. */
+    std::pair<double, double>
+    main_peak(const cv::Mat1f &values)
+    {
+      constexpr int    n     = 400;
+      constexpr double range = 1.; // -1 .. 1
+      cv::Mat1f        counts(1, n, 0.F);
+      for (const float v : values)
+        {
+          const int i = int((v + range) / (2. * range) * n);
+          if (i >= 0 && i < n)
+            counts(0, i) += 1.F;
+        }
+      cv::GaussianBlur(counts, counts, cv::Size(0, 0), 1.5, 0.1);
+      const int top =
+        int(std::max_element(counts.begin(), counts.end()) - counts.begin());
+      const float level = 0.6065F * counts(0, top);
+      int         left = top, right = top;
+      while (left > 0 && counts(0, left) > level)
+        --left;
+      while (right < n - 1 && counts(0, right) > level)
+        ++right;
+      const double width = 2. * range / n;
+      // A second peak close by widens one side only.
+      const double deviation = std::max(1, std::min(top - left, right - top));
+      return {(top + 0.5) * width - range, deviation * width};
+    }
+
+
+
+    /** Least squares with Tukey's weights. */
+    template <std::size_t n>
+    cv::Mat1d
+    robust_fit(const std::vector<std::array<double, n>> &rows,
+               const std::vector<double>                &values)
+    {
+      cv::Mat1d           c = cv::Mat1d::zeros(int(n), 1);
+      std::vector<double> weights(values.size(), 1.), sizes(values.size());
+      for (int iteration = 0; iteration < 15; ++iteration)
+        {
+          cv::Mat1d normal = cv::Mat1d::eye(int(n), int(n)) * 1e-9;
+          cv::Mat1d right  = cv::Mat1d::zeros(int(n), 1);
+          for (std::size_t i = 0; i < values.size(); ++i)
+            for (std::size_t a = 0; a < n; ++a)
+              {
+                right(a) += weights[i] * rows[i][a] * values[i];
+                for (std::size_t b = 0; b < n; ++b)
+                  normal(a, b) += weights[i] * rows[i][a] * rows[i][b];
+              }
+          cv::solve(normal, right, c, cv::DECOMP_SVD);
+          std::vector<double> residuals(values);
+          for (std::size_t i = 0; i < values.size(); ++i)
+            {
+              for (std::size_t a = 0; a < n; ++a)
+                residuals[i] -= c(a) * rows[i][a];
+              sizes[i] = std::abs(residuals[i]);
+            }
+          const auto middle = sizes.begin() + sizes.size() / 2;
+          std::nth_element(sizes.begin(), middle, sizes.end());
+          const double scale = std::max(1e-5, 4. * 1.4826 * *middle);
+          for (std::size_t i = 0; i < residuals.size(); ++i)
+            {
+              const double u = residuals[i] / scale;
+              weights[i]     = u * u < 1. ? (1. - u * u) * (1. - u * u) : 0.;
+            }
+        }
+      return c;
+    }
+
+
+
+    cv::Mat
+    local_roughness(const cv::Mat &flat)
+    {
+      const cv::Size window(roughness_window, roughness_window);
+      cv::Mat        mean, square;
+      cv::blur(flat, mean, window, {-1, -1}, cv::BORDER_REFLECT_101);
+      cv::sqrBoxFilter(
+        flat, square, CV_32F, window, {-1, -1}, true, cv::BORDER_REFLECT_101);
+      square -= mean.mul(mean);
+      cv::max(square, 0., square);
+      cv::sqrt(square, square);
+      return square;
+    }
+
+
+
+    /** Parts of @p weak that touch @p strong, without thin and small ones,
+     * holes closed. */
+    cv::Mat
+    clean(const cv::Mat &weak, const cv::Mat &strong, const double smallest)
+    {
+      const int     r    = int(least_thickness);
+      const cv::Mat disc = cv::getStructuringElement(
+        cv::MORPH_ELLIPSE, cv::Size(2 * r + 1, 2 * r + 1));
+      cv::Mat open;
+      cv::morphologyEx(weak, open, cv::MORPH_CLOSE, disc);
+      cv::morphologyEx(open, open, cv::MORPH_OPEN, disc);
+      cv::Mat1i labels, stats;
+      cv::Mat   centroids;
+      const int n =
+        cv::connectedComponentsWithStats(open, labels, stats, centroids, 8);
+      std::vector<int> n_strong(n, 0);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          if (strong.at<uchar>(y, x) != 0)
+            ++n_strong[labels(y, x)];
+      cv::Mat result = cv::Mat::zeros(weak.size(), CV_8U);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            const int l = labels(y, x);
+            if (l > 0 && stats(l, cv::CC_STAT_AREA) >= smallest &&
+                n_strong[l] >= 0.2 * stats(l, cv::CC_STAT_AREA))
+              result.at<uchar>(y, x) = 255;
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /** Parts of @p mask whose mean of @p rough is above @p least. */
+    cv::Mat
+    rough_parts(const cv::Mat &mask, const cv::Mat1f &rough, const double least)
+    {
+      cv::Mat1i           labels;
+      const int           n = cv::connectedComponents(mask, labels, 8);
+      std::vector<double> sum(n, 0.), area(n, 0.);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            sum[labels(y, x)] += rough(y, x);
+            area[labels(y, x)] += 1.;
+          }
+      cv::Mat result = cv::Mat::zeros(mask.size(), CV_8U);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            const int l = labels(y, x);
+            if (l > 0 && sum[l] > least * area[l])
+              result.at<uchar>(y, x) = 255;
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  cv::Mat
+  flatten_illumination(const cv::Mat &grey)
+  {
+    constexpr int n_terms = 5;
+    using Terms           = std::array<double, n_terms>;
+    const auto terms      = [&](const double x, const double y) {
+      const double u = 2. * x / grey.cols - 1., v = 2. * y / grey.rows - 1.;
+      return Terms{u, v, u * u, u * v, v * v};
+    };
+    // Differences of neighbouring cells: an area of other brightness disturbs
+    // those across its edge only.
+    const int step = std::max(2, std::min(grey.rows, grey.cols) / 80);
+    cv::Mat   cells;
+    cv::resize(
+      grey,
+      cells,
+      cv::Size(std::max(2, grey.cols / step), std::max(2, grey.rows / step)),
+      0.,
+      0.,
+      cv::INTER_AREA);
+    cv::max(cells, 1., cells);
+    cv::log(cells, cells);
+    std::vector<Terms>  rows;
+    std::vector<double> values;
+    const double        sx = double(grey.cols) / cells.cols,
+                 sy        = double(grey.rows) / cells.rows;
+    for (int y = 0; y < cells.rows; ++y)
+      for (int x = 0; x < cells.cols; ++x)
+        for (const cv::Point &d : {cv::Point(1, 0), cv::Point(0, 1)})
+          if (x + d.x < cells.cols && y + d.y < cells.rows)
+            {
+              const Terms a = terms(sx * x, sy * y);
+              Terms       b = terms(sx * (x + d.x), sy * (y + d.y));
+              for (int k = 0; k < n_terms; ++k)
+                b[k] -= a[k];
+              rows.push_back(b);
+              values.push_back(cells.at<float>(y + d.y, x + d.x) -
+                               cells.at<float>(y, x));
+            }
+    const cv::Mat1d c = robust_fit(rows, values);
+    cv::Mat         flat(grey.size(), CV_32F);
+    for (int y = 0; y < grey.rows; ++y)
+      for (int x = 0; x < grey.cols; ++x)
+        {
+          const Terms t   = terms(x, y);
+          double      sum = 0.;
+          for (int k = 0; k < n_terms; ++k)
+            sum += c(k) * t[k];
+          flat.at<float>(y, x) = float(grey.at<float>(y, x) * std::exp(-sum));
+        }
+    const double top  = 255.;
+    const double bulk = main_peak(cv::Mat(flat * (1. / top))).first * top;
+    return flat * (1. / std::max(1., bulk)) - 1.;
+  }
+
+
+
+  AreaMap
+  find_areas(const cv::Mat      &grey,
+             const cv::Mat      &cracks,
+             const AreaSettings &settings)
+  {
+    cv::Mat flat = flatten_illumination(grey);
+    // Cracks are filled from their surroundings by normalised smoothing.
+    cv::Mat line;
+    cv::dilate(cracks, line, cv::Mat());
+    flat.setTo(0., line);
+    cv::Mat weight(flat.size(), CV_32F, cv::Scalar(1.));
+    weight.setTo(1e-3, line);
+    cv::Mat smooth, norm;
+    cv::GaussianBlur(
+      flat, smooth, cv::Size(), smoothing, smoothing, cv::BORDER_REFLECT_101);
+    cv::GaussianBlur(
+      weight, norm, cv::Size(), smoothing, smoothing, cv::BORDER_REFLECT_101);
+    cv::divide(smooth, norm, smooth);
+    const auto [bulk, deviation] = main_peak(smooth);
+    const cv::Mat rough          = local_roughness(flat);
+    const double  usual          = median_of(rough);
+
+    const double dark =
+      std::max(settings.dark_contrast, deviations_needed * deviation);
+    const double bright =
+      std::max(settings.bright_contrast, deviations_needed * deviation);
+    AreaMap map;
+    map.exfoliation    = clean(smooth < bulk - inner_share * dark,
+                            smooth < bulk - dark,
+                            settings.smallest_area);
+    map.rough          = rough_parts(map.exfoliation, rough, rough_pit * usual);
+    const cv::Mat even = rough < plateau_roughness * usual;
+    map.plateau        = clean((smooth > bulk + inner_share * bright) & even,
+                        (smooth > bulk + bright) & even,
+                        settings.smallest_area);
+    return map;
+  }
+
+
+
+  std::vector<double>
+  part_areas(const cv::Mat &mask)
+  {
+    cv::Mat1i labels, stats;
+    cv::Mat   centroids;
+    const int n =
+      cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
+    std::vector<double> areas;
+    for (int i = 1; i < n; ++i)
+      areas.push_back(stats(i, cv::CC_STAT_AREA));
+    std::sort(areas.rbegin(), areas.rend());
+    return areas;
+  }
+} // namespace squeal::tribology

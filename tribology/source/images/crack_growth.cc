@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/crack_growth.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr double reach           = 35.; // pixels ahead
+    constexpr double half_sector     = 0.5; // cosine
+    constexpr double least_strength  = 2.;
+    constexpr double crest_strength  = 2.;
+    constexpr double straight_within = 0.45; // pixels
+    constexpr int    n_trials        = 400;
+    constexpr int    n_rounds        = 12;
+
+    double
+    median(std::vector<double> values)
+    {
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
+    }
+
+
+
+    /** A groove that the crack meets. */
+    bool
+    is_straight(const PixelPath &way)
+    {
+      LinePiece piece;
+      piece.axis = way;
+      return way.size() > 20 && piece.waviness() < straight_within;
+    }
+  } // namespace
+
+
+
+  CrackGrowth::CrackGrowth(const RidgeField &ridges, const cv::Mat &centre_line)
+    : ridges(ridges)
+  {
+    cv::max(ridges.strength, 0., cost);
+    cost += 0.3;
+    cv::divide(1., cost, cost);
+    calibrate(centre_line);
+  }
+
+
+
+  void
+  CrackGrowth::calibrate(const cv::Mat &centre_line)
+  {
+    threshold = least_strength;
+    if (std::min(cost.cols, cost.rows) < 20)
+      return;
+    cv::Mat distance;
+    cv::distanceTransform(~centre_line, distance, cv::DIST_L2, 3);
+    const cv::Mat       nothing = cv::Mat::zeros(cost.size(), CV_8U);
+    std::vector<double> found;
+    // The same places in every run.
+    cv::RNG random(1);
+    for (int i = 0; i < 500 * n_trials && int(found.size()) < n_trials; ++i)
+      {
+        const cv::Point p(random.uniform(8, cost.cols - 8),
+                          random.uniform(8, cost.rows - 8));
+        const int       sign = random.uniform(0, 2) == 0 ? -1 : 1;
+        if (ridges.strength.at<float>(p) < crest_strength ||
+            distance.at<float>(p) < reach || !ridges.is_crest(p))
+          continue;
+        const double    a = ridges.angle(p);
+        const Extension e =
+          extend({p, {sign * std::cos(a), sign * std::sin(a)}}, nothing);
+        if (e.is_full)
+          found.push_back(e.mean_strength);
+      }
+    if (found.size() < 20)
+      return;
+    const double middle = median(found);
+    for (double &x : found)
+      x = std::abs(x - middle);
+    threshold = std::max(threshold, middle + 2. * 1.4826 * median(found));
+  }
+
+
+
+  CrackGrowth::Extension
+  CrackGrowth::extend(const LineEnd &end, const cv::Mat &network) const
+  {
+    using Entry           = std::pair<float, int>;
+    const int      radius = int(std::ceil(reach)) + 1;
+    const cv::Rect window = cv::Rect(end.tip.x - radius,
+                                     end.tip.y - radius,
+                                     2 * radius + 1,
+                                     2 * radius + 1) &
+                            cv::Rect({0, 0}, cost.size());
+    const cv::Rect  local({0, 0}, window.size());
+    const cv::Point offset = window.tl();
+    cv::Mat1f       sums(window.size(), 1e9F);
+    cv::Mat1b       from(window.size(), uchar(0));
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    const cv::Point start = end.tip - offset;
+    sums(start)           = 0.F;
+    queue.push({0.F, start.y * window.width + start.x});
+    cv::Point last(-1, -1);
+    Extension extension;
+    while (!queue.empty())
+      {
+        const auto [sum, index] = queue.top();
+        queue.pop();
+        const cv::Point u(index % window.width, index / window.width);
+        if (sum > sums(u))
+          continue;
+        const cv::Point p        = u + offset;
+        const double    distance = cv::norm(p - end.tip);
+        const int       to_edge =
+          std::min({p.x, p.y, cost.cols - 1 - p.x, cost.rows - 1 - p.y});
+        extension.is_full = distance >= reach - 0.7;
+        if (extension.is_full || (distance > 6. && to_edge < 2) ||
+            (distance > 3. && network.at<uchar>(p) != 0))
+          {
+            last = u;
+            break;
+          }
+        for (int k = 0; k < 8; ++k)
+          {
+            const cv::Point v = u + neighbour_steps[k];
+            if (!local.contains(v))
+              continue;
+            const cv::Point2d d      = v - start;
+            const double      length = cv::norm(d);
+            if (length > 2.5 && d.dot(end.ahead) < half_sector * length)
+              continue;
+            const float next =
+              sum + cost.at<float>(v + offset) * (k % 2 == 1 ? 1.4142F : 1.F);
+            if (next < sums(v))
+              {
+                sums(v) = next;
+                from(v) = uchar(k);
+                queue.push({next, v.y * window.width + v.x});
+              }
+          }
+      }
+    if (last.x < 0)
+      return extension;
+    double strength = 0.;
+    for (cv::Point u = last; u != start; u -= neighbour_steps[from(u)])
+      {
+        extension.way.push_back(u + offset);
+        strength += ridges.strength.at<float>(u + offset);
+      }
+    extension.mean_strength = strength / extension.way.size();
+    return extension;
+  }
+
+
+
+  cv::Mat
+  CrackGrowth::grow(const cv::Mat &centre_line) const
+  {
+    cv::Mat network = centre_line.clone();
+    for (int round = 0; round < n_rounds; ++round)
+      {
+        const cv::Mat before = network.clone();
+        bool          grown  = false;
+        for (const LineEnd &end : line_ends(before))
+          {
+            const Extension e = extend(end, before);
+            if (e.way.empty() || e.mean_strength < threshold ||
+                is_straight(e.way))
+              continue;
+            for (const cv::Point &p : e.way)
+              network.at<uchar>(p) = 255;
+            grown = true;
+          }
+        if (!grown)
+          break;
+        network = thin(network);
+      }
+    return network;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/files.h>
+#include <squeal/tribology/images/micrograph.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr unsigned int fei_tags[]      = {34680, 34682};
+    constexpr unsigned int zeiss_tag       = 34118;
+    constexpr unsigned int description_tag = 270;
+
+    /** The texts of the first directory of a TIFF file. */
+    class TiffTexts
+    {
+    public:
+      explicit TiffTexts(const std::string &data)
+        : data(data)
+      {
+        if (data.size() < 8)
+          return;
+        big = data[0] == 'M';
+        valid =
+          (data.compare(0, 2, "II") == 0 || data.compare(0, 2, "MM") == 0) &&
+          number(2, 2) == 42;
+      }
+
+      /** Text of @p tag; empty when there is none. */
+      std::string
+      text(const unsigned int tag) const
+      {
+        if (!valid)
+          return "";
+        const std::size_t directory = number(4, 4);
+        const std::size_t n_entries = number(directory, 2);
+        for (std::size_t i = 0; i < n_entries; ++i)
+          {
+            const std::size_t entry = directory + 2 + 12 * i;
+            if (entry + 12 > data.size() || number(entry, 2) != tag)
+              continue;
+            const std::size_t length = number(entry + 4, 4);
+            const std::size_t place =
+              length > 4 ? number(entry + 8, 4) : entry + 8;
+            if (place < data.size())
+              return data.substr(place, length);
+          }
+        return "";
+      }
+
+    private:
+      std::size_t
+      number(const std::size_t place, const int n_bytes) const
+      {
+        std::uint32_t value = 0;
+        if (place + n_bytes > data.size())
+          return 0;
+        for (int i = 0; i < n_bytes; ++i)
+          value |= std::uint32_t(std::uint8_t(data[place + i]))
+                   << 8 * (big ? n_bytes - 1 - i : i);
+        return value;
+      }
+
+      const std::string &data;
+      bool               big = false, valid = false;
+    };
+
+
+
+    /** The number after "@p key = " on a line of its own, times the unit that
+     * follows it, in um; @p unit (um) where the file names none. */
+    std::optional<double>
+    length_of(const std::string &text,
+              const std::string &key,
+              const double       unit)
+    {
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);)
+        {
+          const std::size_t sign  = line.find('=');
+          const std::size_t first = line.find_first_not_of(" \t");
+          if (sign == std::string::npos || first == std::string::npos)
+            continue;
+          std::string name = line.substr(first, sign - first);
+          name.erase(name.find_last_not_of(" \t") + 1);
+          if (name != key)
+            continue;
+          char        *end   = nullptr;
+          const char  *begin = line.c_str() + sign + 1;
+          const double value = std::strtod(begin, &end);
+          if (end == begin)
+            return std::nullopt;
+          std::string word;
+          std::istringstream(end) >> word;
+          const double factor =
+            word == "nm"                                             ? 1e-3
+            : word == "pm"                                           ? 1e-6
+            : word == "mm"                                           ? 1e3
+            : word == "m"                                            ? 1e6
+            : word == "um" || word == "\xb5m" || word == "\xc2\xb5m" ? 1.
+                                                                     : unit;
+          return value * factor;
+        }
+      return std::nullopt;
+    }
+
+
+
+    ImageMetadata
+    from_keys(const std::string &text,
+              const std::string &source,
+              const std::string &pixel,
+              const std::string &x,
+              const std::string &y,
+              const double       unit)
+    {
+      ImageMetadata m;
+      m.pixel_size    = length_of(text, pixel, unit);
+      const auto at_x = length_of(text, x, unit);
+      const auto at_y = length_of(text, y, unit);
+      if (at_x && at_y)
+        m.stage = cv::Point2d(*at_x, *at_y);
+      if (m.pixel_size || m.stage)
+        m.source = source;
+      return m;
+    }
+
+
+
+    /** JEOL: the bar in pixels, the length that it stands for, the stage in
+     * mm. */
+    ImageMetadata
+    from_jeol(const std::string &text)
+    {
+      ImageMetadata      m;
+      double             bar = 0., marker = 0.;
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);)
+        {
+          std::istringstream words(line);
+          std::string        key;
+          words >> key;
+          if (key == "$$SM_MICRON_BAR")
+            words >> bar;
+          else if (key == "$$SM_MICRON_MARKER")
+            {
+              std::string value;
+              words >> value;
+              char *end = nullptr;
+              marker    = std::strtod(value.c_str(), &end);
+              if (std::string(end) == "nm")
+                marker *= 1e-3;
+              else if (std::string(end) == "mm")
+                marker *= 1e3;
+            }
+          else if (key == "$CM_STAGE_POS")
+            {
+              double x, y;
+              if (words >> x >> y)
+                m.stage = cv::Point2d(1e3 * x, 1e3 * y);
+            }
+        }
+      if (bar > 0. && marker > 0.)
+        m.pixel_size = marker / bar;
+      if (m.pixel_size || m.stage)
+        m.source = "JEOL text";
+      return m;
+    }
+
+
+
+    /** Text chunk of a PNG whose key is "squeal". */
+    std::string
+    png_text(const std::string &data)
+    {
+      const std::string key   = std::string("tEXtsqueal") + '\0';
+      const std::size_t place = data.find(key);
+      if (place == std::string::npos || place < 4)
+        return "";
+      std::uint32_t length = 0;
+      for (int i = 0; i < 4; ++i)
+        length = 256 * length + std::uint8_t(data[place - 4 + i]);
+      const std::size_t prefix = key.size() - 4;
+      return length < prefix ? ""
+                             : data.substr(place + key.size(), length - prefix);
+    }
+  } // namespace
+
+
+
+  ImageMetadata
+  read_metadata(const std::string &path)
+  {
+    const std::string data = read_file(path);
+    const TiffTexts   tiff(data);
+    for (const unsigned int tag : fei_tags)
+      {
+        const ImageMetadata m = from_keys(
+          tiff.text(tag), "FEI tags", "PixelWidth", "StageX", "StageY", 1e6);
+        if (m.pixel_size)
+          return m;
+      }
+    ImageMetadata zeiss = from_keys(tiff.text(zeiss_tag),
+                                    "Zeiss tags",
+                                    "Image Pixel Size",
+                                    "Stage at X",
+                                    "Stage at Y",
+                                    1.);
+    if (!zeiss.pixel_size)
+      zeiss.pixel_size = length_of(tiff.text(zeiss_tag), "Pixel Size", 1.);
+    if (zeiss.pixel_size)
+      {
+        zeiss.source = "Zeiss tags";
+        return zeiss;
+      }
+    std::string own = png_text(data);
+    if (own.empty())
+      own = tiff.text(description_tag);
+    ImageMetadata synthetic = from_keys(
+      own, "synthetic specimen", "Pixel size", "Stage x", "Stage y", 1.);
+    if (synthetic.pixel_size)
+      {
+        synthetic.is_synthetic =
+          own.find("Kind = synthetic") != std::string::npos;
+        return synthetic;
+      }
+    std::filesystem::path beside(path);
+    beside.replace_extension(".txt");
+    std::error_code error;
+    if (std::filesystem::is_regular_file(beside, error))
+      return from_jeol(read_file(beside.string()));
+    return {};
+  }
+} // namespace squeal::tribology

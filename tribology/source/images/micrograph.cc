@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/tribology/images/micrograph.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    /** The decoders fill what a cut file lacks with grey; its end mark tells.
+     */
+    void
+    require_end_mark(const std::string &data, const std::string &path)
+    {
+      const auto begins = [&](const std::string &mark) {
+        return data.compare(0, mark.size(), mark) == 0;
+      };
+      const auto ends_with = [&](const std::string &mark) {
+        return data.find(mark,
+                         data.size() -
+                           std::min<std::size_t>(data.size(), 4096)) !=
+               std::string::npos;
+      };
+      if ((begins("\x89PNG") && !ends_with("IEND")) ||
+          (begins("\xff\xd8") && !ends_with("\xff\xd9")))
+        throw InputError(path + " is truncated: copy the image again");
+    }
+
+
+
+    cv::Mat
+    decode(const std::string &data, const std::string &path)
+    {
+      cv::Mat image;
+      try
+        {
+          image = cv::imdecode(
+            cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(&data[0])),
+            cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
+        }
+      catch (const cv::Exception &)
+        {
+          image.release();
+        }
+      if (image.empty())
+        throw InputError(path + " is no PNG, TIFF or JPEG image, or it is "
+                                "damaged");
+      return image;
+    }
+  } // namespace
+
+
+
+  cv::Mat
+  read_grey(const std::string &path)
+  {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+      throw InputError(path + " is a directory: name an image file");
+    const std::string data = read_file(path);
+    if (data.empty())
+      throw InputError(path + " is empty: it has no image");
+    require_end_mark(data, path);
+    const cv::Mat image = decode(data, path);
+    if (image.rows < 32 || image.cols < 32)
+      throw InputError(path + " has " + std::to_string(image.cols) + " x " +
+                       std::to_string(image.rows) +
+                       " pixels: at least 32 x 32 are needed");
+    cv::Mat grey;
+    switch (image.depth())
+      {
+      case CV_8U:
+        image.convertTo(grey, CV_32F);
+        break;
+      case CV_16U:
+        image.convertTo(grey, CV_32F, 1. / 257.);
+        break;
+      default:
+        throw InputError(path + ": only images of 8 and 16 bit are read");
+      }
+    return grey;
+  }
+
+
+
+  int
+  rows_above_data_bar(const cv::Mat &grey)
+  {
+    int top = grey.rows;
+    for (int y = grey.rows - 1; y >= 0; --y)
+      {
+        std::map<float, int> counts;
+        int                  most = 0;
+        const float         *row  = grey.ptr<float>(y);
+        for (int x = 0; x < grey.cols; ++x)
+          most = std::max(most, ++counts[row[x]]);
+        if (2 * most <= grey.cols)
+          break;
+        top = y;
+      }
+    const double share = double(grey.rows - top) / grey.rows;
+    return share >= 0.02 && share <= 0.2 ? top : grey.rows;
+  }
+
+
+
+  double
+  scale_bar_pixels(const cv::Mat     &grey,
+                   const cv::Rect    &box,
+                   const std::string &path)
+  {
+    if ((box & cv::Rect({0, 0}, grey.size())) != box || box.area() == 0)
+      throw InputError(path + ": the box of 'Scale bar' is not in the image");
+    double        low, high;
+    const cv::Mat part = grey(box);
+    cv::minMaxLoc(part, &low, &high);
+    const float middle  = float(0.5 * (low + high));
+    int         longest = 0;
+    for (int y = 0; y < part.rows; ++y)
+      {
+        int run = 0;
+        for (int x = 0; x < part.cols; ++x)
+          {
+            run     = part.at<float>(y, x) > middle ? run + 1 : 0;
+            longest = std::max(longest, run);
+          }
+      }
+    if (longest < 10 || high - low < 30.)
+      throw InputError(path + ": there is no bright bar in the box of "
+                              "'Scale bar'");
+    return longest;
+  }
+
+
+
+  Micrograph
+  read_micrograph(const std::string &path,
+                  const double       pixel_size,
+                  const ScaleBar    &bar)
+  {
+    Micrograph m;
+    m.path     = path;
+    m.stem     = std::filesystem::path(path).stem().string();
+    m.grey     = read_grey(path);
+    m.metadata = read_metadata(path);
+    m.frame    = {0, 0, m.grey.cols, rows_above_data_bar(m.grey)};
+    if (pixel_size > 0.)
+      {
+        m.pixel_size   = pixel_size;
+        m.scale_source = "parameter file";
+      }
+    else if (bar.length > 0.)
+      {
+        m.pixel_size   = bar.length / scale_bar_pixels(m.grey, bar.box, path);
+        m.scale_source = "scale bar";
+      }
+    else if (m.metadata.pixel_size)
+      {
+        m.pixel_size   = *m.metadata.pixel_size;
+        m.scale_source = m.metadata.source;
+      }
+    else
+      throw InputError(path + " has no scale: set 'Pixel size', or 'Scale bar' "
+                              "with its box and length");
+    if (!(m.pixel_size > 0.) || !std::isfinite(m.pixel_size))
+      throw InputError(path + ": the pixel size of its metadata is not "
+                              "positive: set 'Pixel size'");
+    return m;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/images/registration.h>
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    /** Smaller over larger spread of the points about their centre. */
+    double
+    flatness(const std::vector<cv::Point2d> &points)
+    {
+      cv::Point2d centre(0., 0.);
+      for (const cv::Point2d &p : points)
+        centre += p * (1. / points.size());
+      double xx = 0., xy = 0., yy = 0.;
+      for (const cv::Point2d &p : points)
+        {
+          const cv::Point2d d = p - centre;
+          xx += d.x * d.x;
+          xy += d.x * d.y;
+          yy += d.y * d.y;
+        }
+      const double spread = std::hypot(xx - yy, 2. * xy);
+      const double large = xx + yy + spread, small = xx + yy - spread;
+      return large > 0. ? std::sqrt(std::max(0., small) / large) : 0.;
+    }
+
+
+
+    cv::Matx33d
+    fit_similarity(const std::vector<cv::Point2d> &from,
+                   const std::vector<cv::Point2d> &to)
+    {
+      // z' = a z + b, or a conj(z) + b where the y axes oppose each other.
+      cv::Matx33d best;
+      double      least = -1.;
+      for (const double sign : {1., -1.})
+        {
+          cv::Point2d cf(0., 0.), ct(0., 0.);
+          for (std::size_t i = 0; i < from.size(); ++i)
+            {
+              cf +=
+                cv::Point2d(from[i].x, sign * from[i].y) * (1. / from.size());
+              ct += to[i] * (1. / to.size());
+            }
+          double re = 0., im = 0., norm = 0.;
+          for (std::size_t i = 0; i < from.size(); ++i)
+            {
+              const cv::Point2d f =
+                cv::Point2d(from[i].x, sign * from[i].y) - cf;
+              const cv::Point2d t = to[i] - ct;
+              re += f.dot(t);
+              im += f.cross(t);
+              norm += f.dot(f);
+            }
+          re /= norm;
+          im /= norm;
+          const cv::Matx33d m(re,
+                              -im * sign,
+                              ct.x - re * cf.x + im * cf.y,
+                              im,
+                              re * sign,
+                              ct.y - im * cf.x - re * cf.y,
+                              0.,
+                              0.,
+                              1.);
+          double            error = 0.;
+          for (std::size_t i = 0; i < from.size(); ++i)
+            {
+              const cv::Vec3d q = m * cv::Vec3d(from[i].x, from[i].y, 1.);
+              error +=
+                std::pow(q[0] - to[i].x, 2) + std::pow(q[1] - to[i].y, 2);
+            }
+          if (least < 0. || error < least)
+            {
+              least = error;
+              best  = m;
+            }
+        }
+      return best;
+    }
+
+
+
+    cv::Matx33d
+    fit_affine(const std::vector<cv::Point2d> &from,
+               const std::vector<cv::Point2d> &to)
+    {
+      cv::Mat1d a(int(from.size()), 3), b(int(from.size()), 2), x;
+      for (int i = 0; i < a.rows; ++i)
+        {
+          a(i, 0) = from[i].x;
+          a(i, 1) = from[i].y;
+          a(i, 2) = 1.;
+          b(i, 0) = to[i].x;
+          b(i, 1) = to[i].y;
+        }
+      cv::solve(a, b, x, cv::DECOMP_SVD);
+      return {x(0, 0), x(1, 0), x(2, 0), x(0, 1), x(1, 1), x(2, 1), 0., 0., 1.};
+    }
+  } // namespace
+
+
+
+  cv::Point2d
+  Placement::operator()(const cv::Point2d &pixel) const
+  {
+    const cv::Vec3d q = to_pad * cv::Vec3d(pixel.x, pixel.y, 1.);
+    return {q[0] / q[2], q[1] / q[2]};
+  }
+
+
+
+  Placement
+  fit_placement(const std::vector<cv::Point2d>         &pixels,
+                const std::vector<cv::Point2d>         &pad,
+                const SegmentationParameters::Transform kind)
+  {
+    using T                    = SegmentationParameters::Transform;
+    const std::size_t n_needed = kind == T::affine       ? 3
+                                 : kind == T::homography ? 4
+                                                         : 3;
+    if (pixels.size() < n_needed || pixels.size() != pad.size())
+      throw InputError("'Segmentation/Image points' has " +
+                       std::to_string(pixels.size()) + " points: at least " +
+                       std::to_string(n_needed) + " are needed");
+    constexpr double least_flatness = 0.01;
+    if (flatness(pixels) < least_flatness || flatness(pad) < least_flatness)
+      throw InputError("the registration points of 'Segmentation/Image points' "
+                       "or 'Pad points' are collinear: choose points that do "
+                       "not lie on one line");
+    Placement placement;
+    if (kind == T::similarity)
+      placement.to_pad = fit_similarity(pixels, pad);
+    else if (kind == T::affine)
+      placement.to_pad = fit_affine(pixels, pad);
+    else
+      {
+        const cv::Mat h = cv::findHomography(pixels, pad, 0);
+        if (h.empty())
+          throw InputError("three of the registration points are collinear: "
+                           "'Segmentation/Transform = homography' needs four "
+                           "in general position");
+        placement.to_pad = cv::Matx33d(h.ptr<double>());
+      }
+    double sum = 0.;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      sum += std::pow(cv::norm(placement(pixels[i]) - pad[i]), 2);
+    placement.residual = std::sqrt(sum / pixels.size());
+    if (!std::isfinite(placement.residual))
+      throw InputError("the registration points are collinear or coincide: "
+                       "choose others in 'Segmentation/Image points'");
+    return placement;
+  }
+
+
+
+  Placement
+  place_by_stage(const Micrograph &m)
+  {
+    if (!m.metadata.stage)
+      throw InputError(m.path + " has no stage position in its metadata: use "
+                                "'Segmentation/Registration = points'");
+    const double p = m.pixel_size;
+    return {cv::Matx33d(p,
+                        0.,
+                        m.metadata.stage->x - 0.5 * p * m.frame.width,
+                        0.,
+                        p,
+                        m.metadata.stage->y - 0.5 * p * m.frame.height,
+                        0.,
+                        0.,
+                        1.),
+            0.};
+  }
+
+
+
+  std::optional<cv::Point2d>
+  refine_shift(const cv::Mat     &fixed,
+               const cv::Mat     &moving,
+               const cv::Point2d &start)
+  {
+    const cv::Point whole(cvRound(start.x), cvRound(start.y));
+    const cv::Rect  overlap =
+      cv::Rect({0, 0}, fixed.size()) & cv::Rect(whole, moving.size());
+    if (overlap.width < 48 || overlap.height < 48)
+      return std::nullopt;
+    cv::Mat1f     warp = cv::Mat1f::eye(2, 3);
+    const cv::Mat a    = fixed(overlap);
+    const cv::Mat b    = moving(overlap - whole);
+    try
+      {
+        const double correlation = cv::findTransformECC(
+          a,
+          b,
+          warp,
+          cv::MOTION_TRANSLATION,
+          cv::TermCriteria(
+            cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-6),
+          cv::noArray(),
+          5);
+        if (correlation < 0.3)
+          return std::nullopt;
+      }
+    catch (const cv::Exception &)
+      {
+        // It throws when it does not converge.
+        return std::nullopt;
+      }
+    // A point p of the fixed image is at p + warp in the moving one.
+    return cv::Point2d(whole) - cv::Point2d(warp(0, 2), warp(1, 2));
+  }
+
+
+
+  Mosaic
+  join_frames(const std::vector<Micrograph> &frames)
+  {
+    Mosaic result;
+    for (const Micrograph &m : frames)
+      {
+        const Placement p = place_by_stage(m);
+        if (std::abs(m.pixel_size / frames[0].pixel_size - 1.) > 1e-3)
+          throw InputError(m.path + " and " + frames[0].path +
+                           " have different pixel sizes: a mosaic needs one");
+        result.shifts.push_back(p({0., 0.}) * (1. / m.pixel_size));
+      }
+    for (std::size_t i = 1; i < frames.size(); ++i)
+      {
+        // Against the earlier frame that it shares the largest area with.
+        double      largest = 0.;
+        std::size_t other   = i;
+        for (std::size_t j = 0; j < i; ++j)
+          {
+            const cv::Rect2d r =
+              cv::Rect2d(result.shifts[i], cv::Size2d(frames[i].frame.size())) &
+              cv::Rect2d(result.shifts[j], cv::Size2d(frames[j].frame.size()));
+            if (r.area() > largest)
+              {
+                largest = r.area();
+                other   = j;
+              }
+          }
+        if (other == i)
+          continue;
+        const cv::Point2d start = result.shifts[i] - result.shifts[other];
+        const auto        refined =
+          refine_shift(frames[other].grey(frames[other].frame),
+                       frames[i].grey(frames[i].frame),
+                       start);
+        if (!refined)
+          continue;
+        ++result.n_refined;
+        result.correction =
+          std::max(result.correction, cv::norm(*refined - start));
+        result.shifts[i] = result.shifts[other] + *refined;
+      }
+    cv::Point2d low = result.shifts[0], high = low;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      {
+        const cv::Point2d s = result.shifts[i];
+        low                 = {std::min(low.x, s.x), std::min(low.y, s.y)};
+        high                = {std::max(high.x, s.x + frames[i].frame.width),
+                               std::max(high.y, s.y + frames[i].frame.height)};
+      }
+    if ((high.x - low.x) * (high.y - low.y) > 4e8)
+      throw InputError("the mosaic of 'Images' would have more than 400 "
+                       "megapixels: check the stage positions");
+    const cv::Size size(int(std::ceil(high.x - low.x)) + 1,
+                        int(std::ceil(high.y - low.y)) + 1);
+    cv::Mat        weight = cv::Mat::zeros(size, CV_32F);
+    result.grey           = cv::Mat::zeros(size, CV_32F);
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      {
+        result.shifts[i] -= low;
+        const cv::Point at(cvRound(result.shifts[i].x),
+                           cvRound(result.shifts[i].y));
+        const cv::Rect  place =
+          cv::Rect(at, frames[i].frame.size()) & cv::Rect({0, 0}, size);
+        result.grey(place) +=
+          frames[i].grey(frames[i].frame)(cv::Rect({0, 0}, place.size()));
+        weight(place) += 1.;
+      }
+    cv::max(weight, 1., weight);
+    result.grey /= weight;
+    return result;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/statistics.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    /** Length that a pixel of a centre line stands for, pixels: half of each
+     * step to a neighbour. */
+    double
+    pixel_length(const cv::Mat &line, const cv::Point &p)
+    {
+      const cv::Rect inside({0, 0}, line.size());
+      const auto     is_set = [&](const cv::Point &q) {
+        return inside.contains(q) && line.at<uchar>(q) != 0;
+      };
+      double length = 0.;
+      for (int k = 0; k < 8; ++k)
+        {
+          if (!is_set(p + neighbour_steps[k]))
+            continue;
+          if (k % 2 == 0)
+            length += 0.5 * 0.948;
+          else if (!is_set(p + neighbour_steps[k - 1]) &&
+                   !is_set(p + neighbour_steps[(k + 1) % 8]))
+            length += 0.5 * 1.343;
+        }
+      return length;
+    }
+
+
+
+    std::vector<double>
+    scaled(std::vector<double> values, const double factor)
+    {
+      for (double &v : values)
+        v *= factor;
+      return values;
+    }
+
+
+
+    /** Area of a pixel on the pad, um^2. */
+    double
+    pixel_area(const Placement &placement, const cv::Point2d &p)
+    {
+      const cv::Point2d o = placement(p);
+      const cv::Point2d u = placement(p + cv::Point2d(1., 0.)) - o;
+      const cv::Point2d v = placement(p + cv::Point2d(0., 1.)) - o;
+      return std::abs(u.cross(v));
+    }
+  } // namespace
+
+
+
+  ImageStatistics
+  measure(const Segmentation &s, const double pixel_size, const double sliding)
+  {
+    ImageStatistics r;
+    const cv::Mat  &line  = s.cracks.centre_line;
+    const double    pixel = 1e-6 * pixel_size * pixel_size; // mm^2
+    r.observed_area       = pixel * double(line.total());
+    cv::Mat1i labels;
+    r.n_cracks = cv::connectedComponents(line, labels, 8) - 1;
+    r.orientation.assign(ImageStatistics::n_orientations, 0.);
+    PixelPath pixels;
+    cv::findNonZero(line, pixels);
+    double length = 0., weighted_width = 0.;
+    for (const cv::Point &p : pixels)
+      {
+        const double l = pixel_length(line, p);
+        double       a = s.cracks.direction.at<float>(p) - sliding;
+        a -= CV_PI * std::floor(a / CV_PI);
+        const int bin =
+          std::min(ImageStatistics::n_orientations - 1,
+                   int(a / CV_PI * ImageStatistics::n_orientations));
+        r.orientation[bin] += l;
+        length += l;
+        weighted_width += l * s.cracks.width.at<float>(p);
+      }
+    if (length > 0.)
+      {
+        r.orientation = scaled(r.orientation, 1. / length);
+        r.crack_width = weighted_width / length * pixel_size;
+      }
+    r.crack_length         = 1e-3 * length * pixel_size;
+    r.crack_density        = r.crack_length / r.observed_area;
+    r.crack_area           = pixel * weighted_width;
+    const double total     = double(line.total());
+    r.exfoliation_fraction = cv::countNonZero(s.areas.exfoliation) / total;
+    r.plateau_fraction     = cv::countNonZero(s.areas.plateau) / total;
+    const double um2       = pixel_size * pixel_size;
+    r.exfoliation_areas    = scaled(part_areas(s.areas.exfoliation), um2);
+    r.plateau_areas        = scaled(part_areas(s.areas.plateau), um2);
+    return r;
+  }
+
+
+
+  CellGrid::CellGrid(const cv::Size2d &size, const int n_x, const int n_y)
+    : size(size)
+    , n_x(n_x)
+    , n_y(n_y)
+    , cells(std::size_t(n_x) * n_y)
+  {
+  }
+
+
+
+  int
+  CellGrid::index(const cv::Point2d &p) const
+  {
+    const int i = int(std::floor((p.x / size.width + 0.5) * n_x));
+    const int j = int(std::floor((p.y / size.height + 0.5) * n_y));
+    return i < 0 || j < 0 || i >= n_x || j >= n_y ? -1 : j * n_x + i;
+  }
+
+
+
+  void
+  CellGrid::add(const Segmentation &s,
+                const Placement    &placement,
+                const double        sliding)
+  {
+    const cv::Mat &line = s.cracks.centre_line;
+    for (int y = 0; y < line.rows; ++y)
+      for (int x = 0; x < line.cols; ++x)
+        {
+          const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
+          if (i < 0)
+            continue;
+          Cell        &cell = cells[i];
+          const double area = pixel_area(placement, cv::Point2d(x, y));
+          cell.area += area;
+          cell.exfoliation += s.areas.exfoliation.at<uchar>(y, x) ? area : 0.;
+          cell.plateau += s.areas.plateau.at<uchar>(y, x) ? area : 0.;
+          if (line.at<uchar>(y, x) == 0)
+            continue;
+          const double scale  = std::sqrt(area);
+          const double length = pixel_length(line, {x, y}) * scale;
+          const double angle =
+            2. * (s.cracks.direction.at<float>(y, x) - sliding);
+          cell.crack_length += length;
+          cell.crack_width += length * scale * s.cracks.width.at<float>(y, x);
+          cell.cosine += length * std::cos(angle);
+          cell.sine += length * std::sin(angle);
+        }
+  }
+
+
+
+  void
+  CellGrid::add_covariate(const std::string &name,
+                          const cv::Mat     &values,
+                          const Placement   &placement)
+  {
+    Covariate c{name,
+                std::vector<double>(cells.size(), 0.),
+                std::vector<double>(cells.size(), 0.)};
+    for (int y = 0; y < values.rows; ++y)
+      for (int x = 0; x < values.cols; ++x)
+        {
+          const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
+          if (i < 0)
+            continue;
+          c.sum[i] += values.at<float>(y, x);
+          c.weight[i] += 1.;
+        }
+    covariates.push_back(c);
+  }
+
+
+
+  std::vector<Table::Column>
+  CellGrid::columns() const
+  {
+    using T                           = Table::Type;
+    std::vector<Table::Column> result = {
+      {"image", T::text, "", "image, or pad when registered"},
+      {"cell", T::integer, "", "number of the cell, x fastest"},
+      {"x_m", T::real, "m", "centre of the cell"},
+      {"y_m", T::real, "m", "centre of the cell"},
+      {"coverage", T::real, "", "observed area over that of the cell"},
+      {"crack_density_per_m", T::real, "1/m", "crack length per area"},
+      {"crack_width_m", T::real, "m", "mean width along the length"},
+      {"crack_angle_deg",
+       T::real,
+       "degrees",
+       "mean direction against the sliding direction, -90 to 90"},
+      {"crack_alignment",
+       T::real,
+       "",
+       "0: every direction alike, 1: all cracks parallel"},
+      {"exfoliation_fraction", T::real, "", "area of exfoliations"},
+      {"plateau_fraction", T::real, "", "area of contact plateaus"}};
+    for (const Covariate &c : covariates)
+      result.push_back({c.name, T::real, "", "mean of the element map"});
+    return result;
+  }
+
+
+
+  void
+  CellGrid::append_rows(Table &table, const std::string &image) const
+  {
+    const double nothing = std::nan("");
+    for (int j = 0; j < n_y; ++j)
+      for (int i = 0; i < n_x; ++i)
+        {
+          const std::size_t k    = std::size_t(j) * n_x + i;
+          const Cell       &c    = cells[k];
+          const bool        seen = c.area > 0., has = c.crack_length > 0.;
+          std::vector<squeal::Cell> row = {
+            image,
+            int(k),
+            1e-6 * size.width * ((i + 0.5) / n_x - 0.5),
+            1e-6 * size.height * ((j + 0.5) / n_y - 0.5),
+            c.area * n_x * n_y / size.area(),
+            seen ? 1e6 * c.crack_length / c.area : nothing,
+            has ? 1e-6 * c.crack_width / c.crack_length : nothing,
+            has ? 90. / CV_PI * std::atan2(c.sine, c.cosine) : nothing,
+            has ? std::hypot(c.sine, c.cosine) / c.crack_length : nothing,
+            seen ? c.exfoliation / c.area : nothing,
+            seen ? c.plateau / c.area : nothing};
+          for (const Covariate &v : covariates)
+            row.emplace_back(v.weight[k] > 0. ? v.sum[k] / v.weight[k]
+                                              : nothing);
+          table.add_row(row);
+        }
+  }
+
+
+
+  cv::Mat
+  draw_overlay(const cv::Mat &grey, const Segmentation &s)
+  {
+    cv::Mat bytes, picture;
+    grey.convertTo(bytes, CV_8U);
+    cv::cvtColor(bytes, picture, cv::COLOR_GRAY2BGR);
+    const auto outline = [&](const cv::Mat &mask, const cv::Scalar &colour) {
+      cv::Mat edge;
+      cv::morphologyEx(mask, edge, cv::MORPH_GRADIENT, cv::Mat());
+      picture.setTo(colour, edge);
+    };
+    outline(s.areas.plateau, {255, 180, 0});
+    outline(s.areas.exfoliation, {255, 0, 255});
+    // Semi-transparent, so that the dark line can still be seen.
+    cv::Mat red = picture.clone();
+    red.setTo(cv::Scalar(0, 0, 255), s.cracks.area);
+    cv::addWeighted(picture, 0.4, red, 0.6, 0., picture);
+    picture.setTo(cv::Scalar(0, 0, 255), s.cracks.centre_line);
+    return picture;
+  }
+} // namespace squeal::tribology
