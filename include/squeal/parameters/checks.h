@@ -22,6 +22,9 @@ namespace squeal
     /** Contact pairs: bodies, faces, and that they meet. */
     void check_contacts(const SceneParameters &scene);
 
+    /** Axes of a sweep: entries, ranges and that every value is allowed. */
+    void check_sweep(const Parameters &parameters);
+
     /** Everything outside the scene. */
     void check_analysis(const Parameters &parameters);
     //@}

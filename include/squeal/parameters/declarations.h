@@ -75,6 +75,7 @@ namespace squeal
     void declare_body(Schema &schema, BodyParameters &body);
     void declare_contact(Schema &schema, ContactParameters &contact);
     void declare_analysis(Schema &schema, Parameters &parameters);
+    void declare_sweep(Schema &schema, SweepParameters &sweep);
 
     /** The list entry of a family; its value names the members beforehand. */
     void declare_list(Schema &schema, const SectionFamily &family);
