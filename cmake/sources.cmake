@@ -26,11 +26,13 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_means.cc
     source/parameters/check_parameters.cc
     source/parameters/check_scene.cc
+    source/parameters/check_sweep.cc
     source/parameters/choices.cc
     source/parameters/declare_analysis.cc
     source/parameters/declare_body.cc
     source/parameters/declare_contact.cc
     source/parameters/declare_scene.cc
+    source/parameters/declare_sweep.cc
     source/parameters/face_geometry.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
@@ -96,6 +98,16 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/sliding_inverse.cc
     source/eigen/undamped_modes.cc)
 
+set(SQUEAL_SOURCES_SWEEP
+    source/sweep/basis_builder.cc
+    source/sweep/branch_tracker.cc
+    source/sweep/parametric_system.cc
+    source/sweep/point_solver.cc
+    source/sweep/reduced_model.cc
+    source/sweep/reduced_model_file.cc
+    source/sweep/stability.cc
+    source/sweep/sweep_grid.cc)
+
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/contact_solver.cc
     source/transient/reduced_contact_model.cc
@@ -138,8 +150,14 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/run_context.cc
     source/driver/run_modes.cc
     source/driver/run_session.cc
+    source/driver/run_sweep.cc
     source/driver/run_work_precision.cc
-    source/driver/shape_output.cc)
+    source/driver/shape_output.cc
+    source/driver/sweep_checks.cc
+    source/driver/sweep_model.cc
+    source/driver/sweep_plots.cc
+    source/driver/sweep_solution.cc
+    source/driver/sweep_tables.cc)
 
 set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_BASE}
@@ -148,6 +166,7 @@ set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_DISCRETIZATION}
     ${SQUEAL_SOURCES_CONTACT}
     ${SQUEAL_SOURCES_EIGEN}
+    ${SQUEAL_SOURCES_SWEEP}
     ${SQUEAL_SOURCES_TRANSIENT}
     ${SQUEAL_SOURCES_RESULTS}
     ${SQUEAL_SOURCES_DRIVER})

@@ -44,6 +44,8 @@ namespace
         return run_modes(context);
       case Parameters::Analysis::cea:
         return run_cea(context);
+      case Parameters::Analysis::sweep:
+        return run_sweep(context);
       case Parameters::Analysis::work_precision:
         return run_work_precision(context);
       }

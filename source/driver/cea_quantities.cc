@@ -5,6 +5,39 @@
 
 namespace squeal
 {
+  double
+  total_mass(const Model &model)
+  {
+    double      sum   = 0.;
+    const auto &scene = model.parameters().scene;
+    for (unsigned int b = 0; b < model.body_matrices().size(); ++b)
+      sum += scene.bodies[b].shape == BodyParameters::Shape::rigid
+               ? scene.bodies[b].mass
+               : scene.bodies[b].density * model.body_matrices()[b].volume;
+    return sum;
+  }
+
+
+
+  ContactMotion
+  contact_motion(const Model &model, const unsigned int number)
+  {
+    const ContactGeometry        &g = model.linearized().contacts[number];
+    std::vector<Functionals::Row> source, target;
+    for (std::size_t p = 0; p < g.points.size(); ++p)
+      {
+        const auto &[tx, ty] = g.slip_direction[p];
+        source.push_back(
+          combine({{tx, &g.source_rows[p][0]}, {ty, &g.source_rows[p][1]}}));
+        target.push_back(g.target_rows[p][2]);
+      }
+    const auto &space = model.discretization()->space();
+    return {std::make_shared<Functionals>(space, std::move(source)),
+            std::make_shared<Functionals>(space, std::move(target))};
+  }
+
+
+
   namespace
   {
     using Complex = std::complex<double>;
@@ -58,18 +91,6 @@ namespace squeal
       return result;
     }
 
-    double
-    total_mass(const Model &model)
-    {
-      double      sum   = 0.;
-      const auto &scene = model.parameters().scene;
-      for (unsigned int b = 0; b < model.body_matrices().size(); ++b)
-        sum += scene.bodies[b].shape == BodyParameters::Shape::rigid
-                 ? scene.bodies[b].mass
-                 : scene.bodies[b].density * model.body_matrices()[b].volume;
-      return sum;
-    }
-
     std::vector<double>
     contact_participations(const Model           &model,
                            const ComplexPairs    &pairs,
@@ -92,30 +113,20 @@ namespace squeal
           else
             full.imag() = part;
         }
-      for (const auto &g : contacts)
+      for (unsigned int i = 0; i < contacts.size(); ++i)
         {
-          std::vector<Functionals::Row> source, target;
-          for (std::size_t p = 0; p < g.points.size(); ++p)
-            {
-              const auto &[tx, ty] = g.slip_direction[p];
-              source.push_back(combine(
-                {{tx, &g.source_rows[p][0]}, {ty, &g.source_rows[p][1]}}));
-              target.push_back(g.target_rows[p][2]);
-            }
-          const auto &space = model.discretization()->space();
-          tangential += Functionals(space, source)
-                          .apply(full)
+          const ContactMotion motion = contact_motion(model, i);
+          tangential += motion.tangential_source->apply(full)
                           .cwiseAbs2()
                           .colwise()
                           .sum()
                           .transpose();
-          normal += Functionals(space, target)
-                      .apply(full)
+          normal += motion.normal_target->apply(full)
                       .cwiseAbs2()
                       .colwise()
                       .sum()
                       .transpose();
-          n_points += g.points.size();
+          n_points += contacts[i].points.size();
         }
       const double        mass = total_mass(model);
       std::vector<double> result;

@@ -17,82 +17,6 @@ namespace squeal
   {
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-    /** The forces of point springs and of the contact in each mode: what the
-     * error estimator must know to keep them out of its residuals. */
-    std::vector<PointForces>
-    point_forces(const Model &model, const Block &full_shapes)
-    {
-      const auto              &scene = model.parameters().scene;
-      const auto              &d     = *model.discretization();
-      std::vector<PointForces> result;
-      for (unsigned int i = 0; i < scene.contacts.size(); ++i)
-        {
-          const auto &contact = scene.contacts[i];
-          const auto &g       = model.linearized().contacts[i];
-          if (contact.formulation != ContactParameters::Formulation::springs ||
-              contact.layout != ContactParameters::SpringLayout::grid)
-            continue;
-          const Eigen::MatrixXd approach = g.normal->apply(full_shapes);
-          Eigen::MatrixXd       forces =
-            Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
-          for (std::size_t p = 0; p < g.points.size(); ++p)
-            forces.row(3 * p + 2) = contact.normal_stiffness * approach.row(p);
-          const double spacing = g.points.size() > 1
-                                   ? std::sqrt(g.areas[0])
-                                   : std::numeric_limits<double>::infinity();
-          // z_d - z_p > 0 pushes the source up and the target down.
-          result.push_back({body_index(scene, contact.source_body),
-                            g.points,
-                            forces,
-                            spacing});
-          if (contact.target_body != "ground")
-            result.push_back({body_index(scene, contact.target_body),
-                              g.points,
-                              -forces,
-                              spacing});
-        }
-      const PointEvaluator evaluator(d);
-      for (const auto &spring : scene.springs)
-        if (spring.kind == SpringParameters::Kind::points)
-          {
-            std::vector<dealii::Point<3>> points;
-            double                        length = 0.;
-            for (unsigned int k = 0; k < spring.number; ++k)
-              {
-                dealii::Point<3> x;
-                const double     s =
-                  spring.number > 1 ? double(k) / (spring.number - 1) : 0.;
-                for (unsigned int c = 0; c < 3; ++c)
-                  x[c] =
-                    (1. - s) * spring.first_point[c] + s * spring.last_point[c];
-                points.push_back(x);
-              }
-            length                   = points.front().distance(points.back());
-            const unsigned int body  = body_index(scene, spring.body);
-            const auto         found = evaluator.displacements(body, points);
-            Eigen::MatrixXd    forces(3 * points.size(), full_shapes.cols());
-            for (std::size_t p = 0; p < points.size(); ++p)
-              {
-                const auto row =
-                  combine({{spring.direction[0], &found.rows[p][0]},
-                           {spring.direction[1], &found.rows[p][1]},
-                           {spring.direction[2], &found.rows[p][2]}});
-                const Functionals     f(d.space(), {row});
-                const Eigen::MatrixXd u = f.apply(full_shapes);
-                for (unsigned int c = 0; c < 3; ++c)
-                  forces.row(3 * p + c) =
-                    -spring.stiffness * spring.direction[c] * u;
-              }
-            result.push_back({body,
-                              points,
-                              forces,
-                              spring.number > 1
-                                ? length / (spring.number - 1)
-                                : std::numeric_limits<double>::infinity()});
-          }
-      return result;
-    }
-
     double
     shift_of(const Parameters &parameters)
     {
@@ -100,6 +24,80 @@ namespace squeal
       return omega * omega;
     }
   } // namespace
+
+
+
+  std::vector<PointForces>
+  point_forces(const Model &model, const Block &full_shapes)
+  {
+    const auto              &scene = model.parameters().scene;
+    const auto              &d     = *model.discretization();
+    std::vector<PointForces> result;
+    for (unsigned int i = 0; i < scene.contacts.size(); ++i)
+      {
+        const auto &contact = scene.contacts[i];
+        const auto &g       = model.linearized().contacts[i];
+        if (contact.formulation != ContactParameters::Formulation::springs ||
+            contact.layout != ContactParameters::SpringLayout::grid)
+          continue;
+        const Eigen::MatrixXd approach = g.normal->apply(full_shapes);
+        Eigen::MatrixXd       forces =
+          Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
+        for (std::size_t p = 0; p < g.points.size(); ++p)
+          forces.row(3 * p + 2) = contact.normal_stiffness * approach.row(p);
+        const double spacing = g.points.size() > 1
+                                 ? std::sqrt(g.areas[0])
+                                 : std::numeric_limits<double>::infinity();
+        // z_d - z_p > 0 pushes the source up and the target down.
+        result.push_back(
+          {body_index(scene, contact.source_body), g.points, forces, spacing});
+        if (contact.target_body != "ground")
+          result.push_back({body_index(scene, contact.target_body),
+                            g.points,
+                            -forces,
+                            spacing});
+      }
+    const PointEvaluator evaluator(d);
+    for (const auto &spring : scene.springs)
+      if (spring.kind == SpringParameters::Kind::points)
+        {
+          std::vector<dealii::Point<3>> points;
+          double                        length = 0.;
+          for (unsigned int k = 0; k < spring.number; ++k)
+            {
+              dealii::Point<3> x;
+              const double     s =
+                spring.number > 1 ? double(k) / (spring.number - 1) : 0.;
+              for (unsigned int c = 0; c < 3; ++c)
+                x[c] =
+                  (1. - s) * spring.first_point[c] + s * spring.last_point[c];
+              points.push_back(x);
+            }
+          length                   = points.front().distance(points.back());
+          const unsigned int body  = body_index(scene, spring.body);
+          const auto         found = evaluator.displacements(body, points);
+          Eigen::MatrixXd    forces(3 * points.size(), full_shapes.cols());
+          for (std::size_t p = 0; p < points.size(); ++p)
+            {
+              const auto row =
+                combine({{spring.direction[0], &found.rows[p][0]},
+                         {spring.direction[1], &found.rows[p][1]},
+                         {spring.direction[2], &found.rows[p][2]}});
+              const Functionals     f(d.space(), {row});
+              const Eigen::MatrixXd u = f.apply(full_shapes);
+              for (unsigned int c = 0; c < 3; ++c)
+                forces.row(3 * p + c) =
+                  -spring.stiffness * spring.direction[c] * u;
+            }
+          result.push_back({body,
+                            points,
+                            forces,
+                            spring.number > 1
+                              ? length / (spring.number - 1)
+                              : std::numeric_limits<double>::infinity()});
+        }
+    return result;
+  }
 
 
 

@@ -265,6 +265,30 @@ namespace squeal
     return energy;
   }
 
+  std::vector<Eigen::MatrixXd>
+  Model::energy_forms(const Block &basis) const
+  {
+    std::vector<Eigen::MatrixXd> forms;
+    const Block                  full = system.expand(basis);
+    for (unsigned int b = 0; b < names.size(); ++b)
+      {
+        Block product;
+        if (space)
+          product = bodies[b].mass->multiply(full);
+        else
+          {
+            product = imported_mass->multiply(full);
+            for (Eigen::Index i = 0; i < product.rows(); ++i)
+              if (body_of_row[i] != b)
+                product.row(i).setZero();
+          }
+        Eigen::MatrixXd form = full.transpose() * product;
+        (space ? *space->space() : *system.system.space).sum(form);
+        forms.push_back(0.5 * (form + form.transpose()));
+      }
+    return forms;
+  }
+
   Eigen::MatrixXd
   Model::energy_shares(const ComplexBlock &shapes) const
   {

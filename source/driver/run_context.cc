@@ -17,6 +17,8 @@ namespace squeal
           return "modes";
         case Parameters::Analysis::cea:
           return "cea";
+        case Parameters::Analysis::sweep:
+          return "sweep";
         case Parameters::Analysis::work_precision:
           return "work precision";
         }

@@ -212,10 +212,63 @@ namespace squeal
     return product.columns.view().leftCols(z.rows()) * both;
   }
 
+  Eigen::MatrixXd
+  ReducedBasis::product_gram(const std::size_t i, const std::size_t j) const
+  {
+    // All rows of a product, in full only where it is.
+    const auto columns = [&](const std::size_t k) {
+      return k == mass_part ? basis.mass_products()
+                            : products[k].columns.view();
+    };
+    const auto rows = [&](const std::size_t k) {
+      return k == mass_part ? std::vector<Eigen::Index>() : products[k].rows;
+    };
+    const auto      a = rows(i), b = rows(j);
+    Eigen::MatrixXd gram;
+    if (a.empty() && b.empty())
+      gram = columns(i).transpose() * columns(j);
+    else if (a.empty())
+      gram = Block(columns(i)(b, Eigen::all)).transpose() * columns(j);
+    else if (b.empty())
+      gram = columns(i).transpose() * Block(columns(j)(a, Eigen::all));
+    else
+      {
+        std::vector<Eigen::Index> in_a, in_b;
+        for (std::size_t p = 0, q = 0; p < a.size() && q < b.size();)
+          if (a[p] == b[q])
+            {
+              in_a.push_back(p++);
+              in_b.push_back(q++);
+            }
+          else
+            (a[p] < b[q] ? p : q) += 1;
+        gram = Block(columns(i)(in_a, Eigen::all)).transpose() *
+               Block(columns(j)(in_b, Eigen::all));
+      }
+    pencil.space()->sum(gram);
+    if (i == mass_part)
+      gram /= pencil.parts()[i].coefficients.mass;
+    if (j == mass_part)
+      gram /= pencil.parts()[j].coefficients.mass;
+    return gram;
+  }
+
   PairResiduals
   ReducedBasis::residuals(const Eigen::VectorXcd &lambda,
                           const Eigen::MatrixXcd &z,
                           const bool              transposed) const
+  {
+    std::vector<TermCoefficients> own;
+    for (const auto &part : pencil.parts())
+      own.push_back(part.coefficients);
+    return residuals(own, lambda, z, transposed);
+  }
+
+  PairResiduals
+  ReducedBasis::residuals(const std::vector<TermCoefficients> &coefficients,
+                          const Eigen::VectorXcd              &lambda,
+                          const Eigen::MatrixXcd              &z,
+                          const bool                           transposed) const
   {
     // A few pairs at a time, one after the other: all that one needs stays in
     // the cache.
@@ -237,7 +290,7 @@ namespace squeal
                              Kx = Mx;
             for (std::size_t i = 0; i < projected.size(); ++i)
               {
-                const auto &c     = pencil.parts()[i].coefficients;
+                const auto &c     = coefficients[i];
                 const auto  re    = own[i].col(k);
                 const auto  im    = own[i].col(n_chunk + k);
                 const bool  other = transposed && !pencil.parts()[i].symmetric;

@@ -21,19 +21,42 @@ namespace squeal
     collect(pencil);
     if (terms.empty())
       return;
-    const Eigen::Index n_rows = space->n_owned();
-    responses.resize(n_rows, 0);
+    Block columns_of_all(space->n_owned(), 0);
     for (const Term &term : terms)
       {
         const Functionals &left = term.friction->left_rows();
         const Block        columns =
           inverse.solve(left.apply_transposed(Eigen::MatrixXd(
             Eigen::MatrixXd::Identity(left.n_rows(), left.n_rows()))));
-        responses.conservativeResize(Eigen::NoChange,
-                                     responses.cols() + columns.cols());
-        responses.rightCols(columns.cols()) = columns;
+        columns_of_all.conservativeResize(
+          Eigen::NoChange, columns_of_all.cols() + columns.cols());
+        columns_of_all.rightCols(columns.cols()) = columns;
       }
-    Eigen::MatrixXd C = forces(responses);
+    responses = std::make_shared<const Block>(std::move(columns_of_all));
+    factorize_capacitance();
+  }
+
+  SlidingInverse::SlidingInverse(const Pencil         &pencil,
+                                 const SlidingInverse &other)
+    : space(other.space)
+    , inverse(other.inverse)
+    , responses(other.responses)
+  {
+    collect(pencil);
+    bool alike = terms.size() == other.terms.size();
+    for (std::size_t i = 0; alike && i < terms.size(); ++i)
+      alike = terms[i].friction == other.terms[i].friction;
+    // Without friction, or with another one, the plain inverse remains.
+    if (!alike)
+      terms.clear();
+    if (!terms.empty())
+      factorize_capacitance();
+  }
+
+  void
+  SlidingInverse::factorize_capacitance()
+  {
+    Eigen::MatrixXd C = forces(*responses);
     C.diagonal().array() += 1.;
     capacitance.compute(C);
   }
@@ -94,7 +117,7 @@ namespace squeal
   Block
   SlidingInverse::transposed_forces(const Eigen::MatrixXd &g) const
   {
-    Block        result = Block::Zero(responses.rows(), g.cols());
+    Block        result = Block::Zero(responses->rows(), g.cols());
     Eigen::Index first  = 0;
     for (const Term &term : terms)
       {
@@ -113,7 +136,7 @@ namespace squeal
   {
     Block x = inverse.solve(b);
     if (!terms.empty())
-      x.noalias() -= responses * capacitance.solve(forces(x));
+      x.noalias() -= *responses * capacitance.solve(forces(x));
     return x;
   }
 
@@ -124,7 +147,7 @@ namespace squeal
       return inverse.solve(b);
     // L S b = (S L^T)^T b needs no solve of its own.
     const Eigen::MatrixXd g =
-      capacitance.transpose().solve(inner_products(*space, responses, b));
+      capacitance.transpose().solve(inner_products(*space, *responses, b));
     return inverse.solve(Block(b - transposed_forces(g)));
   }
 } // namespace squeal

@@ -164,6 +164,7 @@ namespace squeal
       check_refinement(parameters.discretization);
       check_band(parameters.eigen);
       check_ladders(parameters);
+      check_sweep(parameters);
       for (const ResultCheckParameters &check : parameters.result_checks)
         check_result_check(check);
     }

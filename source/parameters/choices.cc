@@ -9,6 +9,7 @@ namespace squeal
     using A = Parameters::Analysis;
     return {{"modes", A::modes},
             {"cea", A::cea},
+            {"sweep", A::sweep},
             {"work precision", A::work_precision}};
   }
 
@@ -164,6 +165,17 @@ namespace squeal
   {
     using S = EigenParameters::Solver;
     return {{"certified", S::certified}, {"direct", S::direct}};
+  }
+
+
+
+  Choices<SweepAxisParameters::Scale>
+  choices(const SweepAxisParameters::Scale)
+  {
+    using S = SweepAxisParameters::Scale;
+    return {{"logarithmic", S::logarithmic},
+            {"linear", S::linear},
+            {"list", S::list}};
   }
 
 

@@ -255,6 +255,7 @@ namespace squeal
     {
       declare_discretization(schema, parameters.discretization);
       declare_eigenvalues(schema, parameters.eigen);
+      declare_sweep(schema, parameters.sweep);
       declare_work_precision(schema, parameters.work_precision);
       declare_output(schema, parameters.output);
 
@@ -269,8 +270,8 @@ namespace squeal
       schema.add("Analysis",
                  parameters.analysis,
                  "What is computed: undamped modes, complex eigenvalues with "
-                 "friction, or error against time over a ladder of "
-                 "settings.");
+                 "friction, the same over ranges of parameters, or error "
+                 "against time over a ladder of settings.");
       schema.add("Output directory",
                  parameters.output.directory,
                  Allowed::text(),

@@ -134,4 +134,41 @@ namespace squeal
     changed.check();
     return changed;
   }
+
+
+
+  struct NumberSetter::Target
+  {
+    const prm::Schema::Entry *entry;
+    std::vector<std::string>  values;
+    std::size_t               component;
+  };
+
+  NumberSetter::NumberSetter(const Parameters               &parameters,
+                             const std::vector<std::string> &paths)
+    : changed(parameters)
+    , schema(std::make_unique<prm::Schema>())
+  {
+    prm::declare_parameters(*schema, changed);
+    for (const auto &path : paths)
+      {
+        const NumberEntry entry = find_number(parameters, path);
+        targets.push_back(
+          {schema->find(entry.path), entry.values, entry.component});
+      }
+  }
+
+  NumberSetter::~NumberSetter() = default;
+
+  const SceneParameters &
+  NumberSetter::scene(const std::vector<double> &values)
+  {
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      {
+        Target &target                  = targets[i];
+        target.values[target.component] = prm::format_number(values.at(i));
+        target.entry->assign(prm::join(target.values, ", "));
+      }
+    return changed.scene;
+  }
 } // namespace squeal

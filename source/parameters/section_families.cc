@@ -23,6 +23,7 @@ namespace squeal
         action(family_named("Loads"), scene.loads);
         action(family_named("Contacts"), scene.contacts);
         action(family_named("Matrix parts"), scene.matrix_parts);
+        action(family_named("Axes"), parameters.sweep.axes);
         action(family_named("Checks"), parameters.result_checks);
       }
     } // namespace
@@ -70,6 +71,11 @@ namespace squeal
          "Matrix parts",
          "Matrix part",
          "One part of the matrices of an imported model."},
+        {"Sweep",
+         "Axes",
+         "Axis",
+         "One direction of the sweep: a number of the scene, or several that "
+         "move together."},
         {"Result checks",
          "Checks",
          "Check",

@@ -65,6 +65,9 @@ namespace
       case Parameters::Analysis::cea:
         run_cea(context);
         break;
+      case Parameters::Analysis::sweep:
+        run_sweep(context);
+        break;
       case Parameters::Analysis::work_precision:
         run_work_precision(context);
         break;

@@ -62,8 +62,8 @@ namespace
     check_text_refused("\nset Overwrite = maybe\n",
                        {"test.prm:2: ", "true or false"},
                        "no flag");
-    check_text_refused("set Analysis = sweep\n",
-                       {"one of modes, cea, work precision"},
+    check_text_refused("set Analysis = swep\n",
+                       {"one of modes, cea, sweep, work precision"},
                        "analysis that does not exist");
     check_text_refused("subsection Work precision\n"
                        "set Ladders = degree, degre\nend\n",

@@ -169,6 +169,17 @@ namespace squeal
     }
 
     inline void
+    describe(Description &description, const SweepAxisParameters &axis)
+    {
+      SQUEAL_DESCRIBE(axis, entries);
+      SQUEAL_DESCRIBE(axis, scale);
+      SQUEAL_DESCRIBE(axis, from);
+      SQUEAL_DESCRIBE(axis, to);
+      SQUEAL_DESCRIBE(axis, number);
+      SQUEAL_DESCRIBE(axis, values);
+    }
+
+    inline void
     describe(Description &description, const ResultCheckParameters &check)
     {
       SQUEAL_DESCRIBE(check, table);
@@ -232,6 +243,17 @@ namespace squeal
       SQUEAL_DESCRIBE(p, eigen.number_of_pairs);
       SQUEAL_DESCRIBE(p, eigen.damping_threshold_percent);
       SQUEAL_DESCRIBE(p, eigen.compare_direct);
+      SQUEAL_DESCRIBE(p, sweep.frequency_tolerance);
+      SQUEAL_DESCRIBE(p, sweep.sigma_tolerance);
+      SQUEAL_DESCRIBE(p, sweep.maximum_basis);
+      SQUEAL_DESCRIBE(p, sweep.basis_file);
+      SQUEAL_DESCRIBE(p, sweep.reuse_basis);
+      SQUEAL_DESCRIBE(p, sweep.edge_tolerance);
+      SQUEAL_DESCRIBE(p, sweep.exceptional_points);
+      SQUEAL_DESCRIBE(p, sweep.boundary_tolerance);
+      SQUEAL_DESCRIBE(p, sweep.direct_checks);
+      SQUEAL_DESCRIBE(p, sweep.compare);
+      SQUEAL_DESCRIBE(p, sweep.sensitivities);
       SQUEAL_DESCRIBE(p, work_precision.ladders);
       SQUEAL_DESCRIBE(p, work_precision.values);
       SQUEAL_DESCRIBE(p, work_precision.adaptive_values);
@@ -256,6 +278,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, output.slip_display_scale);
       describe(description, p.scene);
       describe_numerics(description, p);
+      describe_all(description, p.sweep.axes);
       describe_all(description, p.result_checks);
       return description.lines;
     }

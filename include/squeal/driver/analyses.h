@@ -15,6 +15,10 @@ namespace squeal
   /** `Analysis = cea`: the complex eigenvalue analysis. */
   void run_cea(RunContext &context);
 
+  /** `Analysis = sweep`: complex eigenvalues over ranges of parameters on a
+   * certified basis. */
+  void run_sweep(RunContext &context);
+
   /** `Analysis = work precision`: a ladder of settings, error against work. */
   void run_work_precision(RunContext &context);
 } // namespace squeal

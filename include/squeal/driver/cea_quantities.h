@@ -30,6 +30,17 @@ namespace squeal
     std::vector<double> discretisation_error;
   };
 
+  /** Tangential motion of the source and normal motion of the target at every
+   * point of a contact pair. */
+  struct ContactMotion
+  {
+    std::shared_ptr<const Functionals> tangential_source, normal_target;
+  };
+  ContactMotion contact_motion(const Model &model, const unsigned int number);
+
+  /** Mass of all bodies, kg. */
+  double total_mass(const Model &model);
+
   PairQuantities pair_quantities(const Model        &model,
                                  const ModeSolution &modes,
                                  const ComplexPairs &pairs);

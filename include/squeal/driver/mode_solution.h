@@ -2,6 +2,7 @@
 #ifndef squeal_driver_mode_solution_h
 #define squeal_driver_mode_solution_h
 
+#include <squeal/discretization/eigenvalue_error.h>
 #include <squeal/driver/model.h>
 #include <squeal/eigen/undamped_modes.h>
 #include <squeal/results/table.h>
@@ -59,6 +60,11 @@ namespace squeal
    * does. A motion counts below 3e-5 of the band's upper edge.
    */
   std::string free_motions(const Model &model, const ModeSolution &solution);
+
+  /** The forces of point springs and of the contact in each mode: what the
+   * error estimator must know to keep them out of its residuals. */
+  std::vector<PointForces> point_forces(const Model &model,
+                                        const Block &full_shapes);
 
   /** modes.csv of the modes within the band. */
   Table mode_table(const Model &model, const ModeSolution &solution);

@@ -43,6 +43,11 @@ namespace squeal
     Eigen::MatrixXd energy_shares(const Block &shapes) const;
     Eigen::MatrixXd energy_shares(const ComplexBlock &shapes) const;
 
+    /** x^T M_b x of every body b on the vectors of a basis, with the densities
+     * taken out: the kinetic energies of combinations follow without the full
+     * vectors. */
+    std::vector<Eigen::MatrixXd> energy_forms(const Block &basis) const;
+
     /** Masses, centres, sizes, contact areas and unknowns. */
     void print_summary(RunLog &log) const;
 

@@ -56,6 +56,17 @@ namespace squeal
                             const Eigen::MatrixXcd &coordinates,
                             const bool              transposed) const;
 
+    /** The same with other coefficients of the parts. */
+    PairResiduals residuals(const std::vector<TermCoefficients> &coefficients,
+                            const Eigen::VectorXcd              &lambda,
+                            const Eigen::MatrixXcd              &coordinates,
+                            const bool transposed) const;
+
+    /** (A V)^T (B V) of the parts number @p i and @p j: the norm of any
+     * residual follows without its vector. */
+    Eigen::MatrixXd product_gram(const std::size_t i,
+                                 const std::size_t j) const;
+
   private:
     /** A V of one part on the rows where it is not zero: those of friction
      * are few. */

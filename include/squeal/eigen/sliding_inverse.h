@@ -27,6 +27,10 @@ namespace squeal
      * the inverse is then that of a neighbouring problem. */
     SlidingInverse(const Pencil &pencil, const ShiftedInverse &inverse);
 
+    /** The same factor and the same friction operators with the strength that
+     * @p pencil gives them: no solve is needed. */
+    SlidingInverse(const Pencil &pencil, const SlidingInverse &other);
+
     Block solve(const Block &b) const;
     Block solve_transposed(const Block &b) const;
 
@@ -38,13 +42,14 @@ namespace squeal
     };
 
     void            collect(const Pencil &pencil);
+    void            factorize_capacitance();
     Eigen::MatrixXd forces(const Block &X) const;
     Block           transposed_forces(const Eigen::MatrixXd &g) const;
 
     std::shared_ptr<const RowSpace>      space;
     const ShiftedInverse                &inverse;
     std::vector<Term>                    terms;
-    Block                                responses; /**< S L^T */
+    std::shared_ptr<const Block>         responses; /**< S L^T */
     Eigen::PartialPivLU<Eigen::MatrixXd> capacitance;
   };
 } // namespace squeal

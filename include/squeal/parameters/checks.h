@@ -25,6 +25,9 @@ namespace squeal
     /** One expected value. */
     void check_result_check(const ResultCheckParameters &check);
 
+    /** Axes of a sweep: entries, ranges and that every value is allowed. */
+    void check_sweep(const Parameters &parameters);
+
     /** Everything outside the scene. */
     void check_analysis(const Parameters &parameters);
     //@}

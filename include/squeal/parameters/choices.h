@@ -36,6 +36,7 @@ namespace squeal
   Choices<DiscretizationParameters::Refinement> choices(
     DiscretizationParameters::Refinement);
   Choices<EigenParameters::Solver>         choices(EigenParameters::Solver);
+  Choices<SweepAxisParameters::Scale>      choices(SweepAxisParameters::Scale);
   Choices<WorkPrecisionParameters::Ladder> choices(
     WorkPrecisionParameters::Ladder);
   Choices<OutputParameters::Shapes> choices(OutputParameters::Shapes);

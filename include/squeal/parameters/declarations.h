@@ -75,6 +75,7 @@ namespace squeal
     void declare_body(Schema &schema, BodyParameters &body);
     void declare_contact(Schema &schema, ContactParameters &contact);
     void declare_analysis(Schema &schema, Parameters &parameters);
+    void declare_sweep(Schema &schema, SweepParameters &sweep);
 
     /** Section "Result checks", which every program has. */
     void declare_result_checks(Schema                             &schema,

@@ -4,8 +4,10 @@
 
 #include <squeal/parameters/analysis_parameters.h>
 #include <squeal/parameters/scene_parameters.h>
+#include <squeal/parameters/sweep_parameters.h>
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,12 +24,14 @@ namespace squeal
     {
       modes,
       cea,
+      sweep,
       work_precision
     };
     Analysis                           analysis = Analysis::cea;
     SceneParameters                    scene;
     DiscretizationParameters           discretization;
     EigenParameters                    eigen;
+    SweepParameters                    sweep;
     WorkPrecisionParameters            work_precision;
     OutputParameters                   output;
     std::vector<ResultCheckParameters> result_checks;
@@ -77,6 +81,34 @@ namespace squeal
   Parameters with_value(const Parameters  &parameters,
                         const std::string &path,
                         double             value);
+
+  namespace prm
+  {
+    class Schema;
+  }
+
+  /**
+   * Scenes that differ in a few numbers, in microseconds: what with_value()
+   * does to the text of a file is done once, here, and only the values are set
+   * anew. They are not checked: see check_sweep() and with_value().
+   */
+  class NumberSetter
+  {
+  public:
+    /** @p paths as of get_number(). Throws InputError like it. */
+    NumberSetter(const Parameters               &parameters,
+                 const std::vector<std::string> &paths);
+    ~NumberSetter();
+
+    /** The scene with one value for every path. Valid until the next call. */
+    const SceneParameters &scene(const std::vector<double> &values);
+
+  private:
+    struct Target;
+    Parameters                   changed;
+    std::unique_ptr<prm::Schema> schema;
+    std::vector<Target>          targets;
+  };
 
   /** Prints the entries that differ from the defaults as an aligned table. */
   void print_parameters(const Parameters &parameters, std::ostream &out);

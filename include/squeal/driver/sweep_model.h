@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_driver_sweep_model_h
+#define squeal_driver_sweep_model_h
+
+#include <squeal/driver/mode_solution.h>
+#include <squeal/driver/run_context.h>
+#include <squeal/sweep/basis_builder.h>
+#include <squeal/sweep/branch_tracker.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The certified reduced model of a sweep, built or read from the file of an
+   * earlier run, with all that the results need of the full model: energies,
+   * names, contact motions, discretisation errors.
+   */
+  class SweepModel
+  {
+  public:
+    /** Assembles, and builds or reads the basis. */
+    explicit SweepModel(RunContext &context);
+
+    const Model            &model() const;
+    const SweepGrid        &grid() const;
+    const ParametricSystem &system() const;
+    const ReducedModel     &reduced() const;
+    Band                    band() const;
+    /** Whether the basis comes from an earlier run. */
+    bool is_reused() const;
+    /** Empty where the basis was reused. */
+    const std::vector<BasisRound> &history() const;
+    unsigned int                   n_factors() const;
+    /** CPU seconds that building the basis took, in whichever run. */
+    double basis_seconds() const;
+
+    /** Pairs in the band at a point, with estimates unless told otherwise. */
+    ComplexPairs solve(const SweepPoint &point,
+                       const bool        with_estimates = true) const;
+
+    /** residual_rel of pairs of solve(), from inner products of the products
+     * of all parts with the basis. */
+    Eigen::VectorXd residuals(const SweepPoint   &point,
+                              const ComplexPairs &pairs) const;
+
+    /** Enlarges the small basis at @p point; false when it holds all. */
+    bool enlarge(const SweepPoint &point);
+
+    /** Undamped modes at a point and their names and mesh errors. */
+    struct Modes
+    {
+      ReducedModes          modes;
+      std::vector<ModeName> names;
+      std::vector<double>   mesh_errors; /**< NaN where not known */
+    };
+    Modes undamped(const SweepPoint &point) const;
+
+    /** Shares of the kinetic energy: bodies x vectors. */
+    Eigen::MatrixXd          energy_shares(const SweepPoint       &point,
+                                           const Eigen::MatrixXcd &vectors) const;
+    std::vector<ModeName>    names(const Eigen::MatrixXcd &vectors,
+                                   const Eigen::MatrixXd  &energy_shares) const;
+    const std::vector<bool> &symmetric_parts() const;
+
+  private:
+    void        build(RunContext &context);
+    bool        read(RunContext &context);
+    void        add_quantities(RunContext &context, const Block &basis);
+    void        add_mesh_errors(RunContext &context, const Block &basis);
+    std::string hash() const;
+
+    const Parameters       &parameters;
+    Model                   full;
+    SweepGrid               sweep_grid;
+    ParametricSystem        parts;
+    ReducedModel            small;
+    std::vector<bool>       symmetric;
+    std::vector<BasisRound> rounds;
+    /** Those of the vectors of a cell, when first needed. */
+    mutable std::map<std::size_t, std::vector<Eigen::MatrixXd>> cell_grams;
+    std::string                                                 file;
+    unsigned int                                                factors = 0;
+    bool                                                        reused  = false;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_driver_sweep_solution_h
+#define squeal_driver_sweep_solution_h
+
+#include <squeal/driver/sweep_model.h>
+#include <squeal/sweep/stability.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** The sweep along the first axis at fixed values of the others. */
+  struct SweepLine
+  {
+    SweepPoint                    start; /**< its first coordinate is free */
+    std::vector<TrackedPoint>     points;
+    std::vector<std::string>      branch_names;
+    std::vector<UnstableRange>    ranges;
+    std::vector<ExceptionalPoint> exceptional;
+    /** Errors of the edges of every range by the mesh, in the coordinate; NaN
+     * where not known. */
+    std::vector<double> mesh_errors_of_edges;
+  };
+
+  struct SweepSolution
+  {
+    std::vector<SweepLine> lines;
+    WorstError             worst; /**< over all points */
+    std::size_t            n_solved = 0;
+  };
+
+  /** Solves all points, follows the branches, finds ranges, edges, peaks and
+   * exceptional points. Enlarges the small bases where an estimate exceeds its
+   * tolerance; throws ComputationError where that does not help. */
+  SweepSolution solve_sweep(SweepModel &model, RunContext &context);
+
+  TrackingOptions tracking_options(const SweepModel &model);
+
+  /** eigenvalues.csv of the points asked for. */
+  Table sweep_eigenvalue_table(const SweepModel    &model,
+                               const SweepSolution &solution);
+
+  /** unstable_ranges.csv. */
+  Table unstable_range_table(const SweepModel    &model,
+                             const SweepSolution &solution);
+
+  /** exceptional_points.csv. */
+  Table exceptional_point_table(const SweepModel    &model,
+                                const SweepSolution &solution);
+
+  /** direct_check.csv: pairs of points, a third of them beside lock-ins, by
+   * the direct solver on the full matrices. */
+  Table direct_check_table(const SweepModel    &model,
+                           const SweepSolution &solution,
+                           RunContext          &context);
+
+  /** comparison.csv: this sweep beside repeated direct solutions and one
+   * frictionless modal basis. */
+  Table comparison_table(const SweepModel    &model,
+                         const SweepSolution &solution,
+                         RunContext          &context);
+
+  /** Charts in plots/. */
+  void draw_sweep(const SweepModel    &model,
+                  const SweepSolution &solution,
+                  RunContext          &context,
+                  HtmlReport          &report);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_parameters_sweep_parameters_h
+#define squeal_parameters_sweep_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * One direction of a sweep, section "Sweep/Axis <name>": one number of the
+   * scene, or several that move together.
+   */
+  struct SweepAxisParameters
+  {
+    enum class Scale
+    {
+      logarithmic, /**< From to To in equal ratios */
+      linear,      /**< From to To in equal steps */
+      list         /**< the Values, one after the other */
+    };
+    std::string name;
+    /** Entries such as "Scene/Body pad/Young modulus"; all of them move
+     * together. */
+    std::vector<std::string> entries;
+    Scale                    scale = Scale::linear;
+    /** One number for all entries or one for each. */
+    std::vector<double> from, to;
+    unsigned int        number = 11;
+    /** Values of `list`, the same for all entries. */
+    std::vector<double> values;
+  };
+
+  /** Parameter sweep on a certified basis, section "Sweep". */
+  struct SweepParameters
+  {
+    std::vector<SweepAxisParameters> axes;
+    double       frequency_tolerance = 1e-6; /**< relative */
+    double       sigma_tolerance     = 0.5;  /**< 1/s */
+    unsigned int maximum_basis       = 2000;
+    /** HDF5 file of the basis; empty: "<output directory>_basis.h5". */
+    std::string basis_file;
+    bool        reuse_basis    = true;
+    double      edge_tolerance = 1e-5; /**< decades, or share of the range */
+    bool        exceptional_points = true;
+    /** Stated tolerance of the boundary of a two-parameter map, in shares of
+     * either range; 0: no map. */
+    double       boundary_tolerance = 0.;
+    unsigned int direct_checks      = 0;
+    bool         compare            = false;
+    /** Entries whose influence on unstable pairs is reported; empty: none. */
+    std::vector<std::string> sensitivities;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_sweep_parametric_system_h
+#define squeal_sweep_parametric_system_h
+
+#include <squeal/discretization/affine_system.h>
+#include <squeal/sweep/sweep_grid.h>
+
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The affine parts of a scene over a parameter box, those merged whose
+   * coefficients are proportional all over the box: the TriboBrake with
+   * Rayleigh damping has four when the pad's stiffness and the friction
+   * coefficient are swept.
+   */
+  class ParametricSystem
+  {
+  public:
+    /** Throws InputError where a swept entry changes the operators themselves
+     * (geometry, Poisson ratio, ...), which no coefficient can follow. */
+    ParametricSystem(const AffineSystem &system, const SweepGrid &grid);
+
+    /** One term a merged part. */
+    const AffineSystem &merged() const;
+    const SweepGrid    &grid() const;
+
+    /** Coefficients of every part there. */
+    std::vector<TermCoefficients> coefficients(const SweepPoint &point) const;
+    /** Of a scene that differs in numbers that keep the parts apart. */
+    std::vector<TermCoefficients> coefficients(
+      const SceneParameters &scene) const;
+
+  private:
+    AffineSystem     parts;
+    const SweepGrid &sweep_grid;
+  };
+
+  /** Whether the entry enters only by coefficients of affine parts. */
+  bool is_affine_entry(const std::string &path);
+
+  /** Throws InputError naming @p section for an entry that is not. */
+  void require_affine(const std::string &section, const std::string &path);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_sweep_point_solver_h
+#define squeal_sweep_point_solver_h
+
+#include <squeal/eigen/complex_pairs.h>
+#include <squeal/sweep/reduced_model.h>
+
+namespace squeal
+{
+  /** M, C and K (real part, and loss part H) of a reduced model at one
+   * parameter point. */
+  struct PointMatrices
+  {
+    Eigen::MatrixXd M, C, K, H;
+    bool            rayleigh = false; /**< C = alpha M + beta K, H = 0 */
+    double          alpha = 0., beta = 0.;
+
+    /** Of the first @p n vectors. */
+    PointMatrices(const LocalModel                    &model,
+                  const std::vector<TermCoefficients> &coefficients,
+                  const unsigned int                   n);
+  };
+
+  /** Which pairs are wanted, Hz. */
+  struct Band
+  {
+    double lowest, highest;
+  };
+
+  /**
+   * Eigenpairs at one parameter point from a local model, with the error of
+   * each against the full one.
+   *
+   * Vectors are coordinates in V, of mass norm 1. The error is the shift of
+   * lambda by the part W of the basis, dlambda = l^T Q_WW^-1 r / y^T Q' x with
+   * the residuals r = Q_WV x and l = Q_VW^T y that x and y from V leave there:
+   * y takes a part outside V, -Q_WW^-T l, without which the estimate would
+   * vanish identically. Neighbours with conditions above 30 are shifted
+   * together, as a
+   * 2 x 2 problem on their invariant subspace. With @p corrected the vectors
+   * are coordinates in [V W], corrected by the parts in W.
+   */
+  ComplexPairs solve_point(const LocalModel                    &model,
+                           const std::vector<TermCoefficients> &coefficients,
+                           const Band                          &band,
+                           const bool corrected = false);
+
+  /** The same at a point of the box; vectors are coordinates in the common
+   * basis. Without @p with_estimates only V is looked at, and the estimates are
+   * zero. */
+  ComplexPairs solve_point(const ReducedModel                  &model,
+                           const Eigen::VectorXd               &point,
+                           const std::vector<TermCoefficients> &coefficients,
+                           const Band                          &band,
+                           const bool with_estimates = true);
+
+  /** From all of [V W], without estimates (zero). */
+  ComplexPairs solve_point_in_full(
+    const LocalModel                    &model,
+    const std::vector<TermCoefficients> &coefficients,
+    const Band                          &band);
+
+  /** Undamped, frictionless modes of a reduced model up to @p omega_squared,
+   * mass-orthonormal coordinates; @p symmetric tells the parts that take part.
+   */
+  struct ReducedModes
+  {
+    Eigen::VectorXd omega_squared;
+    Eigen::MatrixXd shapes;
+  };
+  ReducedModes reduced_modes(const std::vector<Eigen::MatrixXd>  &parts,
+                             const std::vector<TermCoefficients> &coefficients,
+                             const std::vector<bool>             &symmetric,
+                             const double omega_squared);
+
+  /** Their number, by the signs of pivots. */
+  unsigned int n_modes_below(const std::vector<Eigen::MatrixXd>  &parts,
+                             const std::vector<TermCoefficients> &coefficients,
+                             const std::vector<bool>             &symmetric,
+                             const double omega_squared);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_sweep_stability_h
+#define squeal_sweep_stability_h
+
+#include <squeal/sweep/branch_tracker.h>
+
+#include <complex>
+#include <vector>
+
+namespace squeal
+{
+  /** A range of one branch along a line in which sigma is positive. */
+  struct UnstableRange
+  {
+    int    branch = -1;
+    double lower = 0., upper = 0.; /**< coordinates of sigma = 0 */
+    bool   at_lower_limit = false; /**< still unstable at the line's end */
+    bool   at_upper_limit = false;
+    double peak_sigma     = 0.; /**< 1/s */
+    double peak_at        = 0.;
+    double peak_frequency = 0.; /**< Hz */
+    /** Slopes of sigma at the two edges, 1/s a unit of the coordinate; 0 at a
+     * limit. An error of sigma over them is an error of the edge. */
+    double lower_slope = 0., upper_slope = 0.;
+    /** Largest estimated |dlambda| of the branch at the ends, 1/s. */
+    double sigma_error = 0.;
+  };
+
+  /** Where two pairs coalesce: the exceptional point nearest to the line. */
+  struct ExceptionalPoint
+  {
+    int                  branch_1 = -1, branch_2 = -1;
+    bool                 is_lock_in = true; /**< for ascending coordinates */
+    std::complex<double> coordinate;
+    double               frequency = 0.; /**< Hz */
+    double               sigma     = 0.; /**< 1/s, of both */
+    /** Eigenvalue condition at the real part of the coordinate. */
+    double condition = 0.;
+  };
+
+  /**
+   * What a tracked line says of stability. Edges are bracketed to @p tolerance
+   * of the coordinate, peaks located to a hundred times that.
+   */
+  class LineStability
+  {
+  public:
+    LineStability(const BranchTracker::Solver &solver,
+                  const TrackingOptions       &options,
+                  const double                 tolerance);
+
+    std::vector<UnstableRange> ranges(
+      const std::vector<TrackedPoint> &line) const;
+
+    /** One for every coalescence between neighbouring points of the line. With
+     * damping that is not proportional the coordinate is complex: it is the
+     * root of the interpolated squared half-difference, which is smooth. */
+    std::vector<ExceptionalPoint> exceptional_points(
+      const std::vector<TrackedPoint> &line) const;
+
+  private:
+    /** The pair at @p x that continues pair @p i of @p near. */
+    struct At
+    {
+      ComplexPairs pairs;
+      int          pair = -1;
+      double       sigma() const;
+    };
+    At continue_pair(const TrackedPoint &near,
+                     const int           pair,
+                     const double        x) const;
+    /** Root of sigma between two neighbouring points. */
+    double           edge(const TrackedPoint &a,
+                          const TrackedPoint &b,
+                          const int           branch,
+                          double             &slope) const;
+    void             locate_peak(const std::vector<TrackedPoint> &line,
+                                 const std::size_t                at,
+                                 UnstableRange                   &range) const;
+    ExceptionalPoint coalescence(const TrackedPoint &a,
+                                 const TrackedPoint &b,
+                                 const int           branch_1,
+                                 const int           branch_2) const;
+
+    const BranchTracker::Solver solver;
+    const TrackingOptions       options;
+    const double                tolerance;
+  };
+} // namespace squeal
+
+#endif

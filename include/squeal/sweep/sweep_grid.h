@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_sweep_sweep_grid_h
+#define squeal_sweep_sweep_grid_h
+
+#include <squeal/parameters/parameters.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** A place in the parameter box, one coordinate an axis. */
+  using SweepPoint = Eigen::VectorXd;
+
+  /**
+   * The parameter box of a sweep and its grid of points.
+   *
+   * The coordinate of an axis is the common logarithm of its first entry's
+   * value on a logarithmic axis and that value itself otherwise; other entries
+   * of the axis follow by the same share of their own range.
+   */
+  class SweepGrid
+  {
+  public:
+    /** Throws InputError where an entry is not a number of the scene. */
+    explicit SweepGrid(const Parameters &parameters);
+    ~SweepGrid();
+
+    unsigned int               n_axes() const;
+    const SweepAxisParameters &axis(const unsigned int a) const;
+    bool                       is_logarithmic(const unsigned int a) const;
+    const std::vector<double> &coordinates(const unsigned int a) const;
+    /** Lowest and highest coordinate. */
+    double lower(const unsigned int a) const;
+    double upper(const unsigned int a) const;
+
+    std::size_t n_points() const;
+    /** The first axis runs fastest. */
+    SweepPoint point(const std::size_t i) const;
+
+    /** Value of the first entry of an axis at a coordinate. */
+    double value(const unsigned int a, const double coordinate) const;
+    /** Values of all entries of all axes, in order. */
+    std::vector<double>      values(const SweepPoint &point) const;
+    std::vector<std::string> entries() const;
+
+    /** The scene there; valid until the next call. */
+    const SceneParameters &scene(const SweepPoint &point) const;
+
+    /** Points spread over the box: its corners (of up to six axes), its
+     * centre, and a low-discrepancy sequence; @p n in total at least. */
+    std::vector<SweepPoint> spread(const std::size_t n) const;
+
+  private:
+    double share(const unsigned int a, const double coordinate) const;
+
+    std::vector<SweepAxisParameters> axes;
+    std::vector<std::vector<double>> grid;
+    std::unique_ptr<NumberSetter>    setter;
+  };
+} // namespace squeal
+
+#endif

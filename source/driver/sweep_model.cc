@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/base/memory.h>
+#include <squeal/base/version.h>
+#include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/driver/cea_quantities.h>
+#include <squeal/driver/sweep_model.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    Eigen::MatrixXcd
+    times(const Eigen::MatrixXd &A, const Eigen::MatrixXcd &Z)
+    {
+      Eigen::MatrixXd both(Z.rows(), 2 * Z.cols());
+      both << Z.real(), Z.imag();
+      const Eigen::MatrixXd product = A * both;
+      Eigen::MatrixXcd      result(A.rows(), Z.cols());
+      result.real() = product.leftCols(Z.cols());
+      result.imag() = product.rightCols(Z.cols());
+      return result;
+    }
+
+    /** FNV-1a, 64 bits. */
+    std::string
+    fingerprint(const std::string &text)
+    {
+      std::uint64_t value = 14695981039346656037ull;
+      for (const char c : text)
+        value = (value ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+      std::ostringstream out;
+      out << std::hex << value;
+      return out.str();
+    }
+
+    std::string
+    basis_file(const Parameters &p)
+    {
+      return p.sweep.basis_file.empty() ? p.output.directory + "_basis.h5"
+                                        : p.sweep.basis_file;
+    }
+  } // namespace
+
+
+
+  SweepModel::SweepModel(RunContext &context)
+    : parameters(context.parameters)
+    , full(context.parameters, context.timers)
+    , sweep_grid(context.parameters)
+    , parts(full.linearized().system, sweep_grid)
+    , file(basis_file(context.parameters))
+  {
+    for (const auto &term : parts.merged().terms)
+      symmetric.push_back(term.matrix->is_symmetric());
+    full.print_summary(context.log);
+    if (!(parameters.sweep.reuse_basis && read(context)))
+      build(context);
+  }
+
+  const Model &
+  SweepModel::model() const
+  {
+    return full;
+  }
+  const SweepGrid &
+  SweepModel::grid() const
+  {
+    return sweep_grid;
+  }
+  const ParametricSystem &
+  SweepModel::system() const
+  {
+    return parts;
+  }
+  const ReducedModel &
+  SweepModel::reduced() const
+  {
+    return small;
+  }
+  Band
+  SweepModel::band() const
+  {
+    return {parameters.eigen.lowest_frequency,
+            parameters.eigen.highest_frequency};
+  }
+  bool
+  SweepModel::is_reused() const
+  {
+    return reused;
+  }
+  const std::vector<BasisRound> &
+  SweepModel::history() const
+  {
+    return rounds;
+  }
+  unsigned int
+  SweepModel::n_factors() const
+  {
+    return factors;
+  }
+  double
+  SweepModel::basis_seconds() const
+  {
+    return small.numbers.at("basis seconds")(0);
+  }
+  const std::vector<bool> &
+  SweepModel::symmetric_parts() const
+  {
+    return symmetric;
+  }
+
+  ComplexPairs
+  SweepModel::solve(const SweepPoint &point, const bool with_estimates) const
+  {
+    return solve_point(
+      small, point, parts.coefficients(point), band(), with_estimates);
+  }
+
+  bool
+  SweepModel::enlarge(const SweepPoint &point)
+  {
+    ModelCell         &cell = small.cell_of(point);
+    const unsigned int n =
+      std::min(cell.local.n_basis + 4, cell.local.n_total() - 1);
+    const bool grows   = n > cell.local.n_basis;
+    cell.local.n_basis = n;
+    return grows;
+  }
+
+
+
+  Eigen::VectorXd
+  SweepModel::residuals(const SweepPoint   &point,
+                        const ComplexPairs &pairs) const
+  {
+    const auto        c      = parts.coefficients(point);
+    const ModelCell  &cell   = small.cell_of(point);
+    const auto        V      = cell.turn.leftCols(cell.local.n_basis);
+    const std::size_t number = &cell - small.cells.data();
+    auto             &grams  = cell_grams[number];
+    if (grams.empty() || grams.front().rows() != V.cols())
+      {
+        grams.clear();
+        for (const auto &gram : small.grams)
+          grams.push_back(V.transpose() * gram * V);
+      }
+    const Eigen::MatrixXcd z = times(V.transpose(), pairs.right);
+    // |sum of f_p A_p x|^2 for the factors of the residual, of M, C and K.
+    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(4, pairs.size());
+    std::size_t     k       = 0;
+    for (std::size_t p = 0; p < c.size(); ++p)
+      for (std::size_t q = p; q < c.size(); ++q, ++k)
+        {
+          const Eigen::MatrixXcd g = times(grams[k], z);
+          for (unsigned int j = 0; j < pairs.size(); ++j)
+            {
+              const Complex l     = pairs.lambda[j];
+              const Complex value = z.col(j).dot(g.col(j));
+              const auto    add =
+                [&](const int row, const Complex a, const Complex b) {
+                  squares(row, j) +=
+                    (p == q ? 1. : 2.) * (std::conj(a) * b * value).real();
+                };
+              const auto whole = [&](const TermCoefficients &t) {
+                return l * l * t.mass + l * t.damping + t.stiffness;
+              };
+              add(0, whole(c[p]), whole(c[q]));
+              add(1, c[p].mass, c[q].mass);
+              add(2, c[p].damping, c[q].damping);
+              add(3, c[p].stiffness, c[q].stiffness);
+            }
+        }
+    const Eigen::MatrixXd norms = squares.cwiseMax(0.).cwiseSqrt();
+    const Eigen::ArrayXd  size  = pairs.lambda.array().abs();
+    return norms.row(0).transpose().array() /
+           (size.square() * norms.row(1).transpose().array() +
+            size * norms.row(2).transpose().array() +
+            norms.row(3).transpose().array())
+             .max(1e-300);
+  }
+
+  std::string
+  SweepModel::hash() const
+  {
+    std::string text = version::program;
+    const auto  add  = [&](const std::string &path, const std::string &value) {
+      text += '\n' + path + '=' + value;
+      // The content of files counts, not their name alone.
+      if (value.size() > 1 && value[0] == '/' &&
+          std::filesystem::is_regular_file(value))
+        text += read_file(value);
+    };
+    for (const auto &[path, value] : parameters.used)
+      {
+        const std::string entry = prm::entry_of(path);
+        if (prm::starts_with(path, "Scene/") ||
+            prm::starts_with(path, "Discretization/") ||
+            path == "Eigenvalues/Lowest frequency" ||
+            path == "Eigenvalues/Highest frequency" ||
+            path == "Sweep/Frequency tolerance" ||
+            path == "Sweep/Sigma tolerance" ||
+            (prm::starts_with(path, "Sweep/Axis ") && entry == "Entries"))
+          add(path, value);
+      }
+    for (unsigned int a = 0; a < sweep_grid.n_axes(); ++a)
+      add("box",
+          std::to_string(sweep_grid.lower(a)) + " " +
+            std::to_string(sweep_grid.upper(a)));
+    return fingerprint(text);
+  }
+
+  bool
+  SweepModel::read(RunContext &context)
+  {
+    if (!std::filesystem::exists(file))
+      return false;
+    Timers::Section section(context.timers, "Setup: saved basis");
+    std::string     found;
+    small  = read_reduced_model(file, found);
+    reused = found == hash();
+    if (!reused)
+      {
+        context.log.info("  the basis in " + file +
+                         " belongs to another scene, band or box: built anew");
+        return false;
+      }
+    factors = static_cast<unsigned int>(small.numbers.at("factors")(0));
+    context.log.info("  basis of an earlier run: " + file);
+    return true;
+  }
+
+
+
+  void
+  SweepModel::build(RunContext &context)
+  {
+    const double start = cpu_seconds();
+    BasisOptions options;
+    options.band                = band();
+    options.frequency_tolerance = parameters.sweep.frequency_tolerance;
+    options.sigma_tolerance     = parameters.sweep.sigma_tolerance;
+    options.maximum_basis       = parameters.sweep.maximum_basis;
+    BasisBuilder builder(parts, options);
+    {
+      Timers::Section section(context.timers, "Solve: certified basis");
+      small = builder.build([&](const BasisRound &round) {
+        context.log.info(
+          "  basis " + std::to_string(round.basis_size) + ", " +
+          std::to_string(round.n_factors) + " factors: worst estimated error " +
+          rounded_text(round.worst.frequency, 2) + " of a frequency, " +
+          rounded_text(round.worst.sigma, 2) + " 1/s of a sigma");
+      });
+    }
+    rounds                   = builder.history();
+    factors                  = builder.anchors().size();
+    small.numbers["factors"] = Eigen::MatrixXd::Constant(1, 1, factors);
+    add_quantities(context, builder.vectors());
+    add_mesh_errors(context, builder.vectors());
+    small.numbers["basis seconds"] =
+      Eigen::MatrixXd::Constant(1, 1, cpu_seconds() - start);
+    return_freed_memory();
+    if (context.is_root)
+      {
+        Timers::Section section(context.timers, "Write: basis");
+        write_reduced_model(small, hash(), file);
+      }
+    context.log.info(
+      "  common basis of " + std::to_string(small.n_total()) + " vectors, " +
+      std::to_string(small.cells.size()) + " cells with at most " +
+      std::to_string(small.largest_basis()) + "; " + std::to_string(factors) +
+      " factors whose inertia proves every mode");
+  }
+
+
+
+  void
+  SweepModel::add_quantities(RunContext &context, const Block &basis)
+  {
+    Timers::Section section(context.timers, "Solve: energies and names");
+    const auto      forms = full.energy_forms(basis);
+    for (unsigned int b = 0; b < forms.size(); ++b)
+      small.forms["energy " + full.body_names()[b]] = forms[b];
+    const Block all = full.linearized().expand(basis);
+    if (full.namer().n_coordinates() > 0)
+      small.functionals["names"] = full.namer().coordinates(all);
+    for (unsigned int i = 0; i < full.linearized().contacts.size(); ++i)
+      {
+        const ContactMotion motion = contact_motion(full, i);
+        const std::string   number = std::to_string(i);
+        small.functionals["source sliding " + number] =
+          motion.tangential_source->apply(all);
+        small.functionals["target normal " + number] =
+          motion.normal_target->apply(all);
+      }
+  }
+
+  void
+  SweepModel::add_mesh_errors(RunContext &context, const Block &basis)
+  {
+    if (!full.discretization() || !full.discretization()->has_mesh() ||
+        !parameters.discretization.estimate_error)
+      return;
+    Timers::Section section(context.timers, "Solve: discretisation error");
+    // Those of the scene as it stands in the file; what a pair at another
+    // point is made of tells its error.
+    const double       top = 2. * M_PI * parameters.eigen.highest_frequency;
+    const ReducedModes modes =
+      reduced_modes(small.parts,
+                    parts.coefficients(parameters.scene),
+                    symmetric,
+                    1.2 * top * top);
+    Eigen::Index n = 0;
+    while (n < modes.omega_squared.size() &&
+           modes.omega_squared[n] < 1.2 * top * top)
+      ++n;
+    const Block full_shapes =
+      full.linearized().expand(Block(basis * modes.shapes.leftCols(n)));
+    const ModeErrors errors =
+      estimate_mode_errors(*full.discretization(),
+                           full_shapes,
+                           modes.omega_squared.head(n),
+                           point_forces(full, full_shapes));
+    small.numbers["mesh modes"]  = modes.shapes.leftCols(n);
+    small.numbers["mesh errors"] = errors.frequency;
+  }
+
+
+
+  Eigen::MatrixXd
+  SweepModel::energy_shares(const SweepPoint       &point,
+                            const Eigen::MatrixXcd &vectors) const
+  {
+    const SceneParameters &scene = sweep_grid.scene(point);
+    Eigen::MatrixXd        shares(full.body_names().size(), vectors.cols());
+    for (unsigned int b = 0; b < shares.rows(); ++b)
+      {
+        const auto &form    = small.forms.at("energy " + full.body_names()[b]);
+        double      density = 1.;
+        if (full.discretization() &&
+            scene.bodies[b].shape != BodyParameters::Shape::rigid)
+          density = scene.bodies[b].density;
+        shares.row(b) = density * vectors.conjugate()
+                                    .cwiseProduct(times(form, vectors))
+                                    .real()
+                                    .colwise()
+                                    .sum();
+      }
+    for (Eigen::Index j = 0; j < shares.cols(); ++j)
+      shares.col(j) /= std::max(shares.col(j).sum(), 1e-300);
+    return shares;
+  }
+
+  std::vector<ModeName>
+  SweepModel::names(const Eigen::MatrixXcd &vectors,
+                    const Eigen::MatrixXd  &shares) const
+  {
+    const auto rows = small.functionals.find("names");
+    if (rows == small.functionals.end())
+      {
+        std::vector<ModeName> result(vectors.cols());
+        for (std::size_t i = 0; i < result.size(); ++i)
+          result[i].text = "mode " + std::to_string(i + 1);
+        return result;
+      }
+    return full.namer().name_coordinates(times(rows->second, vectors), shares);
+  }
+
+
+
+  SweepModel::Modes
+  SweepModel::undamped(const SweepPoint &point) const
+  {
+    Modes        result;
+    const double top = 2. * M_PI * parameters.eigen.highest_frequency;
+    // What friction makes of the modes is in V, hence they are too.
+    const ModelCell             &cell = small.cell_of(point);
+    const unsigned int           n_V  = cell.local.n_basis;
+    std::vector<Eigen::MatrixXd> leading;
+    for (const auto &part : cell.local.parts)
+      leading.push_back(part.topLeftCorner(n_V, n_V));
+    result.modes = reduced_modes(
+      leading, parts.coefficients(point), symmetric, 1.2 * top * top);
+    result.modes.shapes = cell.turn.leftCols(n_V) * result.modes.shapes;
+    const Eigen::MatrixXcd vectors = result.modes.shapes.cast<Complex>();
+    result.names         = names(vectors, energy_shares(point, vectors));
+    const Eigen::Index n = result.modes.omega_squared.size();
+    result.mesh_errors.assign(n, std::nan(""));
+    const auto known = small.numbers.find("mesh modes");
+    if (known == small.numbers.end())
+      return result;
+    const Eigen::MatrixXd mac =
+      (known->second.transpose() * result.modes.shapes).cwiseAbs2();
+    const auto &errors = small.numbers.at("mesh errors");
+    for (Eigen::Index j = 0; j < n; ++j)
+      if (const double weight = mac.col(j).sum(); weight > 0.5)
+        result.mesh_errors[j] = mac.col(j).dot(errors.col(0)) / weight;
+    return result;
+  }
+} // namespace squeal

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/driver/sweep_solution.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    bool
+    is_met(const WorstError &worst, const SweepParameters &p)
+    {
+      return worst.frequency <= p.frequency_tolerance &&
+             worst.sigma <= p.sigma_tolerance;
+    }
+
+    /** Solution with estimates below the tolerances. */
+    ComplexPairs
+    certified(SweepModel            &model,
+              const SweepParameters &p,
+              const SweepPoint      &point,
+              WorstError            &worst)
+    {
+      while (true)
+        {
+          ComplexPairs pairs = model.solve(point);
+          WorstError   own;
+          add_to_worst(pairs, point, own);
+          if (is_met(own, p))
+            {
+              add_to_worst(pairs, point, worst);
+              return pairs;
+            }
+          if (!model.enlarge(point))
+            {
+              std::ostringstream text;
+              text << "the basis of the sweep does not reach its tolerance: "
+                      "error "
+                   << own.frequency << " of a frequency, " << own.sigma
+                   << " 1/s of a sigma; raise Sweep/Frequency tolerance and "
+                      "Sigma tolerance";
+              throw ComputationError(text.str());
+            }
+        }
+    }
+
+    /** Names from the two far ends of every branch. */
+    std::vector<std::string>
+    branch_names(const SweepModel &model, const SweepLine &line)
+    {
+      struct Ends
+      {
+        std::string first, last;
+      };
+      std::map<int, Ends> ends;
+      const auto          visit = [&](const std::size_t p) {
+        const TrackedPoint &point  = line.points[p];
+        bool                is_end = false;
+        for (const int b : point.branch)
+          {
+            const bool first = p == 0 || line.points[p - 1].pair_of(b) < 0;
+            const bool last =
+              p + 1 == line.points.size() || line.points[p + 1].pair_of(b) < 0;
+            is_end = is_end || first || last;
+          }
+        if (!is_end)
+          return;
+        SweepPoint at    = line.start;
+        at[0]            = point.coordinate;
+        const auto names = model.names(
+          point.pairs.right, model.energy_shares(at, point.pairs.right));
+        for (std::size_t i = 0; i < point.branch.size(); ++i)
+          {
+            const int b = point.branch[i];
+            if (p == 0 || line.points[p - 1].pair_of(b) < 0)
+              ends[b].first = names[i].text;
+            if (p + 1 == line.points.size() ||
+                line.points[p + 1].pair_of(b) < 0)
+              ends[b].last = names[i].text;
+          }
+      };
+      for (std::size_t p = 0; p < line.points.size(); ++p)
+        visit(p);
+      std::vector<std::string>   names(ends.empty() ? 0
+                                                  : ends.rbegin()->first + 1);
+      std::map<std::string, int> seen;
+      for (const auto &[b, e] : ends)
+        {
+          names[b] = e.first == e.last ? e.first : e.first + " > " + e.last;
+          if (const int n = ++seen[names[b]]; n > 1)
+            names[b] += " #" + std::to_string(n);
+        }
+      return names;
+    }
+
+    /** An error of the difference of the two partners' frequencies moves the
+     * edge: the squared split is (detuning^2 - coupling^2) / 4 and the coupling
+     * is twice the peak sigma. */
+    double
+    mesh_error_of_edges(const SweepModel    &model,
+                        const SweepLine     &line,
+                        const UnstableRange &range)
+    {
+      const ExceptionalPoint *nearest  = nullptr;
+      double                  distance = 1e300;
+      for (const auto &e : line.exceptional)
+        if (e.branch_1 == range.branch || e.branch_2 == range.branch)
+          for (const double x : {range.lower, range.upper})
+            if (std::abs(e.coordinate.real() - x) < distance)
+              {
+                distance = std::abs(e.coordinate.real() - x);
+                nearest  = &e;
+              }
+      if (!nearest)
+        return std::nan("");
+      const double x = nearest->coordinate.real();
+      std::size_t  p = 0;
+      while (p + 1 < line.points.size() && line.points[p + 1].coordinate < x)
+        ++p;
+      double slope = 0.;
+      for (std::size_t q = p > 0 ? p - 1 : p;
+           q < std::min(p + 2, line.points.size() - 1);
+           ++q)
+        {
+          const auto &a = line.points[q], &b = line.points[q + 1];
+          const int   i = a.pair_of(nearest->branch_1),
+                    j   = a.pair_of(nearest->branch_2),
+                    k   = b.pair_of(nearest->branch_1),
+                    l   = b.pair_of(nearest->branch_2);
+          if (i >= 0 && j >= 0 && k >= 0 && l >= 0)
+            slope = std::max(slope,
+                             std::abs(squared_split(b.pairs, k, l) -
+                                      squared_split(a.pairs, i, j)) /
+                               (b.coordinate - a.coordinate));
+        }
+      SweepPoint at      = line.start;
+      at[0]              = x;
+      const auto   modes = model.undamped(at);
+      const double omega = 2. * M_PI * nearest->frequency;
+      // The two modes nearest in frequency are the partners.
+      double errors[2] = {std::nan(""), std::nan("")}, gaps[2] = {1e300, 1e300};
+      for (Eigen::Index m = 0; m < modes.modes.omega_squared.size(); ++m)
+        {
+          const double gap = std::abs(
+            std::sqrt(std::max(0., modes.modes.omega_squared[m])) - omega);
+          const int slot = gap < gaps[0] ? 0 : gap < gaps[1] ? 1 : 2;
+          if (slot == 0)
+            {
+              gaps[1]   = gaps[0];
+              errors[1] = errors[0];
+            }
+          if (slot < 2)
+            {
+              gaps[slot]   = gap;
+              errors[slot] = modes.mesh_errors[m];
+            }
+        }
+      const double detuning = omega * std::max(errors[0], errors[1]);
+      return slope > 0. ? range.peak_sigma * detuning / slope : std::nan("");
+    }
+  } // namespace
+
+
+
+  TrackingOptions
+  tracking_options(const SweepModel &model)
+  {
+    TrackingOptions  options;
+    const SweepGrid &grid     = model.grid();
+    const double     length   = grid.upper(0) - grid.lower(0);
+    const double     unit     = grid.is_logarithmic(0) ? 1. : length;
+    options.lowest_frequency  = model.band().lowest;
+    options.highest_frequency = model.band().highest;
+    options.smallest_step     = 1e-7 * std::max(unit, 1e-300);
+    options.touch_tolerance   = 1e-4 * std::max(unit, 1e-300);
+    LocalModel probe;
+    probe.parts   = model.reduced().parts;
+    probe.n_basis = 1;
+    for (auto &part : probe.parts)
+      part = Eigen::MatrixXd::Zero(1, 1);
+    options.real =
+      PointMatrices(probe, model.system().coefficients(grid.point(0)), 1)
+        .rayleigh;
+    return options;
+  }
+
+
+
+  SweepSolution
+  solve_sweep(SweepModel &model, RunContext &context)
+  {
+    const SweepGrid       &grid    = model.grid();
+    const SweepParameters &p       = context.parameters.sweep;
+    const TrackingOptions  options = tracking_options(model);
+    const double           length  = grid.upper(0) - grid.lower(0);
+    const double           tolerance =
+      p.edge_tolerance * (grid.is_logarithmic(0) ? 1. : length);
+    const std::size_t   n           = grid.coordinates(0).size();
+    std::vector<double> coordinates = grid.coordinates(0);
+    std::sort(coordinates.begin(), coordinates.end());
+    SweepSolution solution;
+    for (std::size_t first = 0; first < grid.n_points(); first += n)
+      {
+        SweepLine line;
+        line.start    = grid.point(first);
+        const auto at = [&](const double x) {
+          SweepPoint point = line.start;
+          point[0]         = x;
+          ++solution.n_solved;
+          return point;
+        };
+        // What is asked for is certified; what lies between only steers.
+        const auto solver = [&](const double x) {
+          return model.solve(at(x), false);
+        };
+        {
+          Timers::Section section(context.timers, "Solve: points, branches");
+          std::map<double, ComplexPairs> certified_pairs;
+          for (const double x : coordinates)
+            certified_pairs[x] = certified(model, p, at(x), solution.worst);
+          BranchTracker tracker(
+            [&](const double x) {
+              const auto known = certified_pairs.find(x);
+              return known == certified_pairs.end() ? solver(x) : known->second;
+            },
+            options);
+          line.points = tracker.track(coordinates);
+        }
+        Timers::Section     section(context.timers, "Solve: edges and peaks");
+        const LineStability stability(solver, options, tolerance);
+        line.branch_names = branch_names(model, line);
+        line.ranges       = stability.ranges(line.points);
+        if (p.exceptional_points)
+          line.exceptional = stability.exceptional_points(line.points);
+        for (const auto &range : line.ranges)
+          line.mesh_errors_of_edges.push_back(
+            mesh_error_of_edges(model, line, range));
+        solution.lines.push_back(std::move(line));
+      }
+    return solution;
+  }
+} // namespace squeal

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/declarations.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      using Scale = SweepAxisParameters::Scale;
+
+      /** The entry must be there and be one number. */
+      void
+      require_number(const Parameters  &parameters,
+                     const std::string &section,
+                     const std::string &name,
+                     const std::string &path)
+      {
+        try
+          {
+            get_number(parameters, path);
+          }
+        catch (const InputError &e)
+          {
+            refuse_entry(section, name, std::string(": ") + e.what());
+          }
+        if (!starts_with(path, "Scene/"))
+          refuse_entry(section,
+                       name,
+                       "contains " + quoted(path) +
+                         ": only numbers of the scene can be swept");
+      }
+
+      void
+      require_allowed(const GenericSchema &schema,
+                      const std::string   &section,
+                      const std::string   &name,
+                      const std::string   &path,
+                      const double         value)
+      {
+        const std::string    plain = path.substr(0, path.rfind('['));
+        const Schema::Entry *entry = schema->find(generic_path(plain));
+        if (entry != nullptr && !entry->allowed.is_list() &&
+            !entry->allowed.matches(format_number(value)))
+          refuse_entry(section,
+                       name,
+                       "= " + format_number(value) + ": " + quoted(plain) +
+                         " must be " + entry->allowed.words());
+      }
+
+      void
+      check_range(const SweepAxisParameters &a, const std::string &section)
+      {
+        const std::size_t n = a.entries.size();
+        for (const auto &[name, values] :
+             {std::make_pair("From", &a.from), std::make_pair("To", &a.to)})
+          if (values->size() != 1 && values->size() != n)
+            refuse_entry(section,
+                         name,
+                         "has " + std::to_string(values->size()) +
+                           " numbers: give one for all entries, or one for "
+                           "each of the " +
+                           std::to_string(n));
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const double from = a.from[a.from.size() == 1 ? 0 : i];
+            const double to   = a.to[a.to.size() == 1 ? 0 : i];
+            if (a.scale == Scale::logarithmic && !(from > 0. && to > 0.))
+              refuse_entry(
+                section, "Scale", "= logarithmic needs From and To above 0");
+            if (a.number > 1 && from == to)
+              refuse_entry(section,
+                           "To",
+                           "= " + format_number(to) +
+                             " is From: there is nothing to sweep");
+          }
+      }
+
+      void
+      check_axis(const Parameters          &parameters,
+                 const GenericSchema       &schema,
+                 const SweepAxisParameters &a)
+      {
+        const std::string section = "Sweep/Axis " + a.name;
+        if (a.entries.empty())
+          refuse_entry(section,
+                       "Entries",
+                       "is empty: name a number of the scene, such as 'Scene/"
+                       "Body pad/Young modulus'");
+        for (const auto &path : a.entries)
+          require_number(parameters, section, "Entries", path);
+        if (a.scale == Scale::list)
+          {
+            if (a.values.empty())
+              refuse_entry(section,
+                           "Values",
+                           "is empty: the scale 'list' needs its values");
+            for (std::size_t i = 1; i < a.values.size(); ++i)
+              if (!(a.values[i - 1] < a.values[i]))
+                refuse_entry(section,
+                             "Values",
+                             "must ascend, but " + format_number(a.values[i]) +
+                               " follows " + format_number(a.values[i - 1]));
+            for (const auto &path : a.entries)
+              for (const double value : a.values)
+                require_allowed(schema, section, "Values", path, value);
+            return;
+          }
+        check_range(a, section);
+        for (std::size_t i = 0; i < a.entries.size(); ++i)
+          {
+            require_allowed(schema,
+                            section,
+                            "From",
+                            a.entries[i],
+                            a.from[a.from.size() == 1 ? 0 : i]);
+            require_allowed(schema,
+                            section,
+                            "To",
+                            a.entries[i],
+                            a.to[a.to.size() == 1 ? 0 : i]);
+          }
+      }
+    } // namespace
+
+
+
+    void
+    check_sweep(const Parameters &parameters)
+    {
+      const SweepParameters &s = parameters.sweep;
+      if (parameters.analysis != Parameters::Analysis::sweep)
+        return;
+      if (s.axes.empty())
+        refuse_entry("Sweep",
+                     "Axes",
+                     "is empty: name at least one axis and add its section "
+                     "'Axis <name>'");
+      if (s.boundary_tolerance > 0. && s.axes.size() != 2)
+        refuse_entry(
+          "Sweep", "Boundary tolerance", "needs exactly two axes; set it to 0");
+      const GenericSchema      schema;
+      std::vector<std::string> seen;
+      double                   n_points = 1.;
+      for (const auto &axis : s.axes)
+        {
+          check_axis(parameters, schema, axis);
+          n_points *=
+            axis.scale == Scale::list ? axis.values.size() : axis.number;
+          for (const auto &path : axis.entries)
+            {
+              if (std::find(seen.begin(), seen.end(), path) != seen.end())
+                refuse_entry("Sweep/Axis " + axis.name,
+                             "Entries",
+                             "contains " + quoted(path) +
+                               ", which is swept already");
+              seen.push_back(path);
+            }
+        }
+      if (n_points > 1e7)
+        refuse_entry("Sweep",
+                     "Axes",
+                     "ask for " + format_number(n_points) +
+                       " points: at most 1e7 are allowed");
+      for (const auto &path : s.sensitivities)
+        require_number(parameters, "Sweep", "Sensitivities", path);
+    }
+  } // namespace prm
+} // namespace squeal

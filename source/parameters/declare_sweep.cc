@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/declarations.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      void
+      declare_axis(Schema &schema, SweepAxisParameters &a)
+      {
+        schema.add("Entries",
+                   a.entries,
+                   Allowed::list(Allowed::text()),
+                   "Numbers of the scene that are swept, such as 'Scene/Body "
+                   "pad/Young modulus'; several move together.");
+        schema.add("Scale",
+                   a.scale,
+                   "Equal ratios or equal steps between From and To, or a list "
+                   "of values.");
+        schema.add("From",
+                   a.from,
+                   Allowed::list(Allowed::number()),
+                   "First value: one for all entries, or one for each.",
+                   "those of the entries");
+        schema.add("To",
+                   a.to,
+                   Allowed::list(Allowed::number()),
+                   "Last value: one for all entries, or one for each.",
+                   "those of the entries");
+        schema.add("Number",
+                   a.number,
+                   Allowed::integer(1, 1000000),
+                   "Values from From to To, both included.");
+        schema.add("Values",
+                   a.values,
+                   Allowed::list(Allowed::number()),
+                   "Values of the scale 'list', ascending, the same for all "
+                   "entries.",
+                   "those of the entries");
+      }
+    } // namespace
+
+
+
+    void
+    declare_sweep(Schema &schema, SweepParameters &s)
+    {
+      schema.enter_section("Sweep",
+                           "Ranges of parameters of 'Analysis = sweep', a "
+                           "certified basis for all of them.");
+      schema.add("Frequency tolerance",
+                 s.frequency_tolerance,
+                 Allowed::positive(1e-2),
+                 "Largest estimated error of every frequency by the basis, "
+                 "relative.");
+      schema.add("Sigma tolerance",
+                 s.sigma_tolerance,
+                 Allowed::positive(),
+                 "Largest estimated error of every sigma by the basis.",
+                 "1/s");
+      schema.add("Maximum basis",
+                 s.maximum_basis,
+                 Allowed::integer(10, 100000),
+                 "Vectors in the basis beyond which the run ends with an "
+                 "error.");
+      schema.add("Basis file",
+                 s.basis_file,
+                 Allowed::text(),
+                 "HDF5 file that keeps the basis for later runs of the same "
+                 "scene, relative to the working directory; empty: the name of "
+                 "the output directory and '_basis.h5'.");
+      schema.add("Reuse basis",
+                 s.reuse_basis,
+                 "Use the basis of an earlier run if its scene, band, ranges "
+                 "and tolerances are those of this run.");
+      schema.add("Edge tolerance",
+                 s.edge_tolerance,
+                 Allowed::positive(0.1),
+                 "Width to which edges of unstable ranges are bracketed.",
+                 "decades on a logarithmic axis, else share of the range");
+      schema.add("Exceptional points",
+                 s.exceptional_points,
+                 "Locate the complex parameters at which pairs coalesce, next "
+                 "to every lock-in.");
+      schema.add("Boundary tolerance",
+                 s.boundary_tolerance,
+                 Allowed::number(0., 0.5),
+                 "Trace the boundary of the unstable regions of two axes to "
+                 "this share of their ranges; 0: leave it out.");
+      schema.add("Direct checks",
+                 s.direct_checks,
+                 Allowed::integer(0, 1000),
+                 "Points at which the full problem is solved directly and "
+                 "compared, a third of them beside lock-ins.");
+      schema.add("Compare",
+                 s.compare,
+                 "Time direct solutions of a few points and solve the sweep on "
+                 "frictionless modes alone, for comparison.");
+      schema.add("Sensitivities",
+                 s.sensitivities,
+                 Allowed::list(Allowed::text()),
+                 "Numbers of the scene whose influence on every unstable pair "
+                 "is reported; empty: none.");
+      declare_list(schema, family_named("Axes"));
+      declare_members(schema, family_named("Axes"), s.axes, &declare_axis);
+      schema.leave_section();
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,542 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/memory.h>
+#include <squeal/sweep/basis_builder.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** Relative shift of an eigenvalue below which a direction is left out. */
+    constexpr double smallest_direction = 1e-14;
+
+    /** The basis before the last round is to be this much better than the
+     * tolerance: with that round it can judge its leading part. */
+    constexpr double judge_quality = 0.1;
+
+    /** Directions of a cell that shift its eigenvalues by less, relative, are
+     * left out. */
+    constexpr double cell_floor = 1e-13;
+
+    constexpr unsigned int most_cells = 64;
+
+    double
+    excess(const WorstError &worst, const BasisOptions &options)
+    {
+      return std::max(worst.frequency / options.frequency_tolerance,
+                      worst.sigma / options.sigma_tolerance);
+    }
+
+    /** Real columns that span the complex ones; a column that is real but for
+     * a common phase gives one, others two. */
+    Block
+    real_columns(const RowSpace &space, ComplexBlock Z)
+    {
+      Eigen::MatrixXcd squares(1, Z.cols());
+      Eigen::MatrixXd  sums(4, Z.cols());
+      const auto       sum_squares = [&]() {
+        for (Eigen::Index j = 0; j < Z.cols(); ++j)
+          {
+            const Complex s = Z.col(j).cwiseProduct(Z.col(j)).sum();
+            sums.col(j) << s.real(), s.imag(), Z.col(j).real().squaredNorm(),
+              Z.col(j).imag().squaredNorm();
+          }
+        space.sum(sums);
+      };
+      sum_squares();
+      for (Eigen::Index j = 0; j < Z.cols(); ++j)
+        if (const Complex s(sums(0, j), sums(1, j)); s != 0.)
+          Z.col(j) /= std::sqrt(s / std::abs(s));
+      sum_squares();
+      Block        result(Z.rows(), 2 * Z.cols());
+      Eigen::Index n = 0;
+      for (Eigen::Index j = 0; j < Z.cols(); ++j)
+        {
+          result.col(n++) = Z.col(j).real();
+          if (sums(3, j) > 1e-16 * sums(2, j))
+            result.col(n++) = Z.col(j).imag();
+        }
+      result.conservativeResize(Eigen::NoChange, n);
+      return result;
+    }
+  } // namespace
+
+
+
+  struct BasisBuilder::Anchor
+  {
+    SweepPoint                    point;
+    std::vector<TermCoefficients> coefficients;
+    Pencil                        pencil;
+    ShiftedInverse                inverse;
+    SlidingInverse                sliding;
+
+    Anchor(const ParametricSystem &system,
+           const SweepPoint       &p,
+           const double            shift)
+      : point(p)
+      , coefficients(system.coefficients(p))
+      , pencil(system.merged(), system.grid().scene(p))
+      , inverse(pencil, shift)
+      , sliding(unmerged(system, p), inverse)
+    {
+    }
+
+    static Pencil
+    unmerged(const ParametricSystem &system, const SweepPoint &p)
+    {
+      return Pencil::unmerged(system.merged(), system.grid().scene(p));
+    }
+  };
+
+
+
+  void
+  add_to_worst(const ComplexPairs &pairs,
+               const SweepPoint   &point,
+               WorstError         &worst)
+  {
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      {
+        // The share of the shift along either direction is not kept: all of it
+        // counts for both.
+        const double shift =
+          pairs.error_estimate[i] * std::abs(pairs.lambda[i]);
+        const double omega = std::max(std::abs(pairs.lambda[i].imag()), 1e-300);
+        worst.relative     = std::max(worst.relative, pairs.error_estimate[i]);
+        if (shift / omega > worst.frequency)
+          {
+            worst.frequency    = shift / omega;
+            worst.frequency_at = point;
+          }
+        if (shift > worst.sigma)
+          {
+            worst.sigma    = shift;
+            worst.sigma_at = point;
+          }
+      }
+  }
+
+
+
+  BasisBuilder::BasisBuilder(const ParametricSystem &s, const BasisOptions &o)
+    : system(s)
+    , options(o)
+    , reference(
+        Pencil::unmerged(s.merged(), s.grid().scene(s.grid().spread(1).back())))
+    , reduced(reference)
+  {
+    for (const auto &part : reference.parts())
+      symmetric.push_back(part.symmetric);
+    const SweepGrid &grid = system.grid();
+    training              = grid.spread(70);
+    training_errors.assign(training.size(), 1.);
+  }
+
+  BasisBuilder::~BasisBuilder() = default;
+
+  const std::vector<BasisRound> &
+  BasisBuilder::history() const
+  {
+    return rounds;
+  }
+
+  const std::vector<std::unique_ptr<BasisBuilder::Anchor>> &
+  BasisBuilder::anchors() const
+  {
+    return anchor_list;
+  }
+
+  const std::vector<SweepPoint> &
+  BasisBuilder::training_points() const
+  {
+    return training;
+  }
+
+  Eigen::Map<const Block>
+  BasisBuilder::vectors() const
+  {
+    return reduced.vectors();
+  }
+
+
+
+  double
+  BasisBuilder::distance(const std::vector<TermCoefficients> &a,
+                         const std::vector<TermCoefficients> &b) const
+  {
+    double result = 0.;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        if (!symmetric[i])
+          continue;
+        const auto add = [&](const double x, const double y) {
+          if (x * y > 0.)
+            result = std::max(result, std::abs(std::log10(x / y)));
+          else if (x != y)
+            result = std::max(result, 1.);
+        };
+        add(a[i].stiffness.real(), b[i].stiffness.real());
+        add(a[i].mass, b[i].mass);
+      }
+    return result;
+  }
+
+  BasisBuilder::Anchor &
+  BasisBuilder::add_anchor(const SweepPoint &point)
+  {
+    const double omega = 2. * M_PI * options.band.highest;
+    anchor_list.push_back(
+      std::make_unique<Anchor>(system, point, omega * omega));
+    return_freed_memory();
+    return *anchor_list.back();
+  }
+
+  BasisBuilder::Anchor &
+  BasisBuilder::anchor_for(const SweepPoint &point)
+  {
+    const auto coefficients = system.coefficients(point);
+    Anchor    *best         = nullptr;
+    double     nearest      = options.anchor_spacing;
+    for (auto &anchor : anchor_list)
+      if (const double d = distance(coefficients, anchor->coefficients);
+          d <= nearest)
+        {
+          nearest = d;
+          best    = anchor.get();
+        }
+    return best ? *best : add_anchor(point);
+  }
+
+
+
+  Block
+  BasisBuilder::responses(const PairResiduals    &residuals,
+                          const Eigen::VectorXcd &lambda,
+                          const SlidingInverse   &inverse,
+                          const bool              transposed) const
+  {
+    const RowSpace &space = *reference.space();
+    // r^T S r of these is the relative shift of the eigenvalue.
+    const Block R = real_columns(
+      space,
+      residuals.vectors *
+        (lambda.cwiseAbs() * std::sqrt(2.)).cwiseInverse().asDiagonal());
+    const Block E = transposed ? inverse.solve_transposed(R) : inverse.solve(R);
+    Eigen::MatrixXd gram = inner_products(space, R, E);
+    gram                 = 0.5 * (gram + gram.transpose()).eval();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    Eigen::MatrixXd kept(gram.rows(), gram.rows());
+    Eigen::Index    n = 0;
+    for (Eigen::Index i = 0; i < gram.rows(); ++i)
+      if (const double v = std::abs(solver.eigenvalues()[i]);
+          v > smallest_direction)
+        kept.col(n++) = solver.eigenvectors().col(i) / std::sqrt(v);
+    return E * kept.leftCols(n);
+  }
+
+  Block
+  BasisBuilder::corrections(const SweepPoint &point)
+  {
+    const auto         coefficients = system.coefficients(point);
+    const Anchor      &anchor       = anchor_for(point);
+    const ComplexPairs pairs =
+      solve_point_in_full(model, coefficients, options.band);
+    if (pairs.size() == 0)
+      return Block(reference.space()->n_owned(), 0);
+    const SlidingInverse inverse(
+      Pencil::unmerged(system.merged(), system.grid().scene(point)),
+      anchor.sliding);
+    const Block right = responses(
+      reduced.residuals(coefficients, pairs.lambda, pairs.right, false),
+      pairs.lambda,
+      inverse,
+      false);
+    const Block left =
+      responses(reduced.residuals(coefficients, pairs.lambda, pairs.left, true),
+                pairs.lambda,
+                inverse,
+                true);
+    Block both(right.rows(), right.cols() + left.cols());
+    both << right, left;
+    return both;
+  }
+
+
+
+  void
+  BasisBuilder::update_model(const unsigned int n_basis)
+  {
+    model.parts.clear();
+    for (const auto &part : reduced.parts())
+      model.parts.push_back(part.matrix);
+    model.n_basis = n_basis;
+  }
+
+  std::vector<SweepPoint>
+  BasisBuilder::choose_points(const unsigned int round)
+  {
+    // The first rounds look everywhere; later ones where the errors are, but
+    // not twice at one place.
+    std::vector<std::size_t> order(training.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (round > 0)
+      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return training_errors[a] > training_errors[b];
+      });
+    const SweepGrid        &grid = system.grid();
+    std::vector<SweepPoint> result;
+    for (double apart = 0.12; result.size() < options.points_per_round;
+         apart *= 0.5)
+      {
+        for (const std::size_t i : order)
+          {
+            bool is_new = result.size() < options.points_per_round;
+            for (const auto &other : result)
+              {
+                double d = 0.;
+                for (unsigned int a = 0; a < grid.n_axes(); ++a)
+                  if (grid.upper(a) > grid.lower(a))
+                    d = std::max(d,
+                                 std::abs(other[a] - training[i][a]) /
+                                   (grid.upper(a) - grid.lower(a)));
+                is_new = is_new && d > apart;
+              }
+            if (is_new)
+              result.push_back(training[i]);
+          }
+        if (apart < 1e-6)
+          break;
+      }
+    return result;
+  }
+
+  void
+  BasisBuilder::evaluate_training()
+  {
+    BasisRound round{
+      model.n_basis, static_cast<unsigned int>(anchor_list.size()), {}};
+    snapshots.clear();
+    for (std::size_t i = 0; i < training.size(); ++i)
+      {
+        WorstError own;
+        snapshots.push_back(solve_point(
+          model, system.coefficients(training[i]), options.band, true));
+        add_to_worst(snapshots.back(), training[i], own);
+        training_errors[i]   = own.relative;
+        round.worst.relative = std::max(round.worst.relative, own.relative);
+        if (own.frequency > round.worst.frequency)
+          {
+            round.worst.frequency    = own.frequency;
+            round.worst.frequency_at = training[i];
+          }
+        if (own.sigma > round.worst.sigma)
+          {
+            round.worst.sigma    = own.sigma;
+            round.worst.sigma_at = training[i];
+          }
+      }
+    rounds.push_back(round);
+  }
+
+
+
+  void
+  BasisBuilder::check_inertia()
+  {
+    for (const auto &anchor : anchor_list)
+      {
+        const unsigned int found = n_modes_below(model.parts,
+                                                 anchor->coefficients,
+                                                 symmetric,
+                                                 anchor->inverse.shift());
+        if (found == anchor->inverse.n_modes_below())
+          continue;
+        // Modes that no residual asked for: all of them, from this factor.
+        ModeOptions mode_options;
+        mode_options.tolerance = options.mode_tolerance;
+        const UndampedModes modes =
+          undamped_modes(anchor->pencil, anchor->inverse, mode_options);
+        reduced.extend(modes.shapes);
+        update_model(reduced.size());
+      }
+  }
+
+
+
+  std::vector<ModelCell>
+  BasisBuilder::make_cells() const
+  {
+    const SweepGrid &grid = system.grid();
+    const unsigned   d    = grid.n_axes();
+    SweepPoint       low(d), high(d);
+    for (unsigned int a = 0; a < d; ++a)
+      {
+        low[a]  = grid.lower(a);
+        high[a] = grid.upper(a);
+      }
+    std::vector<unsigned int> n(d, 1);
+    unsigned int              total = 1;
+    for (unsigned int a = 0; a < d; ++a)
+      {
+        SweepPoint other = low;
+        other[a]         = high[a];
+        const double length =
+          distance(system.coefficients(low), system.coefficients(other));
+        n[a] = std::max(1, static_cast<int>(length / options.cell_size + 0.5));
+        n[a] = std::max(1u, std::min(n[a], most_cells / total));
+        total *= n[a];
+      }
+    std::vector<ModelCell> cells;
+    for (unsigned int c = 0; c < total; ++c)
+      {
+        ModelCell    cell;
+        unsigned int rest = c;
+        cell.lower = cell.upper = low;
+        for (unsigned int a = 0; a < d; ++a)
+          {
+            const unsigned int i = rest % n[a];
+            rest /= n[a];
+            cell.lower[a] = low[a] + (high[a] - low[a]) * i / n[a];
+            cell.upper[a] = low[a] + (high[a] - low[a]) * (i + 1) / n[a];
+          }
+        cells.push_back(cell);
+      }
+    return cells;
+  }
+
+  void
+  BasisBuilder::fit_cell(ModelCell &cell) const
+  {
+    // Right and left vectors all over the cell and its surroundings, the most
+    // needed directions first: in the energy a direction counts by the shift
+    // of the eigenvalue that it causes.
+    const unsigned int        N    = model.n_total();
+    Eigen::MatrixXd           gram = Eigen::MatrixXd::Zero(N, N);
+    std::vector<unsigned int> own;
+    for (double margin = 0.25;
+         own.size() < std::min<std::size_t>(10, training.size());
+         margin *= 1.5)
+      {
+        own.clear();
+        for (unsigned int i = 0; i < training.size(); ++i)
+          if (cell.contains(training[i], margin))
+            own.push_back(i);
+      }
+    for (const unsigned int i : own)
+      {
+        const ComplexPairs &pairs = snapshots[i];
+        Eigen::MatrixXd     X(N, 4 * pairs.size());
+        X << pairs.right.real(), pairs.right.imag(), pairs.left.real(),
+          pairs.left.imag();
+        const Eigen::VectorXd weights =
+          pairs.lambda.cwiseAbs().cwiseInverse().replicate(4, 1);
+        gram += X * weights.cwiseProduct(weights).asDiagonal() * X.transpose();
+      }
+    const PointMatrices centre(
+      model, system.coefficients(0.5 * (cell.lower + cell.upper)), N);
+    const double    omega = 2. * M_PI * options.band.highest;
+    Eigen::MatrixXd A     = centre.K + omega * omega * centre.M;
+    A                     = 0.5 * (A + A.transpose()).eval();
+    const Eigen::LLT<Eigen::MatrixXd>                    energy(A);
+    const Eigen::MatrixXd                                L = energy.matrixL();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pod(L.transpose() *
+                                                             gram * L);
+    Eigen::Index                                         n_kept = 0;
+    while (n_kept < N && pod.eigenvalues()[N - 1 - n_kept] > cell_floor)
+      ++n_kept;
+    const Eigen::MatrixXd U =
+      pod.eigenvectors().rightCols(n_kept).rowwise().reverse();
+    const Eigen::MatrixXd Phi =
+      L.transpose().triangularView<Eigen::Upper>().solve(U);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(Phi);
+    cell.turn = qr.householderQ() * Eigen::MatrixXd::Identity(N, n_kept);
+    result.project(cell);
+
+    const auto is_good = [&](const unsigned int n) {
+      cell.local.n_basis = n;
+      WorstError worst;
+      for (const unsigned int i : own)
+        {
+          add_to_worst(solve_point(cell.local,
+                                   system.coefficients(training[i]),
+                                   options.band),
+                       training[i],
+                       worst);
+          if (excess(worst, options) > options.safety)
+            return false;
+        }
+      return true;
+    };
+    unsigned int low = 1, high = n_kept - 1;
+    while (high - low > 1)
+      {
+        const unsigned int middle      = (low + high) / 2;
+        (is_good(middle) ? high : low) = middle;
+      }
+    cell.local.n_basis = high;
+  }
+
+
+
+  ReducedModel
+  BasisBuilder::build(const std::function<void(const BasisRound &)> &report)
+  {
+    {
+      Anchor     &first = add_anchor(system.grid().spread(1).back());
+      ModeOptions mode_options;
+      mode_options.tolerance = options.mode_tolerance;
+      const UndampedModes modes =
+        undamped_modes(first.pencil, first.inverse, mode_options);
+      reduced.extend(modes.shapes);
+      reduced.extend(modes.supplement);
+      update_model(reduced.size());
+    }
+    for (unsigned int round = 0;; ++round)
+      {
+        const unsigned int before = reduced.size();
+        for (const auto &point : choose_points(round))
+          {
+            reduced.extend(corrections(point));
+            update_model(reduced.size());
+          }
+        check_inertia();
+        update_model(before);
+        if (reduced.size() == before)
+          break;
+        evaluate_training();
+        if (report)
+          report(rounds.back());
+        update_model(reduced.size());
+        if (excess(rounds.back().worst, options) <= judge_quality)
+          break;
+        if (reduced.size() > options.maximum_basis ||
+            round >= options.maximum_rounds)
+          {
+            std::ostringstream text;
+            text << "the basis of the sweep has " << reduced.size()
+                 << " vectors and still an error of "
+                 << rounds.back().worst.relative
+                 << ": raise Sweep/Maximum basis or narrow the ranges";
+            throw ComputationError(text.str());
+          }
+      }
+    result.parts = model.parts;
+    for (std::size_t i = 0; i < result.parts.size(); ++i)
+      for (std::size_t j = i; j < result.parts.size(); ++j)
+        result.grams.push_back(reduced.product_gram(i, j));
+    result.cells = make_cells();
+    for (auto &cell : result.cells)
+      fit_cell(cell);
+    return result;
+  }
+} // namespace squeal

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/sweep/branch_tracker.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace squeal
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** Overlap products from which pairs belong together. */
+    constexpr double good_match = 0.8, poor_match = 0.3;
+
+    constexpr unsigned int most_rounds = 60;
+
+    bool
+    is_coalesced(const ComplexPairs &pairs, const int i, const int j)
+    {
+      return squared_split(pairs, i, j) < 0.;
+    }
+
+    bool
+    is_multiple(const ComplexPairs &pairs, const int i, const int j)
+    {
+      return std::abs(pairs.lambda[i] - pairs.lambda[j]) <
+               1e-8 * std::abs(pairs.lambda[i]) &&
+             pairs.condition[i] < coalescence_condition;
+    }
+
+    /** |y_i^T x_j| of pairs of two points. */
+    Eigen::MatrixXcd
+    overlaps(const ComplexPairs &left, const ComplexPairs &right)
+    {
+      return left.left.transpose() * right.right;
+    }
+
+    struct Overlaps
+    {
+      Eigen::MatrixXcd ab, ba, aa, bb;
+
+      /** 1 where pair i of a is pair j of b. */
+      double
+      single(const int i, const int j) const
+      {
+        return std::abs(ab(i, j) * ba(j, i) / (aa(i, i) * bb(j, j)));
+      }
+
+      /** The same for the invariant subspaces of two pairs each. */
+      double
+      twin(const int i, const int j, const int k, const int l) const
+      {
+        const auto det = [](const Eigen::MatrixXcd &G,
+                            const int               p,
+                            const int               q,
+                            const int               r,
+                            const int               s) {
+          return G(p, r) * G(q, s) - G(p, s) * G(q, r);
+        };
+        return std::abs(det(ab, i, j, k, l) * det(ba, k, l, i, j) /
+                        (det(aa, i, j, i, j) * det(bb, k, l, k, l)));
+      }
+    };
+
+    bool
+    is_like_one(const double overlap)
+    {
+      return overlap > good_match && overlap < 1. / good_match;
+    }
+
+    /** The two pairs in the order that branches keep: by sigma where they have
+     * coalesced, by frequency elsewhere. */
+    std::pair<int, int>
+    ordered(const ComplexPairs &pairs, const int i, const int j)
+    {
+      const bool by_sigma = is_coalesced(pairs, i, j);
+      const auto key      = [&](const int k) {
+        return by_sigma ? pairs.lambda[k].real() : pairs.lambda[k].imag();
+      };
+      return key(i) <= key(j) ? std::make_pair(i, j) : std::make_pair(j, i);
+    }
+  } // namespace
+
+
+
+  int
+  TrackedPoint::pair_of(const int wanted) const
+  {
+    for (std::size_t i = 0; i < branch.size(); ++i)
+      if (branch[i] == wanted)
+        return i;
+    return -1;
+  }
+
+  double
+  squared_split(const ComplexPairs &pairs, const int i, const int j)
+  {
+    const Complex d = pairs.lambda[i] - pairs.lambda[j];
+    return -0.25 * (d * d).real();
+  }
+
+
+
+  PairMatches
+  match_pairs(const ComplexPairs    &a,
+              const ComplexPairs    &b,
+              const TrackingOptions &options)
+  {
+    const int      n = a.size(), m = b.size();
+    const Overlaps o{
+      overlaps(a, b), overlaps(b, a), overlaps(a, a), overlaps(b, b)};
+    PairMatches      result{std::vector<int>(n, -1), true};
+    std::vector<int> from(m, -1);
+    // Alone and without doubt.
+    for (int i = 0; i < n; ++i)
+      {
+        int    best = -1;
+        double most = 0., second = 0.;
+        for (int j = 0; j < m; ++j)
+          if (const double s = o.single(i, j); s > most)
+            {
+              second = most;
+              most   = s;
+              best   = j;
+            }
+          else
+            second = std::max(second, s);
+        if (best >= 0 && is_like_one(most) && second < poor_match &&
+            from[best] < 0)
+          {
+            result.to[i] = best;
+            from[best]   = i;
+          }
+      }
+    // Two together where they coalesce at one end at least; with damping that
+    // is not proportional they never quite do on the real axis.
+    for (int i = 0; i < n; ++i)
+      for (int j = i + 1; j < n; ++j)
+        for (int k = 0; k < m; ++k)
+          for (int l = k + 1; l < m; ++l)
+            {
+              if (result.to[i] >= 0 || result.to[j] >= 0 || from[k] >= 0 ||
+                  from[l] >= 0)
+                continue;
+              if (!is_like_one(o.twin(i, j, k, l)))
+                continue;
+              // Any two vectors of a multiple eigenvalue are right.
+              const bool at_end =
+                (options.real &&
+                 (is_coalesced(a, i, j) || is_coalesced(b, k, l))) ||
+                (is_multiple(a, i, j) && is_multiple(b, k, l));
+              if (!at_end)
+                continue;
+              const auto [p, q] = ordered(a, i, j);
+              const auto [r, s] = ordered(b, k, l);
+              result.to[p]      = r;
+              result.to[q]      = s;
+              from[r]           = p;
+              from[s]           = q;
+            }
+    // The rest may leave or enter at the edges of the band only.
+    const double margin =
+      0.03 * (options.highest_frequency - options.lowest_frequency);
+    const auto inside = [&](const ComplexPairs &pairs, const int i) {
+      const double f = pairs.frequency(i);
+      return f > options.lowest_frequency + margin &&
+             f < options.highest_frequency - margin;
+    };
+    for (int i = 0; i < n; ++i)
+      if (result.to[i] < 0 && inside(a, i))
+        result.is_certain = false;
+    for (int j = 0; j < m; ++j)
+      if (from[j] < 0 && inside(b, j))
+        result.is_certain = false;
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /** What remains when steps can not be smaller: by frequency. */
+    void
+    match_rest(const ComplexPairs &a, const ComplexPairs &b, PairMatches &m)
+    {
+      std::vector<bool> taken(b.size(), false);
+      for (const int j : m.to)
+        if (j >= 0)
+          taken[j] = true;
+      for (unsigned int i = 0; i < a.size(); ++i)
+        if (m.to[i] < 0)
+          {
+            int    best     = -1;
+            double distance = 0.02 * std::abs(a.lambda[i]);
+            for (unsigned int j = 0; j < b.size(); ++j)
+              if (const double d = std::abs(a.lambda[i] - b.lambda[j]);
+                  !taken[j] && d < distance)
+                {
+                  best     = j;
+                  distance = d;
+                }
+            m.to[i] = best;
+            if (best >= 0)
+              taken[best] = true;
+          }
+    }
+
+    void
+    label(std::vector<TrackedPoint>      &points,
+          const std::vector<PairMatches> &matches)
+    {
+      int n_branches = 0;
+      for (auto &point : points)
+        point.branch.assign(point.pairs.size(), -1);
+      for (std::size_t p = 0; p < points.size(); ++p)
+        {
+          if (p > 0)
+            for (std::size_t i = 0; i < matches[p - 1].to.size(); ++i)
+              if (const int j = matches[p - 1].to[i]; j >= 0)
+                points[p].branch[j] = points[p - 1].branch[i];
+          for (int &b : points[p].branch)
+            if (b < 0)
+              b = n_branches++;
+        }
+    }
+
+    /** Where the parabola through three values has its minimum. */
+    double
+    parabola_minimum(const double x[3], const double y[3], double &lowest)
+    {
+      const double s1 = (y[1] - y[0]) / (x[1] - x[0]);
+      const double s2 = (y[2] - y[1]) / (x[2] - x[1]);
+      const double c  = (s2 - s1) / (x[2] - x[0]);
+      if (!(c > 0.))
+        {
+          lowest = y[1];
+          return x[1];
+        }
+      const double at = 0.5 * (x[0] + x[1]) - 0.5 * s1 / c;
+      lowest          = y[0] + s1 * (at - x[0]) + c * (at - x[0]) * (at - x[1]);
+      return at;
+    }
+
+    /** Coordinates at which two frequencies seem to touch between the points:
+     * to be looked at. */
+    void
+    add_touches(const std::vector<TrackedPoint> &points,
+                const double                     tolerance,
+                std::set<double>                &wanted)
+    {
+      for (std::size_t p = 1; p + 1 < points.size(); ++p)
+        for (unsigned int i = 0; i < points[p].pairs.size(); ++i)
+          for (unsigned int j = i + 1; j < points[p].pairs.size(); ++j)
+            {
+              double x[3], y[3];
+              bool   there = true;
+              for (int k = 0; k < 3; ++k)
+                {
+                  const auto &q = points[p + k - 1];
+                  const int   a = q.pair_of(points[p].branch[i]);
+                  const int   b = q.pair_of(points[p].branch[j]);
+                  there         = there && a >= 0 && b >= 0;
+                  x[k]          = q.coordinate;
+                  if (there)
+                    y[k] = squared_split(q.pairs, a, b);
+                }
+              if (!there || y[0] < 0. || y[1] < 0. || y[2] < 0. ||
+                  y[1] > y[0] || y[1] > y[2])
+                continue;
+              double       lowest;
+              const double at = parabola_minimum(x, y, lowest);
+              if (lowest > 0.7 * y[1] || at <= x[0] || at >= x[2])
+                continue;
+              double nearest = 1e300;
+              for (int k = 0; k < 3; ++k)
+                nearest = std::min(nearest, std::abs(at - x[k]));
+              if (nearest > tolerance)
+                wanted.insert(at);
+            }
+    }
+  } // namespace
+
+
+
+  std::vector<int>
+  loop_permutation(const TrackedPoint    &first,
+                   const TrackedPoint    &last,
+                   const TrackingOptions &options)
+  {
+    const PairMatches match = match_pairs(last.pairs, first.pairs, options);
+    int               n     = 0;
+    for (const int b : last.branch)
+      n = std::max(n, b + 1);
+    std::vector<int> result(n, -1);
+    for (std::size_t i = 0; i < last.branch.size(); ++i)
+      if (match.to[i] >= 0)
+        result[last.branch[i]] = first.branch[match.to[i]];
+    return result;
+  }
+
+
+
+  BranchTracker::BranchTracker(const Solver &s, const TrackingOptions &o)
+    : solver(s)
+    , options(o)
+  {
+  }
+
+  unsigned int
+  BranchTracker::n_inserted() const
+  {
+    return inserted;
+  }
+
+  std::vector<TrackedPoint>
+  BranchTracker::track(const std::vector<double> &coordinates)
+  {
+    std::map<double, TrackedPoint> solved;
+    const auto                     add = [&](const double x, const bool asked) {
+      auto &point = solved[x];
+      if (point.pairs.lambda.size() == 0)
+        {
+          point.coordinate = x;
+          point.pairs      = solver(x);
+          if (!asked)
+            ++inserted;
+        }
+      point.asked = point.asked || asked;
+    };
+    for (const double x : coordinates)
+      add(x, true);
+
+    std::map<std::pair<double, double>, PairMatches> known;
+    std::vector<TrackedPoint>                        points;
+    for (unsigned int round = 0;; ++round)
+      {
+        std::set<double>         wanted;
+        std::vector<PairMatches> matches;
+        points.clear();
+        for (const auto &[x, point] : solved)
+          {
+            if (!points.empty())
+              {
+                const TrackedPoint &before = points.back();
+                const auto          key = std::make_pair(before.coordinate, x);
+                auto                found = known.find(key);
+                if (found == known.end())
+                  found =
+                    known
+                      .emplace(key,
+                               match_pairs(before.pairs, point.pairs, options))
+                      .first;
+                matches.push_back(found->second);
+                if (!matches.back().is_certain)
+                  {
+                    if (x - before.coordinate > options.smallest_step &&
+                        round < most_rounds)
+                      wanted.insert(0.5 * (before.coordinate + x));
+                    else
+                      match_rest(before.pairs, point.pairs, matches.back());
+                  }
+              }
+            points.push_back(point);
+          }
+        label(points, matches);
+        if (wanted.empty() && round < most_rounds)
+          add_touches(points, options.touch_tolerance, wanted);
+        if (wanted.empty())
+          return points;
+        for (const double x : wanted)
+          add(x, false);
+      }
+  }
+} // namespace squeal

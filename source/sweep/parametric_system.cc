@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/sum_operator.h>
+#include <squeal/parameters/declarations.h>
+#include <squeal/parameters/text.h>
+#include <squeal/sweep/parametric_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    const std::vector<std::string> &
+    affine_entries()
+    {
+      static const std::vector<std::string> paths = {
+        "Scene/Body <name>/Young modulus",
+        "Scene/Body <name>/Density",
+        "Scene/Body <name>/Mass damping",
+        "Scene/Body <name>/Stiffness damping",
+        "Scene/Body <name>/Structural damping",
+        "Scene/Body <name>/Rotation speed",
+        "Scene/Spring <name>/Stiffness",
+        "Scene/Spring <name>/Dashpot",
+        "Scene/Spring <name>/Stiffness damping",
+        "Scene/Spring <name>/Structural damping",
+        "Scene/Lumped mass <name>/Mass",
+        "Scene/Contact <name>/Normal stiffness",
+        "Scene/Contact <name>/Normal stiffness per area",
+        "Scene/Contact <name>/Tangential stiffness",
+        "Scene/Contact <name>/Friction coefficient",
+        "Scene/Contact <name>/Sliding speed",
+        "Scene/Contact <name>/Normal force",
+        "Scene/Contact <name>/Friction slope",
+        "Scene/Contact <name>/Stiffness damping",
+        "Scene/Contact <name>/Structural damping",
+        "Scene/Damping/Mass damping",
+        "Scene/Damping/Stiffness damping",
+        "Scene/Damping/Structural damping",
+        "Scene/Matrix part <name>/Factor",
+        "Scene/Contact normal stiffness",
+        "Scene/Friction coefficient"};
+      return paths;
+    }
+
+    /** Coefficients of one term at all samples, one after the other. */
+    Eigen::VectorXd
+    profile(const std::vector<TermCoefficients> &samples)
+    {
+      Eigen::VectorXd result(4 * samples.size());
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        result.segment<4>(4 * i) << samples[i].mass, samples[i].damping,
+          samples[i].stiffness.real(), samples[i].stiffness.imag();
+      return result;
+    }
+
+    /** The factor f with a = f b everywhere, or 0. */
+    double
+    common_factor(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+    {
+      Eigen::Index largest;
+      b.cwiseAbs().maxCoeff(&largest);
+      const double f = a[largest] / b[largest];
+      return ((a - f * b).array().abs() <= 1e-13 * a.array().abs()).all() ? f
+                                                                          : 0.;
+    }
+  } // namespace
+
+
+
+  bool
+  is_affine_entry(const std::string &path)
+  {
+    const std::string generic = prm::generic_path(path);
+    return std::find(affine_entries().begin(),
+                     affine_entries().end(),
+                     generic) != affine_entries().end();
+  }
+
+  void
+  require_affine(const std::string &section, const std::string &path)
+  {
+    if (!is_affine_entry(path))
+      throw InputError("'" + section + "' contains '" + path +
+                       "', which changes the matrices themselves and not "
+                       "only their factors: run one analysis for each value");
+  }
+
+
+
+  ParametricSystem::ParametricSystem(const AffineSystem &system,
+                                     const SweepGrid    &grid)
+    : sweep_grid(grid)
+  {
+    for (unsigned int a = 0; a < grid.n_axes(); ++a)
+      for (const auto &path : grid.axis(a).entries)
+        require_affine("Sweep/Axis " + grid.axis(a).name + "/Entries", path);
+
+    std::vector<std::vector<TermCoefficients>> samples(system.terms.size());
+    for (const auto &point : grid.spread(12 + (1u << grid.n_axes())))
+      {
+        const SceneParameters &scene = grid.scene(point);
+        for (std::size_t i = 0; i < system.terms.size(); ++i)
+          samples[i].push_back(system.terms[i].coefficients(scene));
+      }
+    struct Group
+    {
+      Eigen::VectorXd                profile;
+      bool                           symmetric;
+      std::size_t                    first;
+      std::vector<SumOperator::Part> operators;
+    };
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < system.terms.size(); ++i)
+      {
+        const Eigen::VectorXd p = profile(samples[i]);
+        if (p.isZero(0.))
+          continue;
+        const bool symmetric = system.terms[i].matrix->is_symmetric();
+        bool       placed    = false;
+        for (auto &group : groups)
+          if (const double f = common_factor(p, group.profile);
+              f != 0. && symmetric == group.symmetric)
+            {
+              group.operators.emplace_back(f, system.terms[i].matrix);
+              placed = true;
+              break;
+            }
+        if (!placed)
+          groups.push_back({p, symmetric, i, {{1., system.terms[i].matrix}}});
+      }
+    parts.space = system.space;
+    for (auto &group : groups)
+      parts.terms.push_back(
+        {system.terms[group.first].name,
+         std::make_shared<SumOperator>(std::move(group.operators)),
+         system.terms[group.first].coefficients});
+  }
+
+  const AffineSystem &
+  ParametricSystem::merged() const
+  {
+    return parts;
+  }
+
+  const SweepGrid &
+  ParametricSystem::grid() const
+  {
+    return sweep_grid;
+  }
+
+  std::vector<TermCoefficients>
+  ParametricSystem::coefficients(const SceneParameters &scene) const
+  {
+    std::vector<TermCoefficients> result;
+    for (const auto &term : parts.terms)
+      result.push_back(term.coefficients(scene));
+    return result;
+  }
+
+  std::vector<TermCoefficients>
+  ParametricSystem::coefficients(const SweepPoint &point) const
+  {
+    return coefficients(sweep_grid.scene(point));
+  }
+} // namespace squeal

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The file of a reduced model: HDF5 with a format version.
+
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/sweep/reduced_model.h>
+
+#include <hdf5.h>
+
+#include <filesystem>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr int format_version = 1;
+
+    /** An HDF5 object that is closed at the end of its life. */
+    class Handle
+    {
+    public:
+      Handle(const hid_t i, herr_t (*c)(hid_t))
+        : id(i)
+        , close(c)
+      {
+      }
+      ~Handle()
+      {
+        if (id >= 0)
+          close(id);
+      }
+      Handle(const Handle &)            = delete;
+      Handle &operator=(const Handle &) = delete;
+              operator hid_t() const
+      {
+        return id;
+      }
+
+    private:
+      hid_t id;
+      herr_t (*close)(hid_t);
+    };
+
+    /** Keeps HDF5 from printing what the exceptions say. */
+    struct Silence
+    {
+      Silence()
+      {
+        H5Eget_auto2(H5E_DEFAULT, &function, &data);
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+      }
+      ~Silence()
+      {
+        H5Eset_auto2(H5E_DEFAULT, function, data);
+      }
+      H5E_auto2_t function;
+      void       *data;
+    };
+
+    void
+    require(const bool ok, const std::string &file, const std::string &what)
+    {
+      if (!ok)
+        throw InputError("'" + file + "' " + what +
+                         ": remove it or change Sweep/Basis file");
+    }
+
+    void
+    write_matrix(const hid_t            group,
+                 const std::string     &name,
+                 const Eigen::MatrixXd &A,
+                 const std::string     &file)
+    {
+      // Column by column: the file's rows are the matrix's columns.
+      const hsize_t size[2] = {static_cast<hsize_t>(A.cols()),
+                               static_cast<hsize_t>(A.rows())};
+      const Handle  space(H5Screate_simple(2, size, nullptr), H5Sclose);
+      const Handle  set(H5Dcreate2(group,
+                                  name.c_str(),
+                                  H5T_IEEE_F64LE,
+                                  space,
+                                  H5P_DEFAULT,
+                                  H5P_DEFAULT,
+                                  H5P_DEFAULT),
+                       H5Dclose);
+      require(
+        set >= 0 &&
+          (A.size() == 0 ||
+           H5Dwrite(
+             set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, A.data()) >=
+             0),
+        file,
+        "cannot be written");
+    }
+
+    Eigen::MatrixXd
+    read_matrix(const hid_t        group,
+                const std::string &name,
+                const std::string &file)
+    {
+      const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose);
+      require(set >= 0, file, "lacks '" + name + "'");
+      const Handle space(H5Dget_space(set), H5Sclose);
+      hsize_t      size[2] = {0, 0};
+      require(H5Sget_simple_extent_ndims(space) == 2 &&
+                H5Sget_simple_extent_dims(space, size, nullptr) == 2,
+              file,
+              "holds something else than a matrix in '" + name + "'");
+      Eigen::MatrixXd A(size[1], size[0]);
+      require(
+        A.size() == 0 ||
+          H5Dread(
+            set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, A.data()) >=
+            0,
+        file,
+        "is damaged at '" + name + "'");
+      return A;
+    }
+
+    using Matrices = std::map<std::string, Eigen::MatrixXd>;
+
+    void
+    write_group(const hid_t        root,
+                const std::string &name,
+                const Matrices    &matrices,
+                const std::string &file)
+    {
+      const Handle group(
+        H5Gcreate2(root, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Gclose);
+      for (const auto &[key, A] : matrices)
+        write_matrix(group, key, A, file);
+    }
+
+    Matrices
+    read_group(const hid_t        root,
+               const std::string &name,
+               const std::string &file)
+    {
+      const Handle group(H5Gopen2(root, name.c_str(), H5P_DEFAULT), H5Gclose);
+      require(group >= 0, file, "lacks '" + name + "'");
+      H5G_info_t info;
+      H5Gget_info(group, &info);
+      Matrices result;
+      for (hsize_t i = 0; i < info.nlinks; ++i)
+        {
+          char text[256];
+          H5Lget_name_by_idx(group,
+                             ".",
+                             H5_INDEX_NAME,
+                             H5_ITER_INC,
+                             i,
+                             text,
+                             sizeof text,
+                             H5P_DEFAULT);
+          result[text] = read_matrix(group, text, file);
+        }
+      return result;
+    }
+
+    void
+    write_text(const hid_t        root,
+               const std::string &name,
+               const std::string &text)
+    {
+      const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+      H5Tset_size(type, text.size() + 1);
+      const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+      const Handle attribute(
+        H5Acreate2(root, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
+      H5Awrite(attribute, type, text.c_str());
+    }
+
+    std::string
+    read_text(const hid_t        root,
+              const std::string &name,
+              const std::string &file)
+    {
+      const Handle attribute(H5Aopen(root, name.c_str(), H5P_DEFAULT),
+                             H5Aclose);
+      require(attribute >= 0, file, "is no basis of squeal");
+      const Handle type(H5Aget_type(attribute), H5Tclose);
+      std::string  text(H5Tget_size(type), '\0');
+      H5Aread(attribute, type, text.data());
+      return text.c_str();
+    }
+
+    std::string
+    part_name(const std::size_t i)
+    {
+      std::string number = std::to_string(i);
+      return std::string(4 - std::min<std::size_t>(4, number.size()), '0') +
+             number;
+    }
+  } // namespace
+
+
+
+  void
+  write_reduced_model(const ReducedModel &model,
+                      const std::string  &hash,
+                      const std::string  &file)
+  {
+    const Silence   silence;
+    const auto      folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (!folder.empty())
+      std::filesystem::create_directories(folder, error);
+    AtomicFile target(file);
+    {
+      const Handle root(
+        H5Fcreate(
+          target.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+        H5Fclose);
+      require(root >= 0, file, "cannot be written");
+      write_text(root, "squeal_basis", std::to_string(format_version));
+      write_text(root, "hash", hash);
+      Matrices parts, grams, numbers = model.numbers;
+      for (std::size_t i = 0; i < model.grams.size(); ++i)
+        grams[part_name(i)] = model.grams[i];
+      for (std::size_t i = 0; i < model.parts.size(); ++i)
+        parts[part_name(i)] = model.parts[i];
+      for (std::size_t c = 0; c < model.cells.size(); ++c)
+        {
+          const ModelCell  &cell  = model.cells[c];
+          const std::string start = "cell " + part_name(c) + " ";
+          numbers[start + "turn"] = cell.turn;
+          numbers[start + "box"]  = Eigen::MatrixXd(cell.lower.size(), 3);
+          numbers[start + "box"] << cell.lower, cell.upper,
+            Eigen::VectorXd::Constant(cell.lower.size(), cell.local.n_basis);
+        }
+      write_group(root, "parts", parts, file);
+      write_group(root, "grams", grams, file);
+      write_group(root, "forms", model.forms, file);
+      write_group(root, "functionals", model.functionals, file);
+      write_group(root, "numbers", numbers, file);
+    }
+    target.commit();
+  }
+
+
+
+  ReducedModel
+  read_reduced_model(const std::string &file, std::string &hash)
+  {
+    const Silence silence;
+    const Handle  root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+                      H5Fclose);
+    require(root >= 0, file, "is no HDF5 file, or is cut off");
+    const std::string version = read_text(root, "squeal_basis", file);
+    require(version == std::to_string(format_version),
+            file,
+            "has the format version " + version + ", this program reads " +
+              std::to_string(format_version));
+    hash = read_text(root, "hash", file);
+    ReducedModel model;
+    for (auto &part : read_group(root, "parts", file))
+      model.parts.push_back(std::move(part.second));
+    for (auto &gram : read_group(root, "grams", file))
+      model.grams.push_back(std::move(gram.second));
+    model.forms          = read_group(root, "forms", file);
+    model.functionals    = read_group(root, "functionals", file);
+    model.numbers        = read_group(root, "numbers", file);
+    const Eigen::Index N = model.n_total();
+    for (const auto &part : model.parts)
+      require(part.rows() == N && part.cols() == N, file, "is damaged");
+    for (std::size_t c = 0;; ++c)
+      {
+        const std::string start = "cell " + part_name(c) + " ";
+        const auto        turn  = model.numbers.find(start + "turn");
+        const auto        box   = model.numbers.find(start + "box");
+        if (turn == model.numbers.end() || box == model.numbers.end())
+          break;
+        require(turn->second.rows() == N && box->second.cols() == 3 &&
+                  box->second.rows() > 0,
+                file,
+                "is damaged");
+        ModelCell cell;
+        cell.lower         = box->second.col(0);
+        cell.upper         = box->second.col(1);
+        cell.local.n_basis = static_cast<unsigned int>(box->second(0, 2));
+        cell.turn          = turn->second;
+        model.project(cell);
+        model.cells.push_back(std::move(cell));
+        model.numbers.erase(turn);
+        model.numbers.erase(box);
+      }
+    require(!model.cells.empty(), file, "is damaged");
+    return model;
+  }
+} // namespace squeal

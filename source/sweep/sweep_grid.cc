@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/sweep/sweep_grid.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    using Scale = SweepAxisParameters::Scale;
+
+    double
+    component(const std::vector<double> &values, const std::size_t i)
+    {
+      return values[values.size() == 1 ? 0 : i];
+    }
+
+    /** Van der Corput's sequence in @p base. */
+    double
+    radical_inverse(std::size_t i, const unsigned int base)
+    {
+      double result = 0., digit = 1. / base;
+      for (; i > 0; i /= base, digit /= base)
+        result += digit * (i % base);
+      return result;
+    }
+  } // namespace
+
+
+
+  SweepGrid::SweepGrid(const Parameters &parameters)
+    : axes(parameters.sweep.axes)
+  {
+    for (const auto &axis : axes)
+      {
+        std::vector<double> coordinates;
+        if (axis.scale == Scale::list)
+          coordinates = axis.values;
+        else
+          {
+            const bool   log = axis.scale == Scale::logarithmic;
+            const double a   = log ? std::log10(axis.from[0]) : axis.from[0];
+            const double b   = log ? std::log10(axis.to[0]) : axis.to[0];
+            for (unsigned int i = 0; i < axis.number; ++i)
+              coordinates.push_back(axis.number == 1 ? a
+                                    : i + 1 == axis.number
+                                      ? b
+                                      : a + (b - a) * i / (axis.number - 1));
+          }
+        grid.push_back(coordinates);
+      }
+    setter = std::make_unique<NumberSetter>(parameters, entries());
+  }
+
+  SweepGrid::~SweepGrid() = default;
+
+  unsigned int
+  SweepGrid::n_axes() const
+  {
+    return axes.size();
+  }
+
+  const SweepAxisParameters &
+  SweepGrid::axis(const unsigned int a) const
+  {
+    return axes[a];
+  }
+
+  bool
+  SweepGrid::is_logarithmic(const unsigned int a) const
+  {
+    return axes[a].scale == Scale::logarithmic;
+  }
+
+  const std::vector<double> &
+  SweepGrid::coordinates(const unsigned int a) const
+  {
+    return grid[a];
+  }
+
+  double
+  SweepGrid::lower(const unsigned int a) const
+  {
+    return std::min(grid[a].front(), grid[a].back());
+  }
+
+  double
+  SweepGrid::upper(const unsigned int a) const
+  {
+    return std::max(grid[a].front(), grid[a].back());
+  }
+
+
+
+  std::size_t
+  SweepGrid::n_points() const
+  {
+    std::size_t n = 1;
+    for (const auto &coordinates : grid)
+      n *= coordinates.size();
+    return n;
+  }
+
+  SweepPoint
+  SweepGrid::point(std::size_t i) const
+  {
+    SweepPoint result(axes.size());
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      {
+        result[a] = grid[a][i % grid[a].size()];
+        i /= grid[a].size();
+      }
+    return result;
+  }
+
+
+
+  double
+  SweepGrid::share(const unsigned int a, const double coordinate) const
+  {
+    const double length = grid[a].back() - grid[a].front();
+    return length == 0. ? 0. : (coordinate - grid[a].front()) / length;
+  }
+
+  double
+  SweepGrid::value(const unsigned int a, const double coordinate) const
+  {
+    return is_logarithmic(a) ? std::pow(10., coordinate) : coordinate;
+  }
+
+  std::vector<double>
+  SweepGrid::values(const SweepPoint &point) const
+  {
+    std::vector<double> result;
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      for (std::size_t i = 0; i < axes[a].entries.size(); ++i)
+        if (i == 0 || axes[a].scale == Scale::list)
+          result.push_back(value(a, point[a]));
+        else
+          {
+            const double from = component(axes[a].from, i);
+            const double to   = component(axes[a].to, i);
+            const double s    = share(a, point[a]);
+            result.push_back(is_logarithmic(a) ? from * std::pow(to / from, s)
+                                               : from + s * (to - from));
+          }
+    return result;
+  }
+
+  std::vector<std::string>
+  SweepGrid::entries() const
+  {
+    std::vector<std::string> result;
+    for (const auto &axis : axes)
+      result.insert(result.end(), axis.entries.begin(), axis.entries.end());
+    return result;
+  }
+
+  const SceneParameters &
+  SweepGrid::scene(const SweepPoint &point) const
+  {
+    return setter->scene(values(point));
+  }
+
+
+
+  std::vector<SweepPoint>
+  SweepGrid::spread(const std::size_t n) const
+  {
+    static constexpr unsigned int primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23};
+    std::vector<SweepPoint>       result;
+    SweepPoint                    low(axes.size()), high(axes.size());
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      {
+        low[a]  = lower(a);
+        high[a] = upper(a);
+      }
+    if (axes.size() <= 6)
+      for (unsigned int corner = 0; corner < (1u << axes.size()); ++corner)
+        {
+          SweepPoint p = low;
+          for (std::size_t a = 0; a < axes.size(); ++a)
+            if (corner & (1u << a))
+              p[a] = high[a];
+          result.push_back(p);
+        }
+    result.push_back(0.5 * (low + high));
+    for (std::size_t i = 1; result.size() < n; ++i)
+      {
+        SweepPoint p = low;
+        for (std::size_t a = 0; a < axes.size(); ++a)
+          p[a] += (high[a] - low[a]) * radical_inverse(i, primes[a % 9]);
+        result.push_back(p);
+      }
+    return result;
+  }
+} // namespace squeal

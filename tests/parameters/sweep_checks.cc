@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What is wrong with a sweep is said in one line that names the entry.
+#include <squeal/base/exceptions.h>
+#include <squeal/parameters/parameters.h>
+
+#include "check.h"
+
+#include <string>
+#include <vector>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  const std::string file =
+    SQUEAL_SOURCE_DIR "/prm/tribobrake/stability_map.prm";
+
+  void
+  refused(const std::vector<std::string> &overrides,
+          const std::string              &part,
+          const std::string              &text)
+  {
+    check_throws<InputError>(
+      [&]() { read_parameters(file, overrides).check(); }, part, text);
+  }
+
+  void
+  faults()
+  {
+    refused({"Sweep/Axis e_pad/Entries = Scene/Body pad/Yung modulus"},
+            "did you mean 'Scene/Body pad/Young modulus'",
+            "an unknown entry is told with the nearest name");
+    refused({"Sweep/Axis e_pad/Entries = Scene/Body pad/Shape"},
+            "is not a number",
+            "an entry that is no number");
+    refused({"Sweep/Axis e_pad/Entries = Discretization/Degree"},
+            "only numbers of the scene",
+            "an entry outside the scene");
+    refused({"Sweep/Axis e_pad/Entries ="}, "is empty", "an axis of nothing");
+    refused({"Sweep/Axis mu/Entries = Scene/Body pad/Young modulus"},
+            "is swept already",
+            "one entry on two axes");
+    refused(
+      {"Sweep/Axis e_pad/From = -1e9"}, "Axis e_pad", "a negative stiffness");
+    refused({"Sweep/Axis e_pad/From = 1e11"},
+            "nothing to sweep",
+            "a range without length");
+    refused({"Sweep/Axis e_pad/From = 1e9, 2e9"},
+            "has 2 numbers",
+            "more ends than entries");
+    refused({"Sweep/Axis mu/Values ="}, "is empty", "a list without values");
+    refused(
+      {"Sweep/Axis mu/Values = 0.2, 0.1"}, "must ascend", "a list that falls");
+    refused(
+      {"Sweep/Axis e_pad/Number = 10000000", "Sweep/Axis mu/Values = 0.1, 0.2"},
+      "Number",
+      "more values than allowed");
+    refused(
+      {"Sweep/Sensitivities = Scene/Contact pad_disk/Friction coefficient"},
+      "did you mean",
+      "an unknown sensitivity");
+  }
+
+  void
+  setter()
+  {
+    const Parameters p = read_parameters(file);
+    NumberSetter     set(p,
+                     {"Scene/Body pad/Young modulus",
+                          "Scene/Contact pad_disc/Friction coefficient"});
+    const auto      &scene = set.scene({3.25e9, 0.123});
+    const Parameters slow =
+      with_value(with_value(p, "Scene/Body pad/Young modulus", 3.25e9),
+                 "Scene/Contact pad_disc/Friction coefficient",
+                 0.123);
+    check(scene.bodies[1].young_modulus == slow.scene.bodies[1].young_modulus &&
+            scene.contacts[0].friction_coefficient ==
+              slow.scene.contacts[0].friction_coefficient &&
+            scene.bodies[0].young_modulus == slow.scene.bodies[0].young_modulus,
+          "the quick way to a scene is the slow one");
+    check(set.scene({1e10, 0.3}).bodies[1].young_modulus == 1e10,
+          "values are set again");
+  }
+} // namespace
+
+int
+main()
+{
+  faults();
+  setter();
+}

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Branches of small systems of known behaviour: two lock-ins, a crossing, a
+// doublet, an exceptional point off the real axis.
+#include <Eigen/LU>
+
+#include <squeal/eigen/dense_quadratic.h>
+#include <squeal/sweep/branch_tracker.h>
+#include <squeal/sweep/stability.h>
+
+#include "check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  ComplexPairs
+  solve(const Eigen::MatrixXd &K, const Eigen::MatrixXd &C)
+  {
+    const Eigen::Index    n = K.rows();
+    const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(n, n);
+    const DensePairs      d = solve_dense_quadratic(
+      {{M, {1., 0., 0.}}, {C, {0., 1., 0.}}, {K, {0., 0., 1.}}}, false, 0., 0.);
+    ComplexPairs pairs;
+    pairs.lambda         = d.lambda;
+    pairs.right          = d.right;
+    pairs.left           = d.left;
+    pairs.error_estimate = Eigen::VectorXd::Zero(d.lambda.size());
+    pairs.pair_partner.assign(d.lambda.size(), -1);
+    pairs.condition.resize(d.lambda.size());
+    for (Eigen::Index i = 0; i < d.lambda.size(); ++i)
+      pairs.condition[i] =
+        2. * std::abs(d.lambda[i]) /
+        std::abs((d.left.col(i).transpose() *
+                  (2. * d.lambda[i] * d.right.col(i) + C * d.right.col(i)))(0));
+    return pairs;
+  }
+
+  /** Frequencies 1 + t/2 and 2 - t/2 lock in about t = 1; one at 1.2 crosses
+   * the first of them without coupling, one at 3 stands apart, a doublet at 4.
+   */
+  ComplexPairs
+  chain(const double t, const double damping = 0.)
+  {
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
+    K.diagonal() << std::pow(1. + 0.5 * t, 2), std::pow(2. - 0.5 * t, 2), 1.44,
+      9., 16., 16.;
+    K(0, 1)           = 0.1;
+    K(1, 0)           = -0.1;
+    Eigen::MatrixXd C = 1e-3 * K;
+    C(0, 0) += damping;
+    return solve(K, C);
+  }
+
+  TrackingOptions
+  options(const bool real = true)
+  {
+    TrackingOptions o;
+    o.lowest_frequency  = 0.;
+    o.highest_frequency = 10.;
+    o.real              = real;
+    return o;
+  }
+
+  std::vector<double>
+  steps(const double from, const double to, const unsigned int n)
+  {
+    std::vector<double> result;
+    for (unsigned int i = 0; i <= n; ++i)
+      result.push_back(from + (to - from) * i / n);
+    return result;
+  }
+
+  int
+  branch_near(const TrackedPoint &p, const double frequency)
+  {
+    int best = 0;
+    for (unsigned int i = 0; i < p.pairs.size(); ++i)
+      if (std::abs(p.pairs.frequency(i) - frequency) <
+          std::abs(p.pairs.frequency(best) - frequency))
+        best = i;
+    return p.branch[best];
+  }
+
+  void
+  random_walk()
+  {
+    const auto    solver = [](const double t) { return chain(t); };
+    BranchTracker straight(solver, options());
+    // Through the crossing (t = 0.4) and the lock-in (t = 1).
+    const auto line = straight.track(steps(0., 2., 400));
+
+    std::mt19937                           generator(5);
+    std::uniform_real_distribution<double> step(-0.3, 0.3);
+    std::vector<double>                    places = {0.};
+    while (places.size() <= 200)
+      places.push_back(
+        std::clamp(places.back() + step(generator) * 1., 0., 2.));
+    const auto place = [&](const double s) {
+      const std::size_t i =
+        std::min<std::size_t>(static_cast<std::size_t>(s), places.size() - 2);
+      return places[i] + (s - i) * (places[i + 1] - places[i]);
+    };
+    BranchTracker walk([&](const double s) { return chain(place(s)); },
+                       options());
+    const auto    walked  = walk.track(steps(0., 200., 200));
+    unsigned int  n_wrong = 0, n_judged = 0;
+    for (const auto &p : walked)
+      {
+        if (!p.asked)
+          continue;
+        // The nearest point of the straight line.
+        const double t    = place(p.coordinate);
+        const auto  *near = &line.front();
+        for (const auto &q : line)
+          if (std::abs(q.coordinate - t) < std::abs(near->coordinate - t))
+            near = &q;
+        for (const int b : {branch_near(line[0], 1. / (2. * M_PI)),
+                            branch_near(line[0], 2. / (2. * M_PI)),
+                            branch_near(line[0], 1.2 / (2. * M_PI)),
+                            branch_near(line[0], 3. / (2. * M_PI))})
+          {
+            const int i = p.pair_of(b), j = near->pair_of(b);
+            ++n_judged;
+            // Near the lock-in lambda changes like a square root.
+            n_wrong += i < 0 || j < 0 ||
+                       std::abs(p.pairs.lambda[i] - near->pairs.lambda[j]) >
+                         0.5 * std::sqrt(0.005);
+          }
+      }
+    check(n_judged == 4 * 201, "every step of the walk was judged");
+    check(n_wrong == 0, "a walk of 200 steps swaps no branch");
+    bool                       crossed = false;
+    const std::complex<double> still =
+      line.back().pairs.lambda[line.back().pair_of(
+        branch_near(line[0], 1.2 / (2. * M_PI)))];
+    crossed = std::abs(still.imag() - 1.2) < 1e-3;
+    check(crossed, "the uncoupled branch crosses the others");
+  }
+
+  void
+  tiny_steps()
+  {
+    // The coalescence, then straight through it at steps of 1e-8.
+    const auto    solver = [](const double t) { return chain(t); };
+    BranchTracker coarse(solver, options());
+    const auto    line = coarse.track(steps(0.6, 1.4, 40));
+    const auto    points =
+      LineStability(solver, options(), 1e-9).exceptional_points(line);
+    check(points.size() == 2, "one lock-in and one lock-out");
+    check(points[0].is_lock_in && !points[1].is_lock_in, "in that order");
+    // Closed form: (k_1 - k_2)^2 / 4 = 0.01 with k = frequency squared.
+    const double t = points[0].coordinate.real();
+    const double half =
+      0.5 * (std::pow(1. + 0.5 * t, 2) - std::pow(2. - 0.5 * t, 2));
+    check_close(half * half, 0.01, 1e-7, "place of the lock-in");
+    check(std::abs(points[0].coordinate.imag()) < 1e-7,
+          "on the real axis with proportional damping");
+
+    BranchTracker fine(solver, options());
+    const auto    through = fine.track(steps(t - 5e-7, t + 5e-7, 100));
+    const int     a = branch_near(through.front(), (1. + 0.5 * t) / 2. / M_PI);
+    int           b = -1;
+    for (unsigned int i = 0; i < through.front().pairs.size(); ++i)
+      if (through.front().branch[i] != a &&
+          std::abs(
+            through.front().pairs.frequency(i) -
+            through.front().pairs.frequency(through.front().pair_of(a))) < 1e-3)
+        b = through.front().branch[i];
+    double condition = 0.;
+    for (const auto &p : through)
+      {
+        check(p.pair_of(a) >= 0 && p.pair_of(b) >= 0,
+              "the invariant pair stays paired at " +
+                std::to_string(p.coordinate - t));
+        condition = std::max(condition, p.pairs.condition[p.pair_of(a)]);
+      }
+    check(condition > 1e3, "the condition of the eigenvalue tells");
+    check(through.front().pairs.frequency(through.front().pair_of(b)) >
+            through.front().pairs.frequency(through.front().pair_of(a)),
+          "two frequencies before");
+    check(through.back().pairs.sigma(through.back().pair_of(b)) >
+            through.back().pairs.sigma(through.back().pair_of(a)),
+          "two rates behind, the upper branch with the larger one");
+  }
+
+  void
+  closed_loop()
+  {
+    // Damping of one degree of freedom moves the coalescence off the real axis
+    // of t: with the coupling as second parameter it is a point of the plane.
+    const auto pairs_at = [](const double t, const double coupling) {
+      Eigen::MatrixXd K(2, 2), C = Eigen::MatrixXd::Zero(2, 2);
+      K << std::pow(1. + 0.5 * t, 2), coupling, -coupling,
+        std::pow(2. - 0.5 * t, 2);
+      C(0, 0) = 0.05;
+      return solve(K, C);
+    };
+    const auto square = [&](const Eigen::Vector2d &p) {
+      const ComplexPairs         q = pairs_at(p[0], p[1]);
+      const std::complex<double> d = 0.5 * (q.lambda[0] - q.lambda[1]);
+      return d * d;
+    };
+    Eigen::Vector2d p(0.99, 0.05);
+    for (unsigned int step = 0; step < 40; ++step)
+      {
+        const double               h = 1e-6;
+        const std::complex<double> f = square(p);
+        Eigen::Matrix2d            J;
+        for (int k = 0; k < 2; ++k)
+          {
+            Eigen::Vector2d q = p;
+            q[k] += h;
+            const std::complex<double> d = (square(q) - f) / h;
+            J.col(k) << d.real(), d.imag();
+          }
+        p -= J.inverse() * Eigen::Vector2d(f.real(), f.imag());
+      }
+    check(std::abs(square(p)) < 1e-9, "exceptional point of the plane");
+    const auto exchanged = [&](const Eigen::Vector2d &centre, const double r) {
+      BranchTracker tracker(
+        [&](const double s) {
+          return pairs_at(centre[0] + r * std::cos(2. * M_PI * s),
+                          centre[1] + r * std::sin(2. * M_PI * s));
+        },
+        options(false));
+      const auto loop = tracker.track(steps(0., 1., 16));
+      return loop_permutation(loop.front(), loop.back(), options(false))[0] ==
+             1;
+    };
+    check(exchanged(p, 0.01), "a loop round the point exchanges the branches");
+    check(!exchanged(p + Eigen::Vector2d(0.05, 0.), 0.01),
+          "a loop beside it does not");
+  }
+
+  void
+  doublets()
+  {
+    BranchTracker tracker([](const double t) { return chain(t); }, options());
+    const auto    line = tracker.track(steps(0., 0.3, 6));
+    check(tracker.n_inserted() < 40, "a doublet asks for no endless division");
+    const int b = line.front().branch.back();
+    check(line.back().pair_of(b) >= 0 &&
+            std::abs(line.back().pairs.frequency(line.back().pair_of(b)) -
+                     4. / (2. * M_PI)) < 1e-4,
+          "a member of a doublet stays one");
+  }
+
+  void
+  ranges_and_edges()
+  {
+    // The lock-in of chain() without damping: sigma = 0 at the coalescence.
+    const auto solver = [](const double t) {
+      ComplexPairs p = chain(t, 0.);
+      return p;
+    };
+    BranchTracker tracker(solver, options());
+    const auto    line   = tracker.track(steps(0., 2., 20));
+    const auto    ranges = LineStability(solver, options(), 1e-7).ranges(line);
+    check(ranges.size() == 1, "one unstable range");
+    check(!ranges[0].at_lower_limit && !ranges[0].at_upper_limit, "inside");
+    // sigma = -beta kappa / 2 + Im(sqrt(kappa)): from the solution itself.
+    for (const double x : {ranges[0].lower, ranges[0].upper})
+      {
+        const ComplexPairs p = chain(x);
+        check(p.lambda.real().maxCoeff() < 2e-5 &&
+                p.lambda.real().maxCoeff() > -2e-3,
+              "sigma vanishes at the edge");
+      }
+    double best = 0.;
+    for (const double t : steps(ranges[0].lower, ranges[0].upper, 20000))
+      best = std::max(best, chain(t).lambda.real().maxCoeff());
+    check_close(ranges[0].peak_sigma, best, 1e-6, "peak of sigma");
+
+    // A range much narrower than the steps is not missed.
+    const auto narrow = [](const double t) {
+      Eigen::MatrixXd K(2, 2);
+      K << std::pow(1. + 0.5 * t, 2), 1e-4, -1e-4, std::pow(2. - 0.5 * t, 2);
+      return solve(K, Eigen::MatrixXd::Zero(2, 2));
+    };
+    BranchTracker second(narrow, options());
+    const auto    found = LineStability(narrow, options(), 1e-7)
+                         .ranges(second.track(steps(0., 2.03, 17)));
+    check(found.size() == 1 && found[0].upper - found[0].lower < 3e-4,
+          "a range of 1e-4 between steps of 0.1 is found");
+  }
+} // namespace
+
+int
+main()
+{
+  random_walk();
+  tiny_steps();
+  closed_loop();
+  doublets();
+  ranges_and_edges();
+}
