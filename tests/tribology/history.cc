@@ -62,6 +62,7 @@ namespace
   void
   write_good(const std::string &path)
   {
+    fs::remove(path);
     HistoryWriter writer(path, two_nodes());
     writer.append(some_samples(0., 700));
     writer.append(std::vector<StatusChange>{{.5, 1, ContactStatus::stick}});
