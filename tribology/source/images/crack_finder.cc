@@ -28,8 +28,9 @@ namespace squeal::tribology
     constexpr int    straight_length  = 40;
     constexpr double straight_within  = 0.0075;
     constexpr int    scratch_votes    = 60;
-    constexpr int    scratch_length   = 90;
-    constexpr int    scratch_gap      = 6;
+    constexpr int    scratch_length   = 110;
+    constexpr int    scratch_gap      = 12;
+    constexpr int    scratch_width    = 13;
 
     /** Strength of the axis of a piece. */
     struct Weight
@@ -94,11 +95,13 @@ namespace squeal::tribology
 
 
 
-    /** Pixels within two of a straight line that crests follow over a long
-     * way: grooves, scratches and edges of the specimen. */
-    cv::Mat
-    straight_lines(const cv::Mat &crests)
+    /** Takes away the strength along straight lines that crests follow over a
+     * long way: grooves, scratches and edges of the specimen. A crack that
+     * crosses one has another direction and stays. */
+    void
+    silence_scratches(RidgeField &ridges, const cv::Mat &crests)
     {
+      constexpr int          n = RidgeField::n_directions;
       std::vector<cv::Vec4i> lines;
       cv::HoughLinesP(crests,
                       lines,
@@ -107,10 +110,21 @@ namespace squeal::tribology
                       scratch_votes,
                       scratch_length,
                       scratch_gap);
-      cv::Mat mask = cv::Mat::zeros(crests.size(), CV_8U);
+      std::vector<cv::Mat> masks(n);
       for (const cv::Vec4i &l : lines)
-        cv::line(mask, {l[0], l[1]}, {l[2], l[3]}, 255, 5);
-      return mask;
+        {
+          const double a = std::atan2(l[3] - l[1], l[2] - l[0]) / CV_PI * n;
+          for (int turn = -1; turn <= 1; ++turn)
+            {
+              cv::Mat &mask = masks[(cvRound(a) + turn + 2 * n) % n];
+              if (mask.empty())
+                mask = cv::Mat::zeros(crests.size(), CV_8U);
+              cv::line(mask, {l[0], l[1]}, {l[2], l[3]}, 255, scratch_width);
+            }
+        }
+      for (int t = 0; t < n; ++t)
+        if (!masks[t].empty())
+          ridges.strength.setTo(0., masks[t] & (ridges.direction == t));
     }
 
 
@@ -157,11 +171,9 @@ namespace squeal::tribology
   find_centre_lines(const RidgeField &field)
   {
     // Scratches neither count nor lead a crack on.
-    RidgeField    ridges = field;
-    const cv::Mat straight =
-      straight_lines(crests_above(field, crest_levels[0]));
-    ridges.strength = field.strength.clone();
-    ridges.strength.setTo(0., straight);
+    RidgeField ridges = field;
+    ridges.strength   = field.strength.clone();
+    silence_scratches(ridges, crests_above(field, crest_levels[0]));
     cv::Mat cracks = cv::Mat::zeros(ridges.strength.size(), CV_8U);
     for (const double level : crest_levels)
       add_cracks(ridges, level, cracks);

@@ -84,6 +84,7 @@ namespace squeal::tribology
     result.cracks = measure_cracks(grey, line, ridges);
     result.areas  = find_areas(grey, result.cracks.area, settings.areas);
     leave_shoulders(result.areas.exfoliation, line);
+    result.areas.rough &= result.areas.exfoliation;
     if (cut(line, result.areas.rough))
       result.cracks = measure_cracks(grey, line, ridges);
     return result;

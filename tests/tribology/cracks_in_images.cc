@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Centre lines of cracks against hand-drawn masks in images that are not part
+// of the repository: argument 1 is their directory; exit code 77 when it is
+// not there. Prints the table of doc/verification.md.
+#include <squeal/tribology/images/micrograph.h>
+#include <squeal/tribology/images/segmentation.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "check.h"
+#include "tribology/line_score.h"
+
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  cv::Mat
+  cracks_of(const std::string &path)
+  {
+    return segment(read_grey(path)).cracks.area;
+  }
+
+
+
+  double
+  mean(const std::vector<double> &values)
+  {
+    double sum = 0.;
+    for (const double v : values)
+      sum += v;
+    return sum / double(values.size());
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  namespace fs = std::filesystem;
+  cv::setNumThreads(1);
+  const fs::path data = argc > 1 ? argv[1] : "";
+  if (!fs::is_directory(data / "cracks" / "images"))
+    {
+      std::cout << "skipped: no images in '" << data.string() << "'\n";
+      return 77;
+    }
+  std::vector<cv::String> files;
+  cv::glob((data / "cracks" / "images" / "*.jpg").string(), files);
+  std::vector<double>                        all;
+  std::map<std::string, std::vector<double>> groups;
+  std::printf(
+    "%-22s %9s %7s %6s %6s\n", "image", "precision", "recall", "F1", "F1 5px");
+  for (const std::string file : files)
+    {
+      const std::string stem = fs::path(file).stem();
+      const cv::Mat     mask =
+        cv::imread((data / "cracks" / "masks" / (stem + ".png")).string(),
+                   cv::IMREAD_GRAYSCALE);
+      const cv::Mat   found = cracks_of(file);
+      const LineScore s     = score_lines(found, mask, 2.);
+      std::printf("%-22s %9.3f %7.3f %6.3f %6.3f\n",
+                  stem.c_str(),
+                  s.precision,
+                  s.recall,
+                  s.f1(),
+                  score_lines(found, mask, 5.).f1());
+      all.push_back(s.f1());
+      groups[stem.substr(0, stem.find('_'))].push_back(s.f1());
+    }
+  for (const auto &[name, values] : groups)
+    std::printf("mean of %-6s %.3f\n", name.c_str(), mean(values));
+  std::printf("mean of all    %.3f\n", mean(all));
+
+  double false_length = 0.;
+  cv::glob((data / "negatives" / "images" / "*.jpg").string(), files);
+  for (const std::string file : files)
+    {
+      const int n = cv::countNonZero(thin(cracks_of(file)));
+      std::printf("no crack: %-22s %d px\n", fs::path(file).stem().c_str(), n);
+      false_length += n;
+    }
+  std::fflush(stdout);
+
+  check(mean(all) >= 0.60, "mean F1 at 2 px is at least 0.60");
+  check(false_length < 200., "less than 200 px in images without cracks");
+  for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      std::vector<double> others = all;
+      others.erase(others.begin() + std::ptrdiff_t(i));
+      check(mean(others) >= 0.60,
+            "no one image decides: without " + std::to_string(i));
+    }
+  return 0;
+}

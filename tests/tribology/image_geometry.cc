@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Registration, mosaics, sections and length of lines against known answers.
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/registration.h>
+#include <squeal/tribology/images/section_profile.h>
+#include <squeal/tribology/images/specimen.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  using T = SegmentationParameters::Transform;
+
+  void
+  check_transforms()
+  {
+    const std::vector<cv::Point2d> pixels = {
+      {10., 20.}, {900., 40.}, {880., 700.}, {30., 650.}, {400., 300.}};
+    const cv::Matx33d turned(1.2, -0.3, 50., 0.3, 1.2, -70., 0., 0., 1.);
+    const cv::Matx33d mirrored(1.2, 0.3, 50., 0.3, -1.2, -70., 0., 0., 1.);
+    const cv::Matx33d skewed(1.2, 0.2, 50., 0.1, 0.9, -70., 0., 0., 1.);
+    const cv::Matx33d tilted(1.2, 0.2, 50., 0.1, 0.9, -70., 1e-5, 2e-5, 1.);
+    const std::tuple<T, cv::Matx33d, std::string> cases[] = {
+      {T::similarity, turned, "similarity"},
+      {T::similarity, mirrored, "mirrored similarity"},
+      {T::affine, skewed, "affine"},
+      {T::homography, tilted, "homography"}};
+    for (const auto &[kind, matrix, name] : cases)
+      {
+        std::vector<cv::Point2d> pad;
+        for (const cv::Point2d &p : pixels)
+          pad.push_back(Placement{matrix, 0.}(p));
+        const Placement found = fit_placement(pixels, pad, kind);
+        check(found.residual < 1e-6, name + ": no residual");
+        check(cv::norm(found({123., 456.}) -
+                       Placement{matrix, 0.}({123., 456.})) < 1e-6,
+              name + ": another point");
+        pad[0].x += 10.;
+        check(fit_placement(pixels, pad, kind).residual > 0.5,
+              name + ": a wrong point shows in the residual");
+      }
+    const std::vector<cv::Point2d> line = {
+      {0., 0.}, {10., 10.}, {20., 20.}, {35., 35.}};
+    for (const T kind : {T::similarity, T::affine, T::homography})
+      check_throws<InputError>([&]() { fit_placement(line, line, kind); },
+                               "collinear",
+                               "points on a line are refused");
+    check_throws<InputError>(
+      [&]() {
+        fit_placement({{0., 0.}}, {{0., 0.}}, T::affine);
+      },
+      "at least 3",
+      "one point is refused");
+  }
+
+
+
+  /** Four frames cut from one picture, their stage positions wrong by up to
+   * 5 pixels. */
+  void
+  check_mosaic()
+  {
+    SpecimenSettings settings;
+    settings.data_bar = false;
+    cv::Mat grey;
+    make_specimen(settings).image.convertTo(grey, CV_32F);
+    std::vector<Micrograph> frames;
+    const cv::Point         error[] = {{0, 0}, {4, -3}, {-2, 5}, {3, 3}};
+    std::vector<cv::Point>  corners = {{0, 0}, {420, 0}, {0, 300}, {420, 300}};
+    for (int i = 0; i < 4; ++i)
+      {
+        Micrograph m;
+        m.path       = "frame";
+        m.grey       = grey(cv::Rect(corners[i], cv::Size(600, 460))).clone();
+        m.frame      = {0, 0, 600, 460};
+        m.pixel_size = 2.;
+        m.metadata.stage =
+          2. * cv::Point2d(corners[i] + cv::Point(300, 230) + error[i]);
+        frames.push_back(m);
+      }
+    const Mosaic mosaic = join_frames(frames);
+    check(mosaic.n_refined == 3, "three frames are aligned");
+    for (int i = 1; i < 4; ++i)
+      check(cv::norm(mosaic.shifts[i] - mosaic.shifts[0] -
+                     cv::Point2d(corners[i] - corners[0])) < 0.1,
+            "frame " + std::to_string(i) + " within a tenth of a pixel");
+    const cv::Mat flat(200, 200, CV_32F, cv::Scalar(50.));
+    check(!refine_shift(flat, flat, {10., 0.}),
+          "frames without structure are not aligned");
+    frames[1].metadata.stage.reset();
+    check_throws<InputError>([&]() { join_frames(frames); },
+                             "stage",
+                             "a frame without stage position is refused");
+  }
+
+
+
+  /** Resin, a bright layer whose thickness is known, bulk, cracks that end at
+   * a known depth. */
+  void
+  check_section()
+  {
+    cv::Mat grey(500, 640, CV_32F, cv::Scalar(110.));
+    cv::Mat line = cv::Mat::zeros(grey.size(), CV_8U);
+    for (int x = 0; x < grey.cols; ++x)
+      {
+        const int surface = 80 + cvRound(10. * std::sin(x / 60.));
+        grey(cv::Rect(x, surface, 1, 40)).setTo(170.);
+        grey(cv::Rect(x, 0, 1, surface)).setTo(15.);
+        if (x % 40 == 20)
+          line(cv::Rect(x, surface, 1, 100)).setTo(255);
+      }
+    cv::Mat noise(grey.size(), CV_32F);
+    cv::RNG(3).fill(noise, cv::RNG::NORMAL, 0., 6.);
+    const SectionProfile p = profile_section(grey + noise, line, 20.);
+    check_close(p.layer_median, 40., 0.05, "thickness of the layer");
+    for (int b = 0; b < 8; ++b)
+      {
+        const double density  = p.crack_length[b] / p.band_area[b];
+        const double expected = b < 5 ? 1. / 40. : 0.;
+        // The surface is a median over columns: it moves by a pixel.
+        check(std::abs(density - expected) < 0.004,
+              "crack density in band " + std::to_string(b));
+      }
+  }
+
+
+
+  /** Straight lines in all directions: the length is right on average. */
+  void
+  check_length()
+  {
+    double sum = 0.;
+    for (int degree = 0; degree < 180; ++degree)
+      {
+        cv::Mat      line = cv::Mat::zeros(400, 400, CV_8U);
+        const double a    = degree * CV_PI / 180.;
+        cv::line(line,
+                 {cvRound(200. - 150. * std::cos(a)),
+                  cvRound(200. - 150. * std::sin(a))},
+                 {cvRound(200. + 150. * std::cos(a)),
+                  cvRound(200. + 150. * std::sin(a))},
+                 255);
+        const double ratio = skeleton_length(line) / 300.;
+        check(std::abs(ratio - 1.) < 0.07,
+              "length at " + std::to_string(degree) + " degrees");
+        sum += ratio / 180.;
+      }
+    check_close(sum, 1., 0.01, "mean over all directions");
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  check_transforms();
+  check_mosaic();
+  check_section();
+  check_length();
+  return 0;
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Scale and stage of microscopes, and what cannot be read. Argument: the
+// executable.
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/micrograph.h>
+#include <squeal/tribology/images/specimen.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+namespace fs = std::filesystem;
+
+namespace
+{
+  void
+  write(const std::string &name, const std::string &data)
+  {
+    std::ofstream(name, std::ios::binary) << data;
+  }
+
+
+
+  std::string
+  read(const std::string &name)
+  {
+    std::ifstream      in(name, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+  }
+
+
+
+  std::string
+  bytes(const std::uint32_t value, const int n)
+  {
+    std::string s;
+    for (int i = 0; i < n; ++i)
+      s += char(value >> 8 * i);
+    return s;
+  }
+
+
+
+  /** An uncompressed grey TIFF of 16 bit with one more ASCII tag. */
+  std::string
+  tiff(const unsigned int tag, const std::string &text)
+  {
+    const int   n = 64;
+    std::string pixels;
+    for (int i = 0; i < n * n; ++i)
+      pixels += bytes(std::uint32_t(i * 16), 2);
+    const std::uint32_t at_text = 8 + std::uint32_t(pixels.size());
+    const std::uint32_t at_tags =
+      at_text + std::uint32_t(text.size()) + std::uint32_t(text.size() % 2);
+    std::string entries;
+    const auto entry = [&](int id, int type, std::size_t count, std::size_t v) {
+      entries += bytes(id, 2) + bytes(type, 2) +
+                 bytes(std::uint32_t(count), 4) + bytes(std::uint32_t(v), 4);
+    };
+    entry(256, 3, 1, n);
+    entry(257, 3, 1, n);
+    entry(258, 3, 1, 16);
+    entry(259, 3, 1, 1);
+    entry(262, 3, 1, 1);
+    entry(273, 4, 1, 8);
+    entry(277, 3, 1, 1);
+    entry(278, 3, 1, n);
+    entry(279, 4, 1, pixels.size());
+    entry(tag, 2, text.size(), at_text);
+    return "II" + bytes(42, 2) + bytes(at_tags, 4) + pixels + text +
+           (text.size() % 2 ? " " : "") + bytes(10, 2) + entries + bytes(0, 4);
+  }
+
+
+
+  void
+  check_metadata()
+  {
+    write("fei.tif",
+          tiff(34682,
+               "[User]\r\nUser=x\r\n[Stage]\r\nStageX=0.0012\r\n"
+               "StageY=-0.0005\r\n[Scan]\r\nPixelWidth=1.5e-007\r\n"));
+    const Micrograph fei = read_micrograph("fei.tif", 0.);
+    check_close(fei.pixel_size, 0.15, 1e-12, "FEI pixel size in um");
+    check_close(fei.metadata.stage->x, 1200., 1e-12, "FEI stage in um");
+    check_close(
+      fei.grey.at<float>(0, 10), 160. / 257., 1e-5, "16 bits are scaled");
+    write("zeiss.tif",
+          tiff(34118,
+               "AP_IMAGE_PIXEL_SIZE\r\nImage Pixel Size = 27.91 nm\r\n"
+               "AP_STAGE_AT_X\r\nStage at X = 61.200 mm\r\n"
+               "AP_STAGE_AT_Y\r\nStage at Y = 48.000 mm\r\n"));
+    const Micrograph zeiss = read_micrograph("zeiss.tif", 0.);
+    check_close(zeiss.pixel_size, 0.02791, 1e-12, "Zeiss pixel size in um");
+    check_close(zeiss.metadata.stage->y, 48000., 1e-12, "Zeiss stage in um");
+    check_close(read_micrograph("zeiss.tif", 2.).pixel_size,
+                2.,
+                1e-12,
+                "a given size comes first");
+    cv::imwrite("jeol.png", cv::Mat(64, 64, CV_8U, cv::Scalar(9)));
+    write("jeol.txt",
+          "$CM_MAG 500\r\n$$SM_MICRON_BAR 160\r\n$$SM_MICRON_MARKER 50um\r\n"
+          "$CM_STAGE_POS 1.5 -2.0 10 0 0 0\r\n");
+    const Micrograph jeol = read_micrograph("jeol.png", 0.);
+    check_close(jeol.pixel_size, 50. / 160., 1e-12, "JEOL pixel size in um");
+    check_close(jeol.metadata.stage->y, -2000., 1e-12, "JEOL stage in um");
+
+    SpecimenSettings settings;
+    settings.pixel_size = 0.8;
+    const Specimen made = make_specimen(settings);
+    write_png("bar.png", made.image);
+    const Micrograph bar =
+      read_micrograph("bar.png", 0., {made.scale_bar, made.scale_bar_length});
+    check_close(bar.pixel_size, 0.8, 0.01, "pixel size from the scale bar");
+    check(bar.frame.height == cvRound(768. / 0.8), "the data bar is left out");
+    write_png("own.png",
+              made.image,
+              "Kind = synthetic specimen\nPixel size = 0.8 um\n");
+    const Micrograph own = read_micrograph("own.png", 0.);
+    check_close(own.pixel_size, 0.8, 1e-12, "the text chunk is found again");
+    check(own.metadata.is_synthetic, "a made image says so");
+  }
+
+
+
+  void
+  check_refusals(const std::string &program)
+  {
+    write("empty.png", "");
+    std::string noise;
+    for (unsigned int i = 0, x = 1; i < 5000;
+         ++i, x                = 1664525u * x + 1013904223u)
+      noise += char(x >> 24);
+    write("noise.png", noise);
+    write("cut.png", read("own.png").substr(0, 20000));
+    cv::imwrite("tiny.png", cv::Mat(3, 3, CV_8U, cv::Scalar(9)));
+    fs::create_directory("folder.png");
+    cv::imwrite("plain.png", cv::Mat(64, 64, CV_8U, cv::Scalar(9)));
+    const std::string line = "'Segmentation/Registration = points' --set "
+                             "'Segmentation/Image points = 0,0,1,1,2,2' --set "
+                             "'Segmentation/Pad points = 0,0,1,1,2,2'";
+    const std::tuple<std::string, std::string, std::string> cases[] = {
+      {"empty.png", "", "empty"},
+      {"noise.png", "", "no PNG, TIFF or JPEG"},
+      {"cut.png", "", "truncated"},
+      {"tiny.png", "", "at least 32"},
+      {"folder.png", "", "directory"},
+      {"missing.png", "", "missing.png"},
+      {"none*.png", "", "no file matches"},
+      {"plain.png", "'Pixel size = 0'", "no scale"},
+      {"plain.png", line, "collinear"},
+      {"plain.png", "'Output directory = /proc/none'", "output directory"},
+      {"plain.png", "'Segmentation/Registration = stage'", "stage position"}};
+    for (const auto &[image, more, part] : cases)
+      {
+        fs::remove_all("refused");
+        write("case.prm",
+              "set Analysis = segmentation\nset Images = " + image +
+                "\nset Pixel size = 1\nset Output directory = refused\n");
+        const int status =
+          std::system((program + (more.empty() ? "" : " --set " + more) +
+                       " case.prm > out.txt 2> err.txt")
+                        .c_str());
+        const std::string text = read("err.txt");
+        check(status != 0, image + " is refused");
+        check(text.find(part) != std::string::npos, "it says why: " + text);
+        check(std::count(text.begin(), text.end(), '\n') == 1, "in one line");
+        int n_files = 0;
+        if (fs::exists("refused"))
+          for (const auto &f : fs::directory_iterator("refused"))
+            n_files += f.path().filename() != "run.log";
+        check(n_files == 0, "nothing is left half written");
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check_metadata();
+  if (argc > 1)
+    check_refusals(argv[1]);
+  return 0;
+}
