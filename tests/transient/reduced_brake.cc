@@ -12,6 +12,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -219,6 +220,65 @@ namespace
         check_below(run.ledger().imbalance(), 1e-3, "the ledger closes");
       }
   }
+
+  /** The pad thrown off the disc, which falls back on it again and again. */
+  void
+  impacts()
+  {
+    const Reduced       r(pressed_brake(.3), 24e3);
+    const SteadySliding s      = steady_sliding(r.model, .3);
+    double              before = 0.;
+    for (const double dt : {4e-6, 1e-6})
+      {
+        TransientDrive drive;
+        drive.friction = .3;
+        drive.speed    = [](double) { return speed; };
+        drive.load     = [](double) { return 1.; };
+        ReducedTransient run(r.model, dt, drive, load / r.model.n_nodes());
+        // Against the load; the fastest mode with 2 cm/s at unit modal mass.
+        Eigen::VectorXd v = -r.model.load;
+        v *= 2e-2 / v.cwiseAbs().maxCoeff();
+        run.start(s.coordinates, v, s.forces);
+        unsigned int n_flights = 0, n_steps = 0, n_sweeps = 0;
+        bool         flies   = false;
+        double       highest = 0.;
+        const double start   = run.ledger().start;
+        while (run.time() < 10e-3)
+          {
+            n_sweeps += run.advance().sweeps;
+            ++n_steps;
+            const bool all_open = std::all_of(
+              run.status().begin(), run.status().end(), [](const auto c) {
+                return c == ContactStatus::open;
+              });
+            n_flights += all_open && !flies;
+            flies         = all_open;
+            const auto &e = run.ledger();
+            highest       = std::max(highest,
+                               (e.kinetic + e.elastic + e.damping + e.friction -
+                                e.driving - e.load) /
+                                 start);
+          }
+        std::printf("dt %g: %u flights, imbalance %.2e, numerical %.2e of "
+                    "%.3e J, gain %.2e, %u sweeps in %u steps\n",
+                    dt,
+                    n_flights,
+                    run.ledger().imbalance(),
+                    run.ledger().numerical / start,
+                    start,
+                    highest - 1.,
+                    n_sweeps,
+                    n_steps);
+        check(n_flights >= 3, "the contact opens as a whole, many times");
+        check_below(run.ledger().imbalance(), 1e-3, "the ledger closes");
+        const double gain = highest - 1.;
+        if (before > 0.)
+          check_below(gain,
+                      before / 8.,
+                      "what impacts make falls with the square of the step");
+        before = gain;
+      }
+  }
 } // namespace
 
 int
@@ -232,6 +292,8 @@ main(int argc, char *argv[])
     linearization();
   else if (which == "growth")
     growth();
+  else if (which == "impacts")
+    impacts();
   else
-    check(false, "an argument: steady, linearization or growth");
+    check(false, "an argument: steady, linearization, growth or impacts");
 }
