@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/parameters/checks.h>
 #include <squeal/results/chart.h>
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/damage/map_picture.h>
@@ -309,10 +310,14 @@ namespace squeal::tribology
   void
   run_correlation(Context &context)
   {
-    const CorrelationParameters &p    = context.parameters.correlation;
-    const std::vector<PadMaps>   pads = read_pads(p);
-    std::vector<PadLink>         links;
-    std::vector<GroupResult>     groups;
+    const CorrelationParameters &p = context.parameters.correlation;
+    for (const std::string &file : p.damage_tables)
+      prm::require_file(file, "Correlation", "Damage tables", true);
+    for (const std::string &file : p.feature_tables)
+      prm::require_file(file, "Correlation", "Feature tables", true);
+    const std::vector<PadMaps> pads = read_pads(p);
+    std::vector<PadLink>       links;
+    std::vector<GroupResult>   groups;
     {
       Timers::Section section(context.timers, "Correlate: maps");
       links  = link_pads(pads, p);

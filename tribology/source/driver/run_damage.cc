@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/results/chart.h>
 #include <squeal/tribology/damage/damage_files.h>
@@ -334,8 +335,10 @@ namespace squeal::tribology
   run_damage(Context &context)
   {
     const TribologyParameters &p = context.parameters;
-    Study                      study(p.history.file, p.history);
-    std::unique_ptr<Study>     silent;
+    prm::require_file(p.history.file, "History", "File", true);
+    prm::require_file(p.history.silent_file, "History", "Silent file", false);
+    Study                  study(p.history.file, p.history);
+    std::unique_ptr<Study> silent;
     if (!p.history.silent_file.empty())
       {
         silent = std::make_unique<Study>(p.history.silent_file, p.history);

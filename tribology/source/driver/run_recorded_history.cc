@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/checks.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/driver/analyses.h>
 #include <squeal/tribology/history/clipped_sine.h>
@@ -37,8 +38,13 @@ namespace squeal::tribology
   void
   run_recorded_history(Context &context)
   {
-    const RecordedHistoryParameters &p    = context.parameters.recorded_history;
-    const std::string                path = context.output.file(p.file);
+    const RecordedHistoryParameters &p = context.parameters.recorded_history;
+    if (p.source == RecordedHistoryParameters::Source::csv)
+      {
+        prm::require_file(p.samples, "Recorded history", "Samples", true);
+        prm::require_file(p.nodes, "Recorded history", "Nodes", true);
+      }
+    const std::string path = context.output.file(p.file);
     {
       Timers::Section section(context.timers, "Write: history");
       if (p.source == RecordedHistoryParameters::Source::csv)

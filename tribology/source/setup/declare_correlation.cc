@@ -92,9 +92,5 @@ namespace squeal::tribology
     if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
       prm::refuse_entry(
         section, "Groups", "has not one group for each of 'Damage tables'");
-    for (const std::string &file : c.damage_tables)
-      prm::require_file(file, section, "Damage tables", true);
-    for (const std::string &file : c.feature_tables)
-      prm::require_file(file, section, "Feature tables", true);
   }
 } // namespace squeal::tribology

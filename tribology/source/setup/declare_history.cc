@@ -126,8 +126,8 @@ namespace squeal::tribology
   void
   check_history(const HistoryParameters &h)
   {
-    prm::require_file(h.file, "History", "File", true);
-    prm::require_file(h.silent_file, "History", "Silent file", false);
+    if (h.file.empty())
+      prm::refuse_entry("History", "File", "is empty: name a history");
     if (h.end_time <= h.start_time)
       prm::refuse_entry("History", "End time", "is not after 'Start time'");
   }
@@ -143,8 +143,10 @@ namespace squeal::tribology
         section, "File", "is not a name within the output directory");
     if (r.source == RecordedHistoryParameters::Source::csv)
       {
-        prm::require_file(r.samples, section, "Samples", true);
-        prm::require_file(r.nodes, section, "Nodes", true);
+        if (r.samples.empty() || r.nodes.empty())
+          prm::refuse_entry(section,
+                            r.samples.empty() ? "Samples" : "Nodes",
+                            "is empty: name a table");
       }
     else
       {

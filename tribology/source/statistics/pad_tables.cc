@@ -12,14 +12,22 @@ namespace squeal::tribology
 {
   namespace
   {
-    const std::vector<Table::Column> places = {{"x_m"}, {"y_m"}};
+    const std::vector<Table::Column> places = {
+      {"x_m", Table::Type::real, "m", ""},
+      {"y_m", Table::Type::real, "m", ""}};
 
     /** Columns of places and names, which are no features. */
     bool
     is_place(const std::string &name)
     {
-      for (const char *other :
-           {"node", "cell", "x_m", "y_m", "area_m2", "images", "pad"})
+      for (const char *other : {"node",
+                                "cell",
+                                "x_m",
+                                "y_m",
+                                "area_m2",
+                                "coverage",
+                                "images",
+                                "pad"})
         if (name == other)
           return true;
       return false;
@@ -52,39 +60,69 @@ namespace squeal::tribology
 
 
 
-    /** The node in whose cell each row of a table of features lies. */
+    /** Rows of a table of features that count: those of the whole pad where
+     * there are such, else all. */
     std::vector<std::size_t>
-    nodes_of(const ContactGrid &grid,
-             const Table       &table,
-             const std::string &file)
+    rows_of_pad(const Table &table)
     {
-      std::vector<std::size_t> nodes;
-      std::vector<char>        is_taken(grid.n_nodes(), 0);
+      std::vector<std::size_t> all, of_pad;
       for (std::size_t row = 0; row < table.n_rows(); ++row)
         {
-          const double x = table.real(row, "x_m"), y = table.real(row, "y_m");
-          std::size_t  nearest  = 0;
-          double       distance = 1e300;
-          for (std::size_t k = 0; k < grid.n_nodes(); ++k)
-            if (const double d =
-                  std::hypot(x - grid.place(k)[0], y - grid.place(k)[1]);
-                d < distance)
-              {
-                distance = d;
-                nearest  = k;
-              }
-          const std::string where = file + ":" + std::to_string(row + 2) +
-                                    ": (" + shortest_text(x) + ", " +
-                                    shortest_text(y) + ") m ";
-          if (!(distance <= .1 * std::sqrt(grid.area(nearest))))
-            throw InputError(where + "is the place of no cell of the damage "
-                                     "table");
-          if (is_taken[nearest])
-            throw InputError(where + "is the place of an earlier row");
-          is_taken[nearest] = 1;
-          nodes.push_back(nearest);
+          all.push_back(row);
+          if (table.has_column("image") && table.text(row, "image") == "pad")
+            of_pad.push_back(row);
         }
-      return nodes;
+      return of_pad.empty() ? all : of_pad;
+    }
+
+
+
+    /** The node in whose cell a place lies. */
+    std::size_t
+    node_at(const ContactGrid &grid,
+            const double       x,
+            const double       y,
+            const std::string &where)
+    {
+      for (std::size_t k = 0; k < grid.n_nodes(); ++k)
+        {
+          const Patch &c     = grid.cell(k);
+          const double slack = 1e-6 * (c.x_max - c.x_min);
+          if (x >= c.x_min - slack && x <= c.x_max + slack &&
+              y >= c.y_min - slack && y <= c.y_max + slack)
+            return k;
+        }
+      throw InputError(where + "(" + shortest_text(x) + ", " +
+                       shortest_text(y) +
+                       ") m lies in no cell of the damage table");
+    }
+
+
+
+    /** A feature on the cells: the mean of the rows in a cell, by their
+     * coverage if the table has it. */
+    GridMap
+    feature_map(const ContactGrid              &grid,
+                const Table                    &table,
+                const std::vector<std::size_t> &rows,
+                const std::vector<std::size_t> &nodes,
+                const std::string              &name)
+    {
+      std::vector<double> sums(grid.n_nodes(), 0.), weights(grid.n_nodes(), 0.);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        {
+          const double value = table.real(rows[i], name);
+          const double weight =
+            table.has_column("coverage") ? table.real(rows[i], "coverage") : 1.;
+          if (std::isfinite(value) && weight > 0.)
+            {
+              sums[nodes[i]] += weight * value;
+              weights[nodes[i]] += weight;
+            }
+        }
+      for (std::size_t k = 0; k < sums.size(); ++k)
+        sums[k] = weights[k] > 0. ? sums[k] / weights[k] : NAN;
+      return on_grid(grid, sums);
     }
 
 
@@ -95,7 +133,7 @@ namespace squeal::tribology
              const CorrelationParameters &p)
     {
       std::vector<Table::Column> needed = places;
-      needed.push_back({"area_m2"});
+      needed.push_back({"area_m2", Table::Type::real, "m^2", ""});
       const Table damage   = read_csv(damage_file, needed);
       const Table features = read_csv(feature_file, places);
       std::vector<std::array<double, 3>> points;
@@ -127,15 +165,19 @@ namespace squeal::tribology
             throw InputError("'" + damage_file + "': the index '" + name +
                              "' is not known in every cell");
         }
-      const std::vector<std::size_t> nodes =
-        nodes_of(*pad.grid, features, feature_file);
+      const std::vector<std::size_t> rows = rows_of_pad(features);
+      std::vector<std::size_t>       nodes;
+      for (const std::size_t row : rows)
+        nodes.push_back(
+          node_at(*pad.grid,
+                  features.real(row, "x_m"),
+                  features.real(row, "y_m"),
+                  feature_file + ":" + std::to_string(row + 2) + ": "));
       for (const std::string &name : feature_columns(features, p.features))
         {
           features.column_index(name);
-          std::vector<double> values(pad.grid->n_nodes(), NAN);
-          for (std::size_t row = 0; row < nodes.size(); ++row)
-            values[nodes[row]] = features.real(row, name);
-          pad.features[name] = on_grid(*pad.grid, values);
+          pad.features[name] =
+            feature_map(*pad.grid, features, rows, nodes, name);
         }
       if (pad.features.empty() || pad.indices.empty())
         throw InputError("'" +
@@ -168,8 +210,9 @@ namespace squeal::tribology
                   const std::size_t          k,
                   const double               observed)
     {
-      std::vector<char> chosen(values.size(), 0);
-      std::fill(chosen.end() - k, chosen.end(), 1);
+      std::vector<int> chosen(values.size());
+      for (std::size_t i = 0; i < chosen.size(); ++i)
+        chosen[i] = i + k >= chosen.size() ? 1 : 0;
       double n_all = 0., n_larger = 0.;
       do
         {

@@ -206,7 +206,8 @@ namespace squeal
                              CorrelationParameters &correlation);
     //@}
 
-    /** @name Checks that span several entries; each throws InputError. */
+    /** @name Checks that span several entries; each throws InputError. Files
+     * need not be there yet: a run before may write them. */
     //@{
     void check_history(const HistoryParameters &history);
     void check_recorded_history(const RecordedHistoryParameters &recorded);

@@ -22,10 +22,12 @@ namespace squeal::tribology
   };
 
   /**
-   * Reads a damage table and a table of features for each pad and joins their
-   * rows by place (x_m, y_m: a tenth of a cell). The damage table must cover a
-   * rectangular grid. Throws InputError for a missing column, a feature that
-   * lies in no cell, or two in one.
+   * Reads a damage table and a table of features for each pad. Rows of features
+   * belong to the nodal cell in which their place (x_m, y_m) lies; several rows
+   * in a cell count with their coverage. Of a table with a column "image" only
+   * the rows "pad" count if there are any. The damage table must cover a
+   * rectangular grid. Throws InputError for a missing column and for a place
+   * that lies in no cell.
    */
   std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
 

@@ -1,0 +1,529 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Contact histories: what is written is read, faults are refused in one line,
+// and the generator has the published factors.
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/damage/history_damage.h>
+#include <squeal/tribology/history/clipped_sine.h>
+#include <squeal/tribology/history/csv_import.h>
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+namespace fs = std::filesystem;
+
+namespace
+{
+  void
+  write_text(const std::string &file, const std::string &text)
+  {
+    std::ofstream(file) << text;
+  }
+
+  HistoryLayout
+  two_nodes()
+  {
+    HistoryLayout layout;
+    layout.name         = "two nodes";
+    layout.points       = {{{0., 0., 0.}}, {{1e-3, 0., 0.}}};
+    layout.areas        = {1e-6, 2e-6};
+    layout.probe_names  = {"top_m"};
+    layout.energy_names = {"kinetic_j", "elastic_j"};
+    return layout;
+  }
+
+  HistorySamples
+  some_samples(const double start, const std::size_t n)
+  {
+    HistorySamples s;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double t = start + i;
+        s.time.push_back(t);
+        s.pressure.insert(s.pressure.end(), {t, 2. * t});
+        s.traction.insert(s.traction.end(), {0., t, .5, -t});
+        s.slip_rate.insert(s.slip_rate.end(), {0., 1., 2., 3.});
+        s.gap.insert(s.gap.end(), {0., .25});
+        s.status.insert(s.status.end(), {2., 0.});
+        s.resultants.insert(s.resultants.end(), {t, 0., -t});
+        s.probes.push_back(1e-9 * t);
+        s.energies.insert(s.energies.end(), {t, 1. / (1. + t)});
+      }
+    return s;
+  }
+
+  void
+  write_good(const std::string &path)
+  {
+    fs::remove(path);
+    HistoryWriter writer(path, two_nodes());
+    writer.append(some_samples(0., 700));
+    writer.append(std::vector<StatusChange>{{.5, 1, ContactStatus::stick}});
+    writer.append(some_samples(700., 300));
+    check(!fs::exists(path), "the file has no name before it is complete");
+    writer.finish();
+  }
+
+  void
+  round_trip()
+  {
+    write_good("good.h5");
+    const HistoryReader reader("good.h5");
+    check(reader.n_samples() == 1000 && reader.layout().n_nodes() == 2 &&
+            reader.layout().name == "two nodes" &&
+            reader.layout().areas == two_nodes().areas &&
+            reader.layout().points == two_nodes().points &&
+            reader.layout().probe_names == two_nodes().probe_names &&
+            reader.layout().energy_names == two_nodes().energy_names,
+          "the layout comes back");
+    HistorySamples       s;
+    const HistorySamples expected = some_samples(699., 3);
+    reader.read(699, 3, s);
+    check(s.time == expected.time && s.pressure == expected.pressure &&
+            s.traction == expected.traction &&
+            s.slip_rate == expected.slip_rate && s.gap == expected.gap &&
+            s.status == expected.status &&
+            s.resultants == expected.resultants &&
+            s.probes == expected.probes && s.energies == expected.energies,
+          "samples across two pieces come back");
+    const std::vector<StatusChange> changes = reader.status_changes();
+    check(changes.size() == 1 && changes[0].time == .5 &&
+            changes[0].node == 1 && changes[0].status == ContactStatus::stick,
+          "changes of status come back");
+    check(reader.sample_at(-1.) == 0 && reader.sample_at(500.) == 500 &&
+            reader.sample_at(500.5) == 501 && reader.sample_at(1e9) == 1000,
+          "a sample is found by its time");
+  }
+
+  /** A copy of the good file, changed by @p change, is refused. */
+  template <typename Change>
+  void
+  refuses(const Change      &change,
+          const std::string &part,
+          const std::string &claim)
+  {
+    fs::copy_file("good.h5", "bad.h5", fs::copy_options::overwrite_existing);
+    change();
+    const auto read = [] {
+      const HistoryReader reader("bad.h5");
+      HistorySamples      s;
+      reader.read(0, reader.n_samples(), s);
+    };
+    check_throws<InputError>(read, part, claim);
+    try
+      {
+        read();
+      }
+    catch (const InputError &e)
+      {
+        check(std::string(e.what()).find("bad.h5") != std::string::npos &&
+                std::string(e.what()).find('\n') == std::string::npos,
+              claim + ": one line that names the file");
+      }
+  }
+
+  /** Changes one number of a dataset. */
+  void
+  poke(const char *dataset, const hsize_t place, const double value)
+  {
+    const hid_t   file      = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t   data      = H5Dopen2(file, dataset, H5P_DEFAULT);
+    const hid_t   space     = H5Dget_space(data);
+    hsize_t       extent[3] = {1, 1, 1};
+    const int     n         = H5Sget_simple_extent_dims(space, extent, nullptr);
+    hsize_t       point[3]  = {place, 0, 0};
+    const hsize_t one       = 1;
+    H5Sselect_elements(space, H5S_SELECT_SET, 1, point);
+    const hid_t memory = H5Screate_simple(1, &one, nullptr);
+    check(n > 0 &&
+            H5Dwrite(
+              data, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, &value) >= 0,
+          std::string("the test changes ") + dataset);
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(data);
+    H5Fclose(file);
+  }
+
+  void
+  remove_link(const char *name, const bool is_attribute)
+  {
+    const hid_t file = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+    check((is_attribute ? H5Adelete(file, name)
+                        : H5Ldelete(file, name, H5P_DEFAULT)) >= 0,
+          std::string("the test removes ") + name);
+    H5Fclose(file);
+  }
+
+  void
+  faults_of_files()
+  {
+    check_throws<InputError>([] { HistoryReader reader("nowhere.h5"); },
+                             "does not exist",
+                             "a missing file");
+    check_throws<InputError>(
+      [] { HistoryReader reader("."); }, "is no file", "a directory");
+    refuses([] { write_text("bad.h5", ""); }, "no HDF5", "an empty file");
+    refuses([] { write_text("bad.h5", std::string(5000, '\x81')); },
+            "no HDF5",
+            "garbage");
+    refuses([] { fs::resize_file("bad.h5", fs::file_size("bad.h5") / 2); },
+            "truncated",
+            "a truncated file");
+    refuses(
+      [] {
+        remove_link("format_version", true);
+        const hid_t  file    = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+        const hid_t  space   = H5Screate(H5S_SCALAR);
+        const hid_t  a       = H5Acreate2(file,
+                                   "format_version",
+                                   H5T_IEEE_F64LE,
+                                   space,
+                                   H5P_DEFAULT,
+                                   H5P_DEFAULT);
+        const double version = 7.;
+        H5Awrite(a, H5T_NATIVE_DOUBLE, &version);
+        H5Aclose(a);
+        H5Sclose(space);
+        H5Fclose(file);
+      },
+      "version 7; this program reads 1",
+      "another version");
+    refuses([] { remove_link("format", true); },
+            "no contact history",
+            "another format");
+    refuses([] { remove_link("complete", true); },
+            "incomplete",
+            "a run that was killed");
+    refuses([] { remove_link("samples/pressure", false); },
+            "no dataset 'samples/pressure'",
+            "a missing dataset");
+    refuses([] { poke("samples/pressure", 999, NAN); },
+            "not a number in 'samples/pressure'",
+            "NaN");
+    refuses([] { poke("samples/time", 600, 3.); },
+            "do not increase",
+            "times out of order");
+    refuses([] { poke("nodes/area", 1, -1.); }, "area", "a negative area");
+    {
+      // 32-bit field of another number of nodes
+      HistoryLayout layout = two_nodes();
+      fs::copy_file("good.h5", "bad.h5", fs::copy_options::overwrite_existing);
+      const hid_t file = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+      H5Ldelete(file, "samples/gap", H5P_DEFAULT);
+      const hsize_t extent[2] = {1000, 3};
+      const hid_t   space     = H5Screate_simple(2, extent, nullptr);
+      H5Dclose(H5Dcreate2(file,
+                          "samples/gap",
+                          H5T_IEEE_F32LE,
+                          space,
+                          H5P_DEFAULT,
+                          H5P_DEFAULT,
+                          H5P_DEFAULT));
+      H5Sclose(space);
+      H5Fclose(file);
+      check_throws<InputError>([] { HistoryReader reader("bad.h5"); },
+                               "'samples/gap' that does not fit",
+                               "a dataset of another shape");
+    }
+  }
+
+  const std::string node_table =
+    "node,x_m,y_m,area_m2\n0,0,0,1e-6\n1,1e-3,0,1e-6\n";
+  const std::string sample_table =
+    "time_s,node,pressure_pa,traction_x_pa,traction_y_pa,status\n"
+    "0,0,1e6,0,5e5,2\n0,1,0,0,0,0\n1e-4,0,2e6,0,1e6,1\n1e-4,1,0,0,0,0\n";
+
+  void
+  tables()
+  {
+    write_text("nodes.csv", node_table);
+    write_text("samples.csv", sample_table);
+    check(import_csv_history("nodes.csv", "samples.csv", "table.h5") == 2,
+          "two samples of a table");
+    const HistoryReader reader("table.h5");
+    HistorySamples      s;
+    reader.read(0, 2, s);
+    check(s.pressure == std::vector<double>({1e6, 0., 2e6, 0.}) &&
+            s.status == std::vector<double>({2., 0., 1., 0.}) &&
+            !reader.layout().has_slip_rate && !reader.layout().has_gap,
+          "they come back, and only they");
+    const auto refuse = [](const std::string &old,
+                           const std::string &by,
+                           const std::string &part,
+                           const std::string &claim) {
+      std::string       text = sample_table;
+      const std::size_t at   = text.find(old);
+      check(at != std::string::npos, "the test changes " + old);
+      write_text("samples.csv", text.replace(at, old.size(), by));
+      fs::remove("refused.h5");
+      check_throws<InputError>(
+        [] { import_csv_history("nodes.csv", "samples.csv", "refused.h5"); },
+        part,
+        claim);
+      bool left = false;
+      for (const auto &entry : fs::directory_iterator("."))
+        left |= entry.path().string().find("refused") != std::string::npos;
+      check(!left, claim + ": nothing half written");
+    };
+    refuse("0,1,0,0,0,0\n1e-4",
+           "0,1,nan,0,0,0\n1e-4",
+           "samples.csv:3: column 'pressure_pa': 'nan'",
+           "NaN");
+    refuse("pressure_pa",
+           "presure_pa",
+           "'pressure_pa' is missing; did you mean 'presure_pa'",
+           "a missing column");
+    refuse("0,1,0,0,0,0\n1e-4",
+           "0,1,0,0,0\n1e-4",
+           "samples.csv:3: has 5 cells",
+           "a short line");
+    refuse("0,1,0,0,0,0\n1e-4",
+           "1e-4",
+           "samples.csv:3: expected node 1",
+           "a missing node");
+    refuse("1e-4,0,",
+           "0,0,",
+           "samples.csv:4: the time does not increase",
+           "equal times");
+    refuse("2e6,0,1e6,1\n1e-4,1,0,0,0,0\n",
+           "2e6,0,1e6,1\n",
+           "lacks nodes from 1",
+           "an unfinished sample");
+    refuse("1e6,0,5e5,2",
+           "-1e6,0,5e5,2",
+           "samples.csv:2: the pressure is negative",
+           "tension");
+    refuse("5e5,2", "5e5,3", "samples.csv:2: the status", "an unknown status");
+    write_text("samples.csv", sample_table);
+    write_text("nodes.csv", "node,x_m,y_m,area_m2\n0,0,0,0\n");
+    check_throws<InputError>(
+      [] { import_csv_history("nodes.csv", "samples.csv", "refused.h5"); },
+      "nodes.csv:2: the area",
+      "a node without area");
+  }
+
+  void
+  closed_forms()
+  {
+    struct Row
+    {
+      double r, duty, mean, ratio;
+    };
+    for (const Row &row : {Row{2., .6666667, 1.2179956, 2.4630632},
+                           Row{5., .5640942, 2.1234878, 2.8255401}})
+      {
+        const ClippedSine c{row.r};
+        const auto        is = [](const double a, const double b) {
+          return std::abs(a - b) <= 5.1e-8;
+        };
+        check(is(c.duty(), row.duty) && is(c.mean(), row.mean) &&
+                is(c.peak() / c.mean(), row.ratio),
+              "clipped sine, r = " + std::to_string(row.r));
+        double mean = 0., duty = 0.;
+        for (unsigned int i = 0; i < 1000000; ++i)
+          {
+            const double p = 1. + row.r * std::sin(2. * M_PI * (i + .5) / 1e6);
+            mean += std::max(0., p) / 1e6;
+            duty += (p > 0.) / 1e6;
+          }
+        check_close(mean, c.mean(), 1e-9, "its mean, summed");
+        check_close(duty, c.duty(), 1e-5, "its duty, summed");
+      }
+    double largest = 0.;
+    for (double r = .1; r < 1e4; r *= 1.1)
+      largest =
+        std::max(largest, ClippedSine{r}.peak() / ClippedSine{r}.mean());
+    check(largest < M_PI && largest > 3.14, "peak over mean stays below pi");
+  }
+
+  void
+  generator()
+  {
+    RecordedHistoryParameters p;
+    p.noise    = 0.;
+    p.duration = 20. / p.frequency;
+    p.rate     = 200. * p.frequency;
+    ClippedSineGenerator      g(p);
+    HistoryWriter             writer("sine.h5", g.layout());
+    HistorySamples            s;
+    std::vector<StatusChange> changes;
+    for (std::uint64_t done = 0; done < g.n_samples(); done += 1000)
+      {
+        g.next(std::min<std::uint64_t>(1000, g.n_samples() - done), s, changes);
+        writer.append(s);
+        writer.append(changes);
+      }
+    // one more sample closes the last period
+    g.next(1, s, changes);
+    writer.append(s);
+    writer.finish();
+
+    const HistoryReader reader("sine.h5");
+    const ContactGrid   grid(reader.layout());
+    FatigueParameters   f;
+    f.spectral         = false;
+    f.averaging_length = 0.;
+    HistoryParameters h;
+    h.chunk                    = 777;
+    const HistoryDamage damage = count_history(reader, h, f, {}, grid);
+    double              force = 0., area = 0., peak = 0.;
+    std::size_t         highest = 0;
+    for (std::size_t k = 0; k < grid.n_nodes(); ++k)
+      {
+        const SurfaceSums &sums = damage.nodes[k].surface;
+        force += sums.mean_pressure() * grid.area(k);
+        area += grid.area(k);
+        if (sums.peak_pressure > peak)
+          {
+            peak    = sums.peak_pressure;
+            highest = k;
+          }
+        // 200 samples a period
+        const ClippedSine form{g.ratio(k)};
+        if (std::abs(sums.duty() - form.duty()) > 6e-3 ||
+            std::abs(sums.mean_pressure() / g.mean_pressure(k) - 1.) > 1e-3)
+          check(false, "duty and mean of node " + std::to_string(k));
+        if (std::abs(sums.impacts - (form.r > 1. ? 20. : 0.)) > 1.)
+          check(false, "an impact a period at node " + std::to_string(k));
+      }
+    check(grid.is_grid() && grid.n_nodes() == 121, "11 x 11 nodes");
+    check_close(area, 1e-4, 1e-12, "areas add up to the face");
+    check_close(force / area, 1e6, 1e-3, "mean pressure of the pad 1 MPa");
+    check_close(peak, 15e6, 1e-3, "15 times the mean at the most loaded node");
+    check(highest == 0, "at the leading inner corner");
+    check(g.mean_pressure(0) > 4.77e6,
+          "whose mean exceeds 4.77 times the pad's");
+    const SurfaceSums &corner   = damage.nodes[0].surface;
+    const SurfaceSums &trailing = damage.nodes[120].surface;
+    check(corner.stick_slip >= 19. && trailing.stick_slip == 0.,
+          "stick-slip at the leading edge only");
+    // trailing corner: r = 0.3, always slipping; energy mu p v with both
+    // swinging, v a quarter period ahead: the mean of the product is mu p0 v
+    check_close(trailing.friction_energy,
+                .5 * g.mean_pressure(120) * p.slip_speed * damage.duration,
+                1e-3,
+                "friction energy mu p0 mean v T");
+    check_close(trailing.pressure_slip * .5,
+                trailing.friction_energy,
+                1e-6,
+                "Archard's sum is the energy over mu");
+    // one amplitude for ever: a cycle a period
+    check(std::abs(damage.nodes[60].cycles - 20.) <= 1.5,
+          "a cycle a period: " + std::to_string(damage.nodes[60].cycles));
+
+    for (const unsigned int chunk : {1000u, 100000u})
+      {
+        h.chunk                    = chunk;
+        f.averaging_length         = 2e-3;
+        h.chunk                    = 777;
+        const HistoryDamage first  = count_history(reader, h, f, {}, grid);
+        h.chunk                    = chunk;
+        const HistoryDamage second = count_history(reader, h, f, {}, grid);
+        bool                same   = true;
+        for (std::size_t k = 0; k < grid.n_nodes(); ++k)
+          {
+            const HistoryDamage::Node &a = first.nodes[k], &b = second.nodes[k];
+            same = same && a.damage == b.damage && a.averaged == b.averaged &&
+                   a.surface.friction_energy == b.surface.friction_energy &&
+                   a.surface.impulse == b.surface.impulse;
+          }
+        check(same, "chunks of " + std::to_string(chunk) + ": the same bits");
+      }
+    h.start_time = 5. / p.frequency;
+    h.end_time   = 10. / p.frequency;
+    check_close(count_history(reader, h, f, {}, grid).duration,
+                5. / p.frequency,
+                1e-2,
+                "a window of time");
+    h.start_time = 1e3;
+    h.end_time   = 2e3;
+    check_throws<InputError>([&] { count_history(reader, h, f, {}, grid); },
+                             "fewer than two samples",
+                             "an empty window");
+  }
+
+  /** A flat punch: its pressure is singular at the edges. */
+  void
+  edges()
+  {
+    FatigueParameters f;
+    f.spectral         = false;
+    f.averaging_length = 2e-3;
+    std::vector<double> local, averaged;
+    for (const unsigned int n : {11u, 21u, 41u})
+      {
+        HistoryLayout  layout;
+        const double   a = 5e-3, step = 2. * a / (n - 1);
+        HistorySamples s;
+        layout.has_slip_rate = layout.has_gap = layout.has_status = false;
+        layout.has_resultants                                     = false;
+        const auto load = [&](const double x) {
+          return std::asin(std::min(1., std::max(-1., x / a))) / M_PI;
+        };
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              layout.points.push_back({{i * step - a, j * step - a, 0.}});
+              layout.areas.push_back(step * step *
+                                     (i % (n - 1) == 0 ? .5 : 1.) *
+                                     (j % (n - 1) == 0 ? .5 : 1.));
+            }
+        for (unsigned int t = 0; t < 9; ++t)
+          {
+            s.time.push_back(t);
+            for (unsigned int j = 0; j < n; ++j)
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  const double x  = i * step - a;
+                  const double lo = std::max(-a, x - step / 2.);
+                  const double hi = std::min(a, x + step / 2.);
+                  // nodal force over tributary area
+                  s.pressure.push_back(t % 2 == 0
+                                         ? 0.
+                                         : 1e6 * 2. * a *
+                                             (load(hi) - load(lo)) / (hi - lo));
+                }
+          }
+        s.traction.assign(2 * s.pressure.size(), 0.);
+        HistoryWriter writer("punch.h5", layout);
+        writer.append(s);
+        writer.finish();
+        const HistoryReader reader("punch.h5");
+        const ContactGrid   grid(reader.layout());
+        const HistoryDamage damage = count_history(reader, {}, f, {}, grid);
+        const std::size_t   edge   = n * (n / 2);
+        local.push_back(damage.nodes[edge].damage[1]);
+        averaged.push_back(damage.nodes[edge].averaged[1]);
+        std::cout << n << " nodes: damage at the edge " << local.back()
+                  << ", of the averaged stress " << averaged.back() << "\n";
+      }
+    // p ~ d^-1/2: nodal pressure doubles in square for half the width
+    check(local[1] / local[0] > 4. && local[2] / local[1] > 4.,
+          "damage of a single edge node grows with refinement");
+    check(std::abs(averaged[2] / averaged[1] - 1.) < .1,
+          "that of the averaged stress does not: " +
+            std::to_string(averaged[1] / averaged[0]) + ", " +
+            std::to_string(averaged[2] / averaged[1]));
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  round_trip();
+  faults_of_files();
+  tables();
+  closed_forms();
+  generator();
+  edges();
+}

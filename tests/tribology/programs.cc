@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The program from end to end: histories, damage, correlation; and what a user
+// can get wrong ends in one line and a non-zero exit code, with no results.
+// Argument: the program.
+#include "../driver/program.h"
+
+#include <squeal/results/table.h>
+#include <squeal/tribology/damage/damage_table.h>
+#include <squeal/tribology/statistics/spatial.h>
+
+#include <nlohmann/json.hpp>
+
+using namespace squeal;
+using namespace squeal::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+  std::string program;
+
+  std::string
+  history_prm(const std::string &run)
+  {
+    return "set Analysis = recorded history\nset Output directory = " + run +
+           "\nset Overwrite = true\nsubsection Recorded history\n  set Run = " +
+           run + "\n  set Duration = 0.02\n  set Nodes per edge = 5\nend\n";
+  }
+
+  const std::string damage_prm = R"(set Analysis = damage
+set Output directory = damage
+set Overwrite = true
+subsection History
+  set File = squealing/history.h5
+  set Silent file = silent/history.h5
+end
+subsection Subsurface
+  set Samples = 40
+  set Plane step = 15
+  set Criteria = dang van, crossland, findley, sines, swt, fatemi socie, rankine, drucker prager
+end
+subsection Output
+  set Plots = false
+end
+)";
+
+  const std::string correlation_prm = R"(set Analysis = correlation
+set Output directory = correlation
+set Overwrite = true
+subsection Correlation
+  set Damage tables = damage/damage.csv, damage/damage.csv
+  set Feature tables = features.csv, features.csv
+  set Indices = damage_m3_per_s
+  set Groups = squealing, silent
+  set Surrogates = 99
+  set Bootstraps = 99
+  set Synthetic = true
+end
+subsection Output
+  set Plots = false
+end
+)";
+
+  Outcome
+  run(const std::string &text)
+  {
+    write_text("test.prm", text);
+    return run_program({program, "test.prm"});
+  }
+
+  void
+  runs(const std::string &text, const std::string &claim)
+  {
+    const Outcome outcome = run(text);
+    check(outcome.code == 0, claim + ": " + outcome.errors);
+  }
+
+  void
+  whole_chain()
+  {
+    for (const std::string name : {"squealing", "silent"})
+      {
+        runs(history_prm(name), name + " history");
+        check(fs::exists(name + "/history.h5") &&
+                fs::exists(name + "/run.json") &&
+                fs::exists(name + "/report.html"),
+              name + ": files");
+      }
+    runs(damage_prm, "damage");
+    for (const char *file : {"damage.csv",
+                             "damage.h5",
+                             "damage.vtu",
+                             "totals.csv",
+                             "subsurface.csv",
+                             "run.json",
+                             "report.html"})
+      check(fs::exists(std::string("damage/") + file), file);
+    const Table table = read_csv("damage/damage.csv");
+    check(table.n_rows() == 25, "25 nodes");
+    const Table totals = read_csv("damage/totals.csv");
+    check(totals.real(0, "mean_damage_m3_per_s") >
+            1e3 * totals.real(1, "mean_damage_m3_per_s"),
+          "squeal does far more damage");
+    check(std::abs(totals.real(0, "mean_pressure_pa") /
+                     totals.real(1, "mean_pressure_pa") -
+                   1.) < .03,
+          "at the same mean pressure");
+    double leading = 0., trailing = 0.;
+    for (std::size_t i = 0; i < 25; ++i)
+      (table.real(i, "y_m") < -4e-3 ? leading : trailing) =
+        std::max(table.real(i, "y_m") < -4e-3 ? leading : trailing,
+                 table.real(i, "damage_m5_per_s"));
+    check(leading > 10. * trailing, "most at the leading edge");
+
+    // chunks and a second run change no byte
+    const std::string before = text_of("damage/damage.csv");
+    runs(replaced_in(damage_prm,
+                     "subsection History\n",
+                     "subsection History\n  set Chunk = 100\n"),
+         "damage in small pieces");
+    check(text_of("damage/damage.csv") == before, "the same to the last digit");
+
+    std::string features = "x_m,y_m,crack_density_per_m\n";
+    for (std::size_t i = 0; i < 25; ++i)
+      features += table.text(i, "x_m") + "," + table.text(i, "y_m") + "," +
+                  table.text(i, "damage_m3_per_s") + "\n";
+    write_text("features.csv", features);
+    runs(correlation_prm, "correlation");
+    const auto json =
+      nlohmann::json::parse(text_of("correlation/correlation.json"));
+    check(json.at("links").size() == 2 &&
+            json.at("links")[0].at("pearson").get<double>() > .999,
+          "a feature that is the index itself");
+    for (const auto &link : json.at("links"))
+      check(link.at("verdict").get<std::string>().rfind("synthetic: ", 0) == 0,
+            "synthetic verdicts say so");
+    check(json.at("groups").size() == 1 &&
+            json.at("groups")[0].at("verdict") == "synthetic: undecided",
+          "one silent and one squealing pad leave it undecided");
+  }
+
+  void
+  refuses(const std::string              &text,
+          const std::vector<std::string> &parts,
+          const std::string              &claim)
+  {
+    fs::remove_all("refused");
+    std::string changed = text;
+    const auto  at      = changed.find("set Output directory = ");
+    changed.replace(
+      at, changed.find('\n', at) - at, "set Output directory = refused");
+    const Outcome outcome = run(changed);
+    check(outcome.code == 2,
+          claim + ": exit code " + std::to_string(outcome.code) + " (" +
+            outcome.errors + ")");
+    check(outcome.errors.rfind("squeal: ", 0) == 0 &&
+            outcome.errors.find('\n') == outcome.errors.size() - 1,
+          claim + ": one line: " + outcome.errors);
+    for (const std::string &part : parts)
+      check(outcome.errors.find(part) != std::string::npos,
+            claim + ": the line says '" + part + "': " + outcome.errors);
+    for (const auto &[name, content] : files_below("refused"))
+      check(name == "run.log" || name == ".squeal_files",
+            claim + ": no results (" + name + ")");
+  }
+
+  void
+  bad_input()
+  {
+    refuses(replaced_in(damage_prm, "set Samples", "set Smples"),
+            {"unknown entry", "Samples"},
+            "a misspelt entry");
+    refuses(
+      replaced_in(damage_prm, "subsection Subsurface", "subsection Subsurfce"),
+      {"unknown section", "Subsurface"},
+      "a misspelt section");
+    refuses(replaced_in(damage_prm, "dang van,", "dan van,"),
+            {"Criteria", "dang van"},
+            "an unknown criterion");
+    refuses(replaced_in(damage_prm, "Samples = 40", "Samples = 1"),
+            {"Samples", "from 8"},
+            "out of range");
+    refuses(replaced_in(damage_prm, "Analysis = damage", "Analysis = damge"),
+            {"Analysis", "did you mean 'damage'"},
+            "a misspelt analysis");
+    refuses(replaced_in(damage_prm, "squealing/history.h5", "nowhere.h5"),
+            {"History/File", "nowhere.h5"},
+            "a missing history");
+    refuses(replaced_in(damage_prm, "squealing/history.h5", "squealing"),
+            {"History/File"},
+            "a history that is a folder");
+    write_text("garbage.h5", std::string(3000, '\x7f'));
+    refuses(replaced_in(damage_prm, "squealing/history.h5", "garbage.h5"),
+            {"garbage.h5", "no HDF5"},
+            "garbage");
+    fs::copy_file(
+      "squealing/history.h5", "cut.h5", fs::copy_options::overwrite_existing);
+    fs::resize_file("cut.h5", fs::file_size("cut.h5") * 2 / 3);
+    refuses(replaced_in(damage_prm, "squealing/history.h5", "cut.h5"),
+            {"cut.h5", "truncated"},
+            "a truncated history");
+    refuses(replaced_in(damage_prm, "end\n", "  set Start time = 5\nend\n"),
+            {"Start time"},
+            "a window without samples");
+    refuses(damage_prm + "subsection Fatigue\n  set Constants = 1e6\nend\n",
+            {"Constants", "Exponents"},
+            "constants for some slopes only");
+    refuses(damage_prm +
+              "subsection Fatigue\n  set Mean stress = goodman\nend\n",
+            {"Ultimate strength"},
+            "Goodman without a strength");
+    refuses(damage_prm +
+              "subsection Fatigue\n  set Quantity = traction y\n  set Mean "
+              "stress = goodman\n  set Ultimate strength = 1e5\nend\n",
+            {"Ultimate strength"},
+            "a mean stress beyond the strength");
+    write_text(
+      "other.prm",
+      replaced_in(replaced_in(history_prm("silent"), "edge = 5", "edge = 4"),
+                  "= silent\nset Ov",
+                  "= other\nset Ov"));
+    check(run_program({program, "other.prm"}).code == 0, "another mesh");
+    refuses(replaced_in(damage_prm, "silent/history.h5", "other/history.h5"),
+            {"other contact nodes"},
+            "runs on different meshes");
+    refuses(
+      replaced_in(history_prm("squealing"), "Duration = 0.02", "Rate = 100"),
+      {"Rate", "Frequency"},
+      "too few samples a period");
+    refuses(
+      replaced_in(history_prm("squealing"), "Run = squealing", "Source = csv"),
+      {"Samples"},
+      "a table that is not named");
+
+    refuses(replaced_in(correlation_prm, "damage_m3_per_s", "damage_m4_per_s"),
+            {"damage_m4_per_s"},
+            "an unknown index");
+    refuses(replaced_in(
+              correlation_prm, "features.csv, features.csv", "features.csv"),
+            {"Feature tables"},
+            "fewer tables of features");
+    write_text("away.csv", "x_m,y_m,f\n1,1,1\n");
+    refuses(replaced_in(correlation_prm,
+                        "features.csv, features.csv",
+                        "features.csv, away.csv"),
+            {"away.csv:2", "no cell"},
+            "a feature beside the pad");
+    write_text("nan.csv", "x_m,y_m,f\n0,0,nan\n");
+    refuses(replaced_in(correlation_prm,
+                        "features.csv, features.csv",
+                        "features.csv, nan.csv"),
+            {"nan.csv:2"},
+            "a feature that is no number");
+    write_text("lacks.csv", "x_m,f\n0,0\n");
+    refuses(replaced_in(correlation_prm,
+                        "features.csv, features.csv",
+                        "features.csv, lacks.csv"),
+            {"lacks.csv", "y_m"},
+            "a missing column");
+    // existing results
+    write_text("test.prm",
+               replaced_in(damage_prm, "set Overwrite = true\n", ""));
+    const Outcome outcome = run_program({program, "test.prm"});
+    check(outcome.code == 2 && fs::exists("damage/damage.csv"),
+          "existing results stay: " + outcome.errors);
+    check(run_program({program, "--nonsense"}).code == 2 &&
+            run_program({program}).code == 2 &&
+            run_program({program, "--help"}).code == 0 &&
+            run_program({program, "--version"}).code == 0,
+          "the command line");
+    const Outcome defaults = run_program({program, "--print-defaults"});
+    write_text("defaults.prm",
+               replaced_in(defaults.output,
+                           "set File =\n",
+                           "set File = squealing/history.h5\n"));
+    check(run_program({program, "--validate", "defaults.prm"}).code == 0,
+          "the printed defaults can be read");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "one argument: the program");
+  program = argv[1];
+  whole_chain();
+  bad_input();
+}
