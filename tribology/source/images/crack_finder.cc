@@ -163,6 +163,32 @@ namespace squeal::tribology
           for (const cv::Point &p : pieces[i].pixels)
             cracks.at<uchar>(p) = 255;
     }
+
+
+
+    /** Removes the straight stretches between junctions: grooves that a crack
+     * meets. */
+    void
+    remove_straight_stretches(cv::Mat &skeleton)
+    {
+      cv::Mat   nodes = cv::Mat::zeros(skeleton.size(), CV_8U);
+      PixelPath pixels;
+      cv::findNonZero(skeleton, pixels);
+      for (const cv::Point &p : pixels)
+        if (n_neighbours(skeleton, p) > 2)
+          nodes.at<uchar>(p) = 255;
+      cv::dilate(nodes, nodes, cv::Mat());
+      cv::Mat stretches = skeleton.clone();
+      stretches.setTo(0, nodes);
+      for (const LinePiece &piece : line_pieces(stretches))
+        if (is_straight(piece))
+          for (const cv::Point &p : piece.pixels)
+            skeleton.at<uchar>(p) = 0;
+      for (const LinePiece &piece : line_pieces(skeleton))
+        if (int(piece.pixels.size()) <= longest_spur)
+          for (const cv::Point &p : piece.pixels)
+            skeleton.at<uchar>(p) = 0;
+    }
   } // namespace
 
 
@@ -185,6 +211,8 @@ namespace squeal::tribology
     remove_spurs(cracks, longest_spur);
     if (cv::countNonZero(cracks) > 0)
       cracks = CrackGrowth(ridges, cracks).grow(cracks);
+    remove_spurs(cracks, longest_spur);
+    remove_straight_stretches(cracks);
     remove_spurs(cracks, longest_spur);
     return cracks;
   }
