@@ -23,7 +23,7 @@ namespace squeal::tribology
    * background pieces is exponentially distributed, with a mean that the
    * median piece gives. A piece is a crack when fewer than one as strong is
    * expected in the whole image, and when it is stronger than an absolute
-   * sum. Long pieces that are straight within a hundredth of their length are
+   * sum. Long pieces that are straight within 0.75 % of their length are
    * scratches, grooves or edges of the specimen. From the ends of cracks the
    * cheapest way over 35 pixels ahead is added as long as its mean strength
    * exceeds what the same search finds from crests of the background (median

@@ -21,10 +21,10 @@ namespace squeal::tribology
   };
 
   /**
-   * Least squares over pairs of points: similarity (2 points or more), affine
-   * (3) or homography (4). Throws InputError when there are too few or when
-   * they lie on one line, where affine maps and homographies do not exist and
-   * a mirrored similarity cannot be told.
+   * Least squares over pairs of points: similarity and affine map (3 points
+   * or more) or homography (4). Throws InputError when there are too few or
+   * when they lie on one line, where affine maps and homographies do not exist
+   * and a mirrored similarity cannot be told.
    */
   Placement fit_placement(const std::vector<cv::Point2d>   &pixels,
                           const std::vector<cv::Point2d>   &pad,
