@@ -105,6 +105,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/point_solver.cc
     source/sweep/reduced_model.cc
     source/sweep/reduced_model_file.cc
+    source/sweep/sensitivity.cc
     source/sweep/stability.cc
     source/sweep/sweep_grid.cc)
 
@@ -153,9 +154,11 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/run_sweep.cc
     source/driver/run_work_precision.cc
     source/driver/shape_output.cc
+    source/driver/sweep_boundary.cc
     source/driver/sweep_checks.cc
     source/driver/sweep_model.cc
     source/driver/sweep_plots.cc
+    source/driver/sweep_sensitivity.cc
     source/driver/sweep_solution.cc
     source/driver/sweep_tables.cc)
 

@@ -52,6 +52,15 @@ namespace squeal
     const Table coalescences = exceptional_point_table(model, solution);
     if (p.sweep.exceptional_points)
       context.write_table("exceptional_points.csv", coalescences);
+    if (p.sweep.boundary_tolerance > 0.)
+      context.write_table("boundary.csv",
+                          boundary_table(model, solution, context));
+    Table influence;
+    if (!p.sweep.sensitivities.empty())
+      {
+        influence = sensitivity_table(model, solution, context);
+        context.write_table("sensitivities.csv", influence);
+      }
     if (p.sweep.direct_checks > 0)
       context.write_table("direct_check.csv",
                           direct_check_table(model, solution, context));
@@ -95,6 +104,11 @@ namespace squeal
       }
     report.section("Unstable ranges");
     report.table(ranges, "Ranges of the first axis with sigma > 0");
+    if (influence.n_rows())
+      {
+        report.section("What to change");
+        report.table(influence, "Influence on the unstable pairs");
+      }
     if (coalescences.n_rows())
       {
         report.section("Lock-in and lock-out");

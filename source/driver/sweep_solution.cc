@@ -190,8 +190,11 @@ namespace squeal
 
 
 
-  SweepSolution
-  solve_sweep(SweepModel &model, RunContext &context)
+  SweepLine
+  solve_line(SweepModel       &model,
+             const SweepPoint &start,
+             RunContext       &context,
+             SweepSolution    &solution)
   {
     const SweepGrid       &grid    = model.grid();
     const SweepParameters &p       = context.parameters.sweep;
@@ -199,48 +202,54 @@ namespace squeal
     const double           length  = grid.upper(0) - grid.lower(0);
     const double           tolerance =
       p.edge_tolerance * (grid.is_logarithmic(0) ? 1. : length);
-    const std::size_t   n           = grid.coordinates(0).size();
     std::vector<double> coordinates = grid.coordinates(0);
     std::sort(coordinates.begin(), coordinates.end());
-    SweepSolution solution;
+    SweepLine line;
+    line.start    = start;
+    const auto at = [&](const double x) {
+      SweepPoint point = line.start;
+      point[0]         = x;
+      ++solution.n_solved;
+      return point;
+    };
+    // What is asked for is certified; what lies between only steers.
+    const auto solver = [&](const double x) {
+      return model.solve(at(x), false);
+    };
+    {
+      Timers::Section section(context.timers, "Solve: points, branches");
+      std::map<double, ComplexPairs> certified_pairs;
+      for (const double x : coordinates)
+        certified_pairs[x] = certified(model, p, at(x), solution.worst);
+      BranchTracker tracker(
+        [&](const double x) {
+          const auto known = certified_pairs.find(x);
+          return known == certified_pairs.end() ? solver(x) : known->second;
+        },
+        options);
+      line.points = tracker.track(coordinates);
+    }
+    Timers::Section     section(context.timers, "Solve: edges and peaks");
+    const LineStability stability(solver, options, tolerance);
+    line.branch_names = branch_names(model, line);
+    line.ranges       = stability.ranges(line.points);
+    if (p.exceptional_points)
+      line.exceptional = stability.exceptional_points(line.points);
+    for (const auto &range : line.ranges)
+      line.mesh_errors_of_edges.push_back(
+        mesh_error_of_edges(model, line, range));
+    return line;
+  }
+
+  SweepSolution
+  solve_sweep(SweepModel &model, RunContext &context)
+  {
+    const SweepGrid  &grid = model.grid();
+    const std::size_t n    = grid.coordinates(0).size();
+    SweepSolution     solution;
     for (std::size_t first = 0; first < grid.n_points(); first += n)
-      {
-        SweepLine line;
-        line.start    = grid.point(first);
-        const auto at = [&](const double x) {
-          SweepPoint point = line.start;
-          point[0]         = x;
-          ++solution.n_solved;
-          return point;
-        };
-        // What is asked for is certified; what lies between only steers.
-        const auto solver = [&](const double x) {
-          return model.solve(at(x), false);
-        };
-        {
-          Timers::Section section(context.timers, "Solve: points, branches");
-          std::map<double, ComplexPairs> certified_pairs;
-          for (const double x : coordinates)
-            certified_pairs[x] = certified(model, p, at(x), solution.worst);
-          BranchTracker tracker(
-            [&](const double x) {
-              const auto known = certified_pairs.find(x);
-              return known == certified_pairs.end() ? solver(x) : known->second;
-            },
-            options);
-          line.points = tracker.track(coordinates);
-        }
-        Timers::Section     section(context.timers, "Solve: edges and peaks");
-        const LineStability stability(solver, options, tolerance);
-        line.branch_names = branch_names(model, line);
-        line.ranges       = stability.ranges(line.points);
-        if (p.exceptional_points)
-          line.exceptional = stability.exceptional_points(line.points);
-        for (const auto &range : line.ranges)
-          line.mesh_errors_of_edges.push_back(
-            mesh_error_of_edges(model, line, range));
-        solution.lines.push_back(std::move(line));
-      }
+      solution.lines.push_back(
+        solve_line(model, grid.point(first), context, solution));
     return solution;
   }
 } // namespace squeal

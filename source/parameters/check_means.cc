@@ -100,19 +100,5 @@ namespace squeal
       if (std::filesystem::is_directory(file, ignored))
         refuse_entry(section, entry, "= '" + file + "' is a directory");
     }
-
-
-
-    void
-    require_file_name(const std::string &file,
-                      const std::string &section,
-                      const std::string &entry)
-    {
-      std::error_code ignored;
-      require_file(std::filesystem::exists(file, ignored) ? file : "",
-                   section,
-                   entry,
-                   file.empty());
-    }
   } // namespace prm
 } // namespace squeal

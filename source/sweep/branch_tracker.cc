@@ -306,6 +306,38 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Where branches that swap their order between two points cross, if that
+     * has not been looked at yet: it may be a lock-in or a veering. */
+    void
+    add_crossings(const TrackedPoint &a,
+                  const TrackedPoint &b,
+                  const PairMatches  &match,
+                  const double        tolerance,
+                  std::set<double>   &wanted)
+    {
+      for (unsigned int i = 0; i < a.pairs.size(); ++i)
+        for (unsigned int j = i + 1; j < a.pairs.size(); ++j)
+          {
+            const int k = match.to[i], l = match.to[j];
+            if (k < 0 || l < 0)
+              continue;
+            const double before =
+              a.pairs.lambda[j].imag() - a.pairs.lambda[i].imag();
+            const double after =
+              b.pairs.lambda[l].imag() - b.pairs.lambda[k].imag();
+            if (before * after >= 0. || is_coalesced(a.pairs, i, j) ||
+                is_coalesced(b.pairs, k, l))
+              continue;
+            const double at = a.coordinate + before / (before - after) *
+                                               (b.coordinate - a.coordinate);
+            if (at - a.coordinate > tolerance && b.coordinate - at > tolerance)
+              wanted.insert(at);
+          }
+    }
+  } // namespace
+
   BranchTracker::BranchTracker(const Solver &s, const TrackingOptions &o)
     : solver(s)
     , options(o)
@@ -365,6 +397,12 @@ namespace squeal
                     else
                       match_rest(before.pairs, point.pairs, matches.back());
                   }
+                else if (round < most_rounds)
+                  add_crossings(before,
+                                point,
+                                matches.back(),
+                                options.touch_tolerance,
+                                wanted);
               }
             points.push_back(point);
           }

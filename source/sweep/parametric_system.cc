@@ -105,6 +105,16 @@ namespace squeal
         for (std::size_t i = 0; i < system.terms.size(); ++i)
           samples[i].push_back(system.terms[i].coefficients(scene));
       }
+    // What is to be varied beside the axes must come apart too.
+    const SweepPoint   centre = grid.spread(1).back();
+    const unsigned int n_own  = grid.entries().size();
+    for (unsigned int e = 0; e < grid.other_entries().size(); ++e)
+      {
+        require_affine("Sweep/Sensitivities", grid.other_entries()[e]);
+        const SceneParameters &scene = grid.scene(centre, n_own + e, 1.1);
+        for (std::size_t i = 0; i < system.terms.size(); ++i)
+          samples[i].push_back(system.terms[i].coefficients(scene));
+      }
     struct Group
     {
       Eigen::VectorXd                profile;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/sweep/sweep_grid.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -49,7 +50,15 @@ namespace squeal
           }
         grid.push_back(coordinates);
       }
-    setter = std::make_unique<NumberSetter>(parameters, entries());
+    std::vector<std::string> all = entries();
+    for (const auto &path : parameters.sweep.sensitivities)
+      if (std::find(all.begin(), all.end(), path) == all.end())
+        {
+          others.push_back(path);
+          other_values.push_back(get_number(parameters, path));
+        }
+    all.insert(all.end(), others.begin(), others.end());
+    setter = std::make_unique<NumberSetter>(parameters, all);
   }
 
   SweepGrid::~SweepGrid() = default;
@@ -159,7 +168,35 @@ namespace squeal
   const SceneParameters &
   SweepGrid::scene(const SweepPoint &point) const
   {
-    return setter->scene(values(point));
+    std::vector<double> all = values(point);
+    all.insert(all.end(), other_values.begin(), other_values.end());
+    return setter->scene(all);
+  }
+
+  const std::vector<std::string> &
+  SweepGrid::other_entries() const
+  {
+    return others;
+  }
+
+  double
+  SweepGrid::entry_value(const SweepPoint  &point,
+                         const unsigned int entry) const
+  {
+    std::vector<double> all = values(point);
+    all.insert(all.end(), other_values.begin(), other_values.end());
+    return all.at(entry);
+  }
+
+  const SceneParameters &
+  SweepGrid::scene(const SweepPoint  &point,
+                   const unsigned int entry,
+                   const double       factor) const
+  {
+    std::vector<double> all = values(point);
+    all.insert(all.end(), other_values.begin(), other_values.end());
+    all.at(entry) *= factor;
+    return setter->scene(all);
   }
 
 

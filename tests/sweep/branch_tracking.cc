@@ -10,6 +10,8 @@
 
 #include "check.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -134,7 +136,9 @@ namespace
           }
       }
     check(n_judged == 4 * 201, "every step of the walk was judged");
-    check(n_wrong == 0, "a walk of 200 steps swaps no branch");
+    check(n_wrong == 0,
+          "a walk of 200 steps swaps no branch (" + std::to_string(n_wrong) +
+            ")");
     bool                       crossed = false;
     const std::complex<double> still =
       line.back().pairs.lambda[line.back().pair_of(

@@ -37,6 +37,26 @@ namespace squeal
 
   TrackingOptions tracking_options(const SweepModel &model);
 
+  /** One line of it, along the first axis; counts its solutions and worst error
+   * in @p solution. */
+  SweepLine solve_line(SweepModel       &model,
+                       const SweepPoint &start,
+                       RunContext       &context,
+                       SweepSolution    &solution);
+
+  /** boundary.csv: edges of the unstable ranges of two axes on lines that are
+   * added between those of the grid until a straight line between neighbours
+   * is good to Sweep/Boundary tolerance. */
+  Table boundary_table(SweepModel          &model,
+                       const SweepSolution &solution,
+                       RunContext          &context);
+
+  /** sensitivities.csv: derivatives of every unstable pair at its peak by the
+   * numbers in Sweep/Sensitivities, the most influential first. */
+  Table sensitivity_table(const SweepModel    &model,
+                          const SweepSolution &solution,
+                          RunContext          &context);
+
   /** eigenvalues.csv of the points asked for. */
   Table sweep_eigenvalue_table(const SweepModel    &model,
                                const SweepSolution &solution);

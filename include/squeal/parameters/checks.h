@@ -58,12 +58,6 @@ namespace squeal
                       const std::string &section,
                       const std::string &entry,
                       bool               is_needed);
-
-    /** Throws InputError where an entry names no file, or a directory. The file
-     * itself may be missing: an earlier run of a chain writes it. */
-    void require_file_name(const std::string &file,
-                           const std::string &section,
-                           const std::string &entry);
     //@}
   } // namespace prm
 } // namespace squeal

@@ -50,6 +50,17 @@ namespace squeal
     /** The scene there; valid until the next call. */
     const SceneParameters &scene(const SweepPoint &point) const;
 
+    /** Entries beside the axes whose influence is asked for. */
+    const std::vector<std::string> &other_entries() const;
+    /** The scene there with one of the entries() or other_entries(), counted
+     * through both lists, multiplied by @p factor; valid until the next call.
+     */
+    const SceneParameters &scene(const SweepPoint  &point,
+                                 const unsigned int entry,
+                                 const double       factor) const;
+    /** Value of that entry. */
+    double entry_value(const SweepPoint &point, const unsigned int entry) const;
+
     /** Points spread over the box: its corners (of up to six axes), its
      * centre, and a low-discrepancy sequence; @p n in total at least. */
     std::vector<SweepPoint> spread(const std::size_t n) const;
@@ -59,6 +70,8 @@ namespace squeal
 
     std::vector<SweepAxisParameters> axes;
     std::vector<std::vector<double>> grid;
+    std::vector<std::string>         others;
+    std::vector<double>              other_values;
     std::unique_ptr<NumberSetter>    setter;
   };
 } // namespace squeal

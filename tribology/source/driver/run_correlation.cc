@@ -312,9 +312,9 @@ namespace squeal::tribology
   {
     const CorrelationParameters &p = context.parameters.correlation;
     for (const std::string &file : p.damage_tables)
-      prm::require_file_name(file, "Correlation", "Damage tables");
+      prm::require_file(file, "Correlation", "Damage tables", true);
     for (const std::string &file : p.feature_tables)
-      prm::require_file_name(file, "Correlation", "Feature tables");
+      prm::require_file(file, "Correlation", "Feature tables", true);
     const std::vector<PadMaps> pads = read_pads(p);
     std::vector<PadLink>       links;
     std::vector<GroupResult>   groups;

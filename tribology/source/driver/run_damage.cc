@@ -335,9 +335,8 @@ namespace squeal::tribology
   run_damage(Context &context)
   {
     const TribologyParameters &p = context.parameters;
-    prm::require_file_name(p.history.file, "History", "File");
-    if (!p.history.silent_file.empty())
-      prm::require_file_name(p.history.silent_file, "History", "Silent file");
+    prm::require_file(p.history.file, "History", "File", true);
+    prm::require_file(p.history.silent_file, "History", "Silent file", false);
     Study                  study(p.history.file, p.history);
     std::unique_ptr<Study> silent;
     if (!p.history.silent_file.empty())

@@ -233,8 +233,7 @@ namespace squeal::tribology
       prm::refuse_entry(specimen_section,
                         "Damage table",
                         "is empty, but 'Link strength' is not 0");
-    if (!s.damage_table.empty())
-      prm::require_file_name(s.damage_table, specimen_section, "Damage table");
+    prm::require_file(s.damage_table, specimen_section, "Damage table", false);
     if (!s.damage_table.empty() && s.damage_column.empty())
       prm::refuse_entry(specimen_section,
                         "Damage column",
