@@ -62,7 +62,7 @@ namespace squeal
                  "1/s");
       schema.add("Maximum basis",
                  s.maximum_basis,
-                 Allowed::integer(10, 100000),
+                 Allowed::integer(1, 100000),
                  "Vectors in the basis beyond which the run ends with an "
                  "error.");
       schema.add("Basis file",
