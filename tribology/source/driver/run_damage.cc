@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/text.h>
 #include <squeal/results/chart.h>
 #include <squeal/tribology/damage/damage_files.h>
 #include <squeal/tribology/damage/damage_table.h>
@@ -301,7 +302,10 @@ namespace squeal::tribology
             "nodes, over the last " +
             std::to_string(p.subsurface.n_samples) +
             " samples. Points nearer to an edge than three depths are flagged "
-            "(near_edge) and left out of maxima: a half-space has no edges." +
+            "(near_edge) and left out of maxima: a half-space has no edges. "
+            "The "
+            "deeper, the fewer nodes remain, which alone makes a step in the "
+            "picture." +
             (p.subsurface.axial_limit > 0.
                ? ""
                : " No fatigue limit was given: values are indices, relative to "
@@ -419,12 +423,21 @@ namespace squeal::tribology
                            (p.fatigue.constants.empty() ? " (index)" : "");
     if (silent)
       {
-        const std::string column = "mean_damage_" + slope + "_per_s";
-        const double      ratio  = sums.real(0, column) / sums.real(1, column);
-        figures.emplace_back("squealing over silent, " + slope,
-                             rounded_text(ratio, 4));
-        headline += ": " + rounded_text(ratio, 3) +
-                    " times the silent run's at slope " + slope;
+        std::vector<std::string> ratios;
+        for (const double m : p.fatigue.exponents)
+          {
+            const std::string column =
+              "mean_damage_" + slope_name(m) + "_per_s";
+            const double quiet = sums.real(1, column);
+            ratios.push_back(quiet > 0.
+                               ? rounded_text(sums.real(0, column) / quiet, 3) +
+                                   " (slope " + slope_name(m) + ")"
+                               : "infinitely many (" + slope_name(m) + ")");
+            figures.emplace_back(
+              "squealing over silent, " + slope_name(m),
+              ratios.back().substr(0, ratios.back().find(' ')));
+          }
+        headline += ": " + prm::join(ratios, ", ") + " times the silent run's";
       }
     HtmlReport report("Damage" + (p.name.empty() ? "" : " of " + p.name),
                       p.history.file);
