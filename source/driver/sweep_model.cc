@@ -209,8 +209,7 @@ namespace squeal
             path == "Eigenvalues/Lowest frequency" ||
             path == "Eigenvalues/Highest frequency" ||
             path == "Sweep/Frequency tolerance" ||
-            path == "Sweep/Sigma tolerance" ||
-            path == "Sweep/Sensitivities" ||
+            path == "Sweep/Sigma tolerance" || path == "Sweep/Sensitivities" ||
             (prm::starts_with(path, "Sweep/Axis ") && entry == "Entries"))
           add(path, value);
       }

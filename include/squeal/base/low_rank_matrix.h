@@ -36,8 +36,8 @@ namespace squeal
     void         add_transposed(const Eigen::MatrixXd &G, Block &Y) const;
     ComplexBlock apply_transposed(const Eigen::MatrixXcd &G) const;
 
-    const std::vector<Row> &rows() const;
-    const RowSpace         &space() const;
+    const std::vector<Row>         &rows() const;
+    const RowSpace                 &space() const;
     std::shared_ptr<const RowSpace> space_pointer() const;
 
   private:
