@@ -100,6 +100,7 @@ set(SQUEAL_SOURCES_EIGEN
 
 set(SQUEAL_SOURCES_SWEEP
     source/sweep/basis_builder.cc
+    source/sweep/basis_cells.cc
     source/sweep/branch_tracker.cc
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc

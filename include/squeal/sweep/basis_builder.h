@@ -114,6 +114,9 @@ namespace squeal
     std::vector<BasisRound>              rounds;
   };
 
+  /** Error over tolerance, the larger of frequency and sigma. */
+  double excess(const WorstError &worst, const BasisOptions &options);
+
   /** Largest frequency and sigma errors of pairs with estimates. */
   void add_to_worst(const ComplexPairs &pairs,
                     const SweepPoint   &point,
