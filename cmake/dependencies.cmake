@@ -41,7 +41,12 @@ find_library(MUMPS_COMMON_LIBRARY mumps_common REQUIRED)
 find_path(ARPACK_INCLUDE_DIR arpack.h PATH_SUFFIXES arpack arpack-ng REQUIRED)
 find_library(ARPACK_LIBRARY arpack REQUIRED)
 find_library(PARPACK_LIBRARY parpack REQUIRED)
-mark_as_advanced(MUMPS_INCLUDE_DIR DMUMPS_LIBRARY ZMUMPS_LIBRARY
+find_path(NLOPT_INCLUDE_DIR nlopt.h)
+find_library(NLOPT_LIBRARY nlopt)
+if(NOT NLOPT_INCLUDE_DIR OR NOT NLOPT_LIBRARY)
+  message(FATAL_ERROR "NLopt was not found: apt-get install libnlopt-dev")
+endif()
+mark_as_advanced(NLOPT_INCLUDE_DIR NLOPT_LIBRARY MUMPS_INCLUDE_DIR DMUMPS_LIBRARY ZMUMPS_LIBRARY
                  MUMPS_COMMON_LIBRARY ARPACK_INCLUDE_DIR ARPACK_LIBRARY
                  PARPACK_LIBRARY)
 
@@ -94,7 +99,7 @@ function(squeal_setup_target target)
                       "${PROJECT_BINARY_DIR}/include")
   target_include_directories(
     ${target} SYSTEM PRIVATE ${MUMPS_INCLUDE_DIR} ${ARPACK_INCLUDE_DIR}
-                             ${HDF5_INCLUDE_DIRS})
+                             ${NLOPT_INCLUDE_DIR} ${HDF5_INCLUDE_DIRS})
   deal_ii_setup_target(${target})
   target_compile_options(${target} PRIVATE ${SQUEAL_FLAGS_NATIVE})
   # The C++ bindings of MPI are gone from the standard and slow to compile.
@@ -103,6 +108,6 @@ function(squeal_setup_target target)
                                                MPICH_SKIP_MPICXX EIGEN_USE_BLAS)
   target_link_libraries(
     ${target} ${DMUMPS_LIBRARY} ${ZMUMPS_LIBRARY} ${MUMPS_COMMON_LIBRARY}
-    ${PARPACK_LIBRARY} ${ARPACK_LIBRARY} ${HDF5_C_LIBRARIES} Eigen3::Eigen
+    ${PARPACK_LIBRARY} ${ARPACK_LIBRARY} ${NLOPT_LIBRARY} ${HDF5_C_LIBRARIES} Eigen3::Eigen
     nlohmann_json::nlohmann_json MPI::MPI_C Threads::Threads)
 endfunction()

@@ -15,6 +15,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/row_space.cc
     source/base/run_log.cc
     source/base/sparse_matrix.cc
+    source/base/stop_request.cc
     source/base/sum_operator.cc
     source/base/timers.cc)
 
@@ -25,14 +26,18 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_contacts.cc
     source/parameters/check_means.cc
     source/parameters/check_parameters.cc
+    source/parameters/check_response.cc
     source/parameters/check_scene.cc
     source/parameters/check_sweep.cc
+    source/parameters/check_transient.cc
     source/parameters/choices.cc
     source/parameters/declare_analysis.cc
     source/parameters/declare_body.cc
     source/parameters/declare_contact.cc
+    source/parameters/declare_response.cc
     source/parameters/declare_scene.cc
     source/parameters/declare_sweep.cc
+    source/parameters/declare_transient.cc
     source/parameters/face_geometry.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
@@ -90,11 +95,13 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/dense_quadratic.cc
     source/eigen/direct_solver.cc
     source/eigen/mass_basis.cc
+    source/eigen/modal_response.cc
     source/eigen/mode_naming.cc
     source/eigen/mode_naming_disc.cc
     source/eigen/mode_naming_profile.cc
     source/eigen/mode_naming_solid.cc
     source/eigen/reduced_basis.cc
+    source/eigen/shifted_hessenberg.cc
     source/eigen/sliding_inverse.cc
     source/eigen/undamped_modes.cc)
 
@@ -106,14 +113,17 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/point_solver.cc
     source/sweep/reduced_model.cc
     source/sweep/reduced_model_file.cc
+    source/sweep/refined_pairs.cc
     source/sweep/sensitivity.cc
     source/sweep/stability.cc
     source/sweep/sweep_grid.cc)
 
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/contact_solver.cc
+    source/transient/growth.cc
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
+    source/transient/spectrum.cc
     source/transient/steady_sliding.cc)
 
 set(SQUEAL_SOURCES_RESULTS
@@ -121,6 +131,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/chart.cc
     source/results/chart_layout.cc
     source/results/compare.cc
+    source/results/contact_map.cc
     source/results/cost_at_error.cc
     source/results/display_mesh.cc
     source/results/hdf5_file.cc
@@ -129,6 +140,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/html_report.cc
     source/results/label_layout.cc
     source/results/matrix_market.cc
+    source/results/measured_shapes.cc
     source/results/plots.cc
     source/results/plotter.cc
     source/results/read_csv.cc
@@ -139,29 +151,48 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/shape_writer.cc
     source/results/surface_quads.cc
     source/results/table.cc
+    source/results/universal_file.cc
     source/results/vtk_xml.cc)
 
 set(SQUEAL_SOURCES_DRIVER
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
     source/driver/command_line.cc
+    source/driver/contact_output.cc
     source/driver/matrix_output.cc
+    source/driver/measured_points.cc
     source/driver/mode_solution.cc
     source/driver/model.cc
+    source/driver/pressed_model.cc
+    source/driver/response_solution.cc
+    source/driver/response_tables.cc
     source/driver/run_cea.cc
     source/driver/run_context.cc
+    source/driver/run_frequency_response.cc
     source/driver/run_modes.cc
+    source/driver/run_preload.cc
     source/driver/run_session.cc
     source/driver/run_sweep.cc
+    source/driver/run_transient.cc
+    source/driver/run_updating.cc
     source/driver/run_work_precision.cc
     source/driver/shape_output.cc
     source/driver/sweep_boundary.cc
     source/driver/sweep_checks.cc
     source/driver/sweep_model.cc
     source/driver/sweep_plots.cc
+    source/driver/sweep_scatter.cc
     source/driver/sweep_sensitivity.cc
     source/driver/sweep_solution.cc
-    source/driver/sweep_tables.cc)
+    source/driver/sweep_tables.cc
+    source/driver/transient_campaign.cc
+    source/driver/transient_checkpoint.cc
+    source/driver/transient_figures.cc
+    source/driver/transient_output.cc
+    source/driver/transient_plots.cc
+    source/driver/transient_run.cc
+    source/driver/updating_fit.cc
+    source/driver/updating_model.cc)
 
 set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_BASE}

@@ -46,8 +46,16 @@ namespace
         return run_cea(context);
       case Parameters::Analysis::sweep:
         return run_sweep(context);
+      case Parameters::Analysis::preload:
+        return run_preload(context);
+      case Parameters::Analysis::transient:
+        return run_transient(context);
       case Parameters::Analysis::work_precision:
         return run_work_precision(context);
+      case Parameters::Analysis::frequency_response:
+        return run_frequency_response(context);
+      case Parameters::Analysis::updating:
+        return run_updating(context);
       }
   }
 

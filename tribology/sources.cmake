@@ -8,6 +8,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/criteria/multiaxial.cc
     source/damage/damage_files.cc
     source/damage/damage_table.cc
+    source/damage/damage_vtu.cc
     source/damage/history_damage.cc
     source/damage/map_picture.cc
     source/damage/subsurface.cc
@@ -16,6 +17,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
     source/driver/run_recorded_history.cc
+    source/driver/study_report.cc
     source/fatigue/accumulation.cc
     source/fatigue/damage_counter.cc
     source/fatigue/mean_stress.cc
@@ -31,8 +33,10 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_width.cc
     source/images/image_files.cc
     source/images/image_parameters.cc
+    source/images/line_graph.cc
     source/images/metadata.cc
     source/images/micrograph.cc
+    source/images/path_evidence.cc
     source/images/registration.cc
     source/images/ridge_filter.cc
     source/images/run_segmentation.cc

@@ -31,6 +31,7 @@ namespace squeal
       std::array<bool, 6> held{};
       for (unsigned int c = 0; c < 6; ++c)
         held[c] = support.kind == SupportParameters::Kind::clamped ||
+                  (c == 2 && support.kind == SupportParameters::Kind::held) ||
                   std::find(support.components.begin(),
                             support.components.end(),
                             names[c]) != support.components.end();
@@ -78,7 +79,8 @@ namespace squeal
       for (const auto &support : scene.supports)
         {
           const unsigned int b = body_index(scene, support.body);
-          if (scene.bodies[b].shape == BodyParameters::Shape::rigid)
+          if (scene.bodies[b].shape == BodyParameters::Shape::rigid ||
+              support.kind == SupportParameters::Kind::free)
             continue;
           const unsigned int id =
             face_id(mesh, scene, support.body, support.face);

@@ -4,6 +4,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/driver/model.h>
+#include <squeal/driver/pressed_model.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
 #include <squeal/scene/imported_model.h>
@@ -54,8 +55,11 @@ namespace squeal
 
 
 
-  Model::Model(const Parameters &parameters, Timers &timers)
+  Model::Model(const Parameters                &parameters,
+               Timers                          &timers,
+               const std::vector<ContactState> &states)
     : all_parameters(parameters)
+    , given_states(states)
   {
     if (parameters.scene.kind == SceneParameters::Kind::bodies)
       {
@@ -95,8 +99,13 @@ namespace squeal
       bodies = assemble_bodies(*space);
     }
     {
+      std::vector<ContactState> states = given_states;
+      for (const auto &contact : all_parameters.scene.contacts)
+        if (states.empty() &&
+            contact.state == ContactParameters::State::preload)
+          states = preload_states(all_parameters, *space, bodies, timers);
       Timers::Section section(timers, "Assemble: springs and contact");
-      system = linearized_system(*space, bodies);
+      system = linearized_system(*space, bodies, states);
     }
     Timers::Section section(timers, "Setup: names of modes");
     mode_namer = std::make_unique<ModeNamer>(*space);

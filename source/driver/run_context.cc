@@ -19,8 +19,16 @@ namespace squeal
           return "cea";
         case Parameters::Analysis::sweep:
           return "sweep";
+        case Parameters::Analysis::preload:
+          return "preload";
+        case Parameters::Analysis::transient:
+          return "transient";
         case Parameters::Analysis::work_precision:
           return "work precision";
+        case Parameters::Analysis::frequency_response:
+          return "frequency response";
+        case Parameters::Analysis::updating:
+          return "updating";
         }
       return "";
     }

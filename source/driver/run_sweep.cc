@@ -61,6 +61,18 @@ namespace squeal
         influence = sensitivity_table(model, solution, context);
         context.write_table("sensitivities.csv", influence);
       }
+    ScatterTables scatter;
+    if (p.sweep.scatter_samples > 0)
+      {
+        scatter = scatter_tables(model, context);
+        context.write_table("scatter.csv", scatter.probabilities);
+        context.write_table("scatter_drivers.csv", scatter.drivers);
+        std::ostringstream shares;
+        scatter.probabilities.print(shares);
+        scatter.drivers.print(shares);
+        context.log.heading("Probability of squeal");
+        context.log.info(shares.str());
+      }
     if (p.sweep.direct_checks > 0)
       context.write_table("direct_check.csv",
                           direct_check_table(model, solution, context));
@@ -100,7 +112,7 @@ namespace squeal
     if (p.output.plots)
       {
         Timers::Section section(context.timers, "Write: charts");
-        draw_sweep(model, solution, context, report);
+        draw_sweep(model, solution, scatter.charts, context, report);
       }
     report.section("Unstable ranges");
     report.table(ranges, "Ranges of the first axis with sigma > 0");
@@ -108,6 +120,12 @@ namespace squeal
       {
         report.section("What to change");
         report.table(influence, "Influence on the unstable pairs");
+      }
+    if (!scatter.charts.empty())
+      {
+        report.section("Scatter");
+        report.table(scatter.probabilities, "Probability of squeal");
+        report.table(scatter.drivers, "What decides it");
       }
     if (coalescences.n_rows())
       {

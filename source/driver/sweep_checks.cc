@@ -87,7 +87,7 @@ namespace squeal
 
 
   Table
-  direct_check_table(const SweepModel    &model,
+  direct_check_table(SweepModel          &model,
                      const SweepSolution &solution,
                      RunContext          &context)
   {
@@ -113,7 +113,8 @@ namespace squeal
     for (const auto &point :
          check_points(model, solution, context.parameters.sweep.direct_checks))
       {
-        const ComplexPairs pairs  = model.solve(point);
+        WorstError         estimated;
+        const ComplexPairs pairs  = model.solve_certified(point, estimated);
         const ComplexPairs direct = direct_pairs(model, point);
         ComplexPairs       copy   = pairs;
         estimate_errors(copy, direct.lambda);

@@ -140,6 +140,51 @@ namespace squeal
 
 
 
+  bool
+  SweepModel::is_within(const WorstError &worst, const double factor) const
+  {
+    return worst.frequency <= factor * parameters.sweep.frequency_tolerance &&
+           worst.sigma <= factor * parameters.sweep.sigma_tolerance;
+  }
+
+  ComplexPairs
+  SweepModel::solve_certified(const SweepPoint &point, WorstError &worst)
+  {
+    while (true)
+      {
+        const ComplexPairs pairs = solve(point);
+        WorstError         own;
+        add_to_worst(pairs, point, own);
+        if (is_within(own, 1.))
+          {
+            add_to_worst(pairs, point, worst);
+            return pairs;
+          }
+        if (!enlarge(point))
+          {
+            std::ostringstream text;
+            text
+              << "the basis of the sweep does not reach its tolerance: error "
+              << own.frequency << " of a frequency, " << own.sigma
+              << " 1/s of a sigma; raise Sweep/Frequency tolerance and Sigma "
+                 "tolerance";
+            throw ComputationError(text.str());
+          }
+      }
+  }
+
+  ComplexPairs
+  SweepModel::solve_between(const SweepPoint &point) const
+  {
+    const ComplexPairs pairs = solve(point);
+    WorstError         own;
+    add_to_worst(pairs, point, own);
+    return is_within(own, 100.)
+             ? pairs
+             : solve_point_in_cell(
+                 small, point, parts.coefficients(point), band());
+  }
+
   Eigen::VectorXd
   SweepModel::residuals(const SweepPoint   &point,
                         const ComplexPairs &pairs) const

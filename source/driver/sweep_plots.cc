@@ -271,10 +271,11 @@ namespace squeal
 
 
   void
-  draw_sweep(const SweepModel    &model,
-             const SweepSolution &solution,
-             RunContext          &context,
-             HtmlReport          &report)
+  draw_sweep(const SweepModel         &model,
+             const SweepSolution      &solution,
+             const std::vector<Chart> &scatter,
+             RunContext               &context,
+             HtmlReport               &report)
   {
     if (!context.is_root)
       return;
@@ -313,6 +314,8 @@ namespace squeal
       draw("locus", "Paths of the pairs that coalesce", loci);
     if (model.grid().n_axes() == 2)
       draw("stability_map", "Unstable ranges", {map_chart(model, solution)});
+    if (!scatter.empty())
+      draw("scatter", "Probability of squeal along every axis", scatter);
     if (model.history().size() > 1)
       draw("basis",
            "Worst estimated error of the greedy basis",

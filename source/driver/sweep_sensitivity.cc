@@ -65,11 +65,15 @@ namespace squeal
     for (const auto &line : solution.lines)
       for (const auto &range : line.ranges)
         {
-          SweepPoint point         = line.start;
-          point[0]                 = range.peak_at;
-          const ComplexPairs pairs = model.solve(point, false);
-          int                pair  = -1;
-          double             best  = 1e300;
+          SweepPoint point = line.start;
+          point[0]         = range.peak_at;
+          const ComplexPairs pairs =
+            solve_point_refined(model.reduced(),
+                                point,
+                                model.system().coefficients(point),
+                                model.band());
+          int    pair = -1;
+          double best = 1e300;
           for (unsigned int i = 0; i < pairs.size(); ++i)
             if (const double d = std::hypot(
                   pairs.sigma(i) - range.peak_sigma,

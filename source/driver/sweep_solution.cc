@@ -11,43 +11,6 @@ namespace squeal
 {
   namespace
   {
-    bool
-    is_met(const WorstError &worst, const SweepParameters &p)
-    {
-      return worst.frequency <= p.frequency_tolerance &&
-             worst.sigma <= p.sigma_tolerance;
-    }
-
-    /** Solution with estimates below the tolerances. */
-    ComplexPairs
-    certified(SweepModel            &model,
-              const SweepParameters &p,
-              const SweepPoint      &point,
-              WorstError            &worst)
-    {
-      while (true)
-        {
-          ComplexPairs pairs = model.solve(point);
-          WorstError   own;
-          add_to_worst(pairs, point, own);
-          if (is_met(own, p))
-            {
-              add_to_worst(pairs, point, worst);
-              return pairs;
-            }
-          if (!model.enlarge(point))
-            {
-              std::ostringstream text;
-              text << "the basis of the sweep does not reach its tolerance: "
-                      "error "
-                   << own.frequency << " of a frequency, " << own.sigma
-                   << " 1/s of a sigma; raise Sweep/Frequency tolerance and "
-                      "Sigma tolerance";
-              throw ComputationError(text.str());
-            }
-        }
-    }
-
     /** Names from the two far ends of every branch. */
     std::vector<std::string>
     branch_names(const SweepModel &model, const SweepLine &line)
@@ -212,15 +175,14 @@ namespace squeal
       ++solution.n_solved;
       return point;
     };
-    // What is asked for is certified; what lies between only steers.
     const auto solver = [&](const double x) {
-      return model.solve(at(x), false);
+      return model.solve_between(at(x));
     };
     {
       Timers::Section section(context.timers, "Solve: points, branches");
       std::map<double, ComplexPairs> certified_pairs;
       for (const double x : coordinates)
-        certified_pairs[x] = certified(model, p, at(x), solution.worst);
+        certified_pairs[x] = model.solve_certified(at(x), solution.worst);
       BranchTracker tracker(
         [&](const double x) {
           const auto known = certified_pairs.find(x);

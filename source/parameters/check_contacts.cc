@@ -82,12 +82,6 @@ namespace squeal
       void
       check_law(const ContactParameters &contact, const std::string &section)
       {
-        if (contact.state == ContactParameters::State::preload)
-          refuse_entry(section,
-                       "Contact state",
-                       "= preload needs a steady-sliding solution (Analysis = "
-                       "preload), which this version does not compute; use "
-                       "full or stick");
         if (contact.transverse_slip_term && !(contact.sliding_speed > 0.))
           refuse_entry(section,
                        "Sliding speed",

@@ -165,6 +165,8 @@ namespace squeal
       check_band(parameters.eigen);
       check_ladders(parameters);
       check_sweep(parameters);
+      check_transient(parameters);
+      check_response(parameters);
       for (const ResultCheckParameters &check : parameters.result_checks)
         check_result_check(check);
     }

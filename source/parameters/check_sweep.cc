@@ -136,7 +136,10 @@ namespace squeal
     check_sweep(const Parameters &parameters)
     {
       const SweepParameters &s = parameters.sweep;
-      if (parameters.analysis != Parameters::Analysis::sweep)
+      const bool             is_campaign =
+        parameters.analysis == Parameters::Analysis::transient &&
+        !s.axes.empty();
+      if (parameters.analysis != Parameters::Analysis::sweep && !is_campaign)
         return;
       if (s.axes.empty())
         refuse_entry("Sweep",

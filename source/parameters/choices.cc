@@ -10,7 +10,11 @@ namespace squeal
     return {{"modes", A::modes},
             {"cea", A::cea},
             {"sweep", A::sweep},
-            {"work precision", A::work_precision}};
+            {"preload", A::preload},
+            {"transient", A::transient},
+            {"work precision", A::work_precision},
+            {"frequency response", A::frequency_response},
+            {"updating", A::updating}};
   }
 
 
@@ -72,7 +76,9 @@ namespace squeal
     using K = SupportParameters::Kind;
     return {{"clamped", K::clamped},
             {"components", K::components},
-            {"guided", K::guided}};
+            {"guided", K::guided},
+            {"held", K::held},
+            {"free", K::free}};
   }
 
 
@@ -180,6 +186,15 @@ namespace squeal
 
 
 
+  Choices<SweepAxisParameters::Distribution>
+  choices(const SweepAxisParameters::Distribution)
+  {
+    using D = SweepAxisParameters::Distribution;
+    return {{"uniform", D::uniform}, {"normal", D::normal}};
+  }
+
+
+
   Choices<WorkPrecisionParameters::Ladder>
   choices(const WorkPrecisionParameters::Ladder)
   {
@@ -189,6 +204,55 @@ namespace squeal
             {"cells", L::cells},
             {"adaptive", L::adaptive},
             {"basis", L::basis}};
+  }
+
+
+
+  Choices<TransientParameters::Start>
+  choices(const TransientParameters::Start)
+  {
+    using S = TransientParameters::Start;
+    return {{"steady sliding", S::steady_sliding}, {"ramp", S::ramp}};
+  }
+
+
+
+  Choices<FrequencyResponseParameters::Quantity>
+  choices(const FrequencyResponseParameters::Quantity)
+  {
+    using Q = FrequencyResponseParameters::Quantity;
+    return {{"receptance", Q::receptance},
+            {"mobility", Q::mobility},
+            {"accelerance", Q::accelerance}};
+  }
+
+
+
+  Choices<FrequencyResponseParameters::Residual>
+  choices(const FrequencyResponseParameters::Residual)
+  {
+    using R = FrequencyResponseParameters::Residual;
+    return {{"none", R::none},
+            {"flexibility", R::flexibility},
+            {"flexibility and inertia", R::flexibility_and_inertia}};
+  }
+
+
+
+  Choices<FrequencyResponseParameters::Scale>
+  choices(const FrequencyResponseParameters::Scale)
+  {
+    using S = FrequencyResponseParameters::Scale;
+    return {{"linear", S::linear}, {"logarithmic", S::logarithmic}};
+  }
+
+
+
+  Choices<UpdatingParameters::Pairing>
+  choices(const UpdatingParameters::Pairing)
+  {
+    using P = UpdatingParameters::Pairing;
+    return {{"name", P::name}, {"shape", P::shape}};
   }
 
 

@@ -256,7 +256,10 @@ namespace squeal
       declare_discretization(schema, parameters.discretization);
       declare_eigenvalues(schema, parameters.eigen);
       declare_sweep(schema, parameters.sweep);
+      declare_preload(schema, parameters.preload);
+      declare_transient(schema, parameters.transient);
       declare_work_precision(schema, parameters.work_precision);
+      declare_response(schema, parameters);
       declare_output(schema, parameters.output);
 
       declare_result_checks(schema, parameters.result_checks);
@@ -267,11 +270,14 @@ namespace squeal
     void
     declare_parameters(Schema &schema, Parameters &parameters)
     {
-      schema.add("Analysis",
-                 parameters.analysis,
-                 "What is computed: undamped modes, complex eigenvalues with "
-                 "friction, the same over ranges of parameters, or error "
-                 "against time over a ladder of settings.");
+      schema.add(
+        "Analysis",
+        parameters.analysis,
+        "What is computed: undamped modes, complex eigenvalues with "
+        "friction, the same over ranges of parameters, steady "
+        "sliding under the loads, motion in time, error against time "
+        "over a ladder of settings, frequency responses, or numbers of "
+        "the scene fitted to measured frequencies.");
       schema.add("Output directory",
                  parameters.output.directory,
                  Allowed::text(),

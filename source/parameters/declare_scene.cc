@@ -130,7 +130,8 @@ namespace squeal
                    s.kind,
                    "All displacements are held (clamped), those listed in "
                    "'Components', or the face moves along z without tilting, "
-                   "free in x and y (guided).");
+                   "free in x and y (guided); held: guided, and kept along z "
+                   "where the loads have moved it; free: nothing is held.");
         schema.add("Components",
                    s.components,
                    Allowed::list(

@@ -39,6 +39,23 @@ namespace squeal
                    "Values of the scale 'list', ascending, the same for all "
                    "entries.",
                    "those of the entries");
+        schema.add("Distribution",
+                   a.distribution,
+                   "How the axis scatters between its ends, for Scatter "
+                   "samples: in the logarithm on a logarithmic axis.");
+        schema.add("Mean",
+                   a.mean,
+                   Allowed::number(),
+                   "Of a normal distribution: of the value, or of its common "
+                   "logarithm on a logarithmic axis.",
+                   "as the axis");
+        schema.add("Deviation",
+                   a.deviation,
+                   Allowed::number(0., 1e30),
+                   "Standard deviation of a normal distribution, in decades on "
+                   "a logarithmic axis; 0: a sixth of the range, about its "
+                   "middle.",
+                   "as the axis");
       }
     } // namespace
 
@@ -103,6 +120,15 @@ namespace squeal
                  Allowed::list(Allowed::text()),
                  "Numbers of the scene whose influence on every unstable pair "
                  "is reported; empty: none.");
+      schema.add("Scatter samples",
+                 s.scatter_samples,
+                 Allowed::integer(0, 100000000),
+                 "Random scenes of the box, as the axes scatter, of which the "
+                 "share that squeals is counted; 0: none.");
+      schema.add("Scatter seed",
+                 s.scatter_seed,
+                 Allowed::integer(0, 2000000000),
+                 "Start of the random numbers.");
       declare_list(schema, family_named("Axes"));
       declare_members(schema, family_named("Axes"), s.axes, &declare_axis);
       schema.leave_section();

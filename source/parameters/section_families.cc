@@ -24,6 +24,8 @@ namespace squeal
         action(family_named("Contacts"), scene.contacts);
         action(family_named("Matrix parts"), scene.matrix_parts);
         action(family_named("Axes"), parameters.sweep.axes);
+        action(family_named("Points"), parameters.measurement.points);
+        action(family_named("Numbers"), parameters.updating.numbers);
         action(family_named("Checks"), parameters.result_checks);
       }
     } // namespace
@@ -76,6 +78,15 @@ namespace squeal
          "Axis",
          "One direction of the sweep: a number of the scene, or several that "
          "move together."},
+        {"Measurement",
+         "Points",
+         "Point",
+         "A point and direction where the structure is excited or observed."},
+        {"Updating",
+         "Numbers",
+         "Number",
+         "A number of the scene that is fitted, or several with a common "
+         "factor."},
         {"Result checks",
          "Checks",
          "Check",

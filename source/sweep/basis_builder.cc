@@ -324,10 +324,18 @@ namespace squeal
     snapshots.clear();
     for (std::size_t i = 0; i < training.size(); ++i)
       {
+        // What lies below the band is not asked for, but a basis without it
+        // has eigenvalues inside the band that stand for it.
         WorstError own;
-        snapshots.push_back(solve_point(
-          model, system.coefficients(training[i]), options.band, true));
-        add_to_worst(snapshots.back(), training[i], own);
+        snapshots.push_back(solve_point(model,
+                                        system.coefficients(training[i]),
+                                        {0., options.band.highest},
+                                        true));
+        std::vector<int> inside;
+        for (unsigned int j = 0; j < snapshots.back().size(); ++j)
+          if (snapshots.back().frequency(j) >= options.band.lowest)
+            inside.push_back(j);
+        add_to_worst(select_pairs(snapshots.back(), inside), training[i], own);
         training_errors[i]   = own.relative;
         round.worst.relative = std::max(round.worst.relative, own.relative);
         if (own.frequency > round.worst.frequency)
@@ -392,9 +400,10 @@ namespace squeal
           }
         check_inertia();
         update_model(before);
+        evaluate_training();
+        // Nothing left to add: the basis is all there is.
         if (reduced.size() == before)
           break;
-        evaluate_training();
         if (report)
           report(rounds.back());
         update_model(reduced.size());

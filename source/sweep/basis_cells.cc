@@ -2,6 +2,7 @@
 
 // The cells of a parameter box and the part of the common basis each needs.
 
+#include <squeal/eigen/certified_solver.h>
 #include <squeal/sweep/basis_builder.h>
 
 #include <Eigen/Cholesky>
@@ -9,6 +10,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <limits>
 
 namespace squeal
 {
@@ -19,6 +21,39 @@ namespace squeal
     constexpr double cell_floor = 1e-13;
 
     constexpr unsigned int most_cells = 64;
+
+    /** Bases that are tried: from the first in such steps. */
+    constexpr unsigned int smallest_basis = 16, basis_step = 4;
+
+    /** Of all of [V W], times the condition of the pair: well below the
+     * smallest errors that an estimate is to tell. */
+    constexpr double judge_accuracy = 2e-11;
+
+    /** Errors of pairs against the true ones of a wider band; infinite where
+     * one is missing. */
+    WorstError
+    error_of(ComplexPairs        pairs,
+             const ComplexPairs &truth,
+             const SweepPoint   &point,
+             const Band         &band)
+    {
+      unsigned int n_inside = 0;
+      for (unsigned int i = 0; i < truth.size(); ++i)
+        n_inside += truth.frequency(i) > (1. + 1e-4) * band.lowest &&
+                    truth.frequency(i) < (1. - 1e-4) * band.highest;
+      WorstError worst;
+      if (pairs.size() < n_inside)
+        {
+          worst.frequency = worst.sigma = worst.relative =
+            std::numeric_limits<double>::infinity();
+          return worst;
+        }
+      estimate_errors(pairs, truth.lambda);
+      add_to_worst(pairs, point, worst);
+      worst.relative =
+        (pairs.error_estimate.array() / pairs.condition.array()).maxCoeff();
+      return worst;
+    }
   } // namespace
 
 
@@ -42,7 +77,11 @@ namespace squeal
         other[a]         = high[a];
         const double length =
           distance(system.coefficients(low), system.coefficients(other));
-        n[a] = std::max(1, static_cast<int>(length / options.cell_size + 0.5));
+        // An axis that does not move the symmetric parts, friction, is halved.
+        n[a] =
+          length == 0.
+            ? 2
+            : std::max(1, static_cast<int>(length / options.cell_size + 0.5));
         n[a] = std::max(1u, std::min(n[a], most_cells / total));
         total *= n[a];
       }
@@ -62,6 +101,22 @@ namespace squeal
         cells.push_back(cell);
       }
     return cells;
+  }
+
+  Eigen::MatrixXd
+  BasisBuilder::energy_matrix(const SweepPoint &point) const
+  {
+    const double       omega        = 2. * M_PI * options.band.highest;
+    const auto         coefficients = system.coefficients(point);
+    const Eigen::Index N            = model.n_total();
+    Eigen::MatrixXd    A            = Eigen::MatrixXd::Zero(N, N);
+    // Friction's symmetric part is indefinite and far above the rest.
+    for (std::size_t p = 0; p < coefficients.size(); ++p)
+      if (symmetric[p])
+        A += (coefficients[p].stiffness.real() +
+              omega * omega * coefficients[p].mass) *
+             model.parts[p];
+    return 0.5 * (A + A.transpose());
   }
 
   void
@@ -92,11 +147,7 @@ namespace squeal
           pairs.lambda.cwiseAbs().cwiseInverse().replicate(4, 1);
         gram += X * weights.cwiseProduct(weights).asDiagonal() * X.transpose();
       }
-    const PointMatrices centre(
-      model, system.coefficients(0.5 * (cell.lower + cell.upper)), N);
-    const double    omega = 2. * M_PI * options.band.highest;
-    Eigen::MatrixXd A     = centre.K + omega * omega * centre.M;
-    A                     = 0.5 * (A + A.transpose()).eval();
+    const Eigen::MatrixXd A = energy_matrix(0.5 * (cell.lower + cell.upper));
     const Eigen::LLT<Eigen::MatrixXd>                    energy(A);
     const Eigen::MatrixXd                                L = energy.matrixL();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pod(L.transpose() *
@@ -112,27 +163,38 @@ namespace squeal
     cell.turn = qr.householderQ() * Eigen::MatrixXd::Identity(N, n_kept);
     result.project(cell);
 
-    const auto is_good = [&](const unsigned int n) {
+    // Against what the common basis finds there, the last round included.
+    const auto error = [&](const unsigned int n, const unsigned int i) {
       cell.local.n_basis = n;
-      WorstError worst;
-      for (const unsigned int i : own)
-        {
-          add_to_worst(solve_point(cell.local,
-                                   system.coefficients(training[i]),
-                                   options.band),
-                       training[i],
-                       worst);
-          if (excess(worst, options) > options.safety)
-            return false;
-        }
-      return true;
+      return error_of(solve_point_in_basis(cell.local,
+                                           system.coefficients(training[i]),
+                                           options.band),
+                      snapshots[i],
+                      training[i],
+                      options.band);
     };
-    unsigned int low = 1, high = n_kept - 1;
-    while (high - low > 1)
-      {
-        const unsigned int middle      = (low + high) / 2;
-        (is_good(middle) ? high : low) = middle;
-      }
-    cell.local.n_basis = high;
+    // Not monotone in n: what friction makes of a direction of the contact that
+    // V holds in part may have an eigenvalue anywhere.
+    const auto smallest = [&](const unsigned int from, const auto &is_enough) {
+      unsigned int n = std::min<unsigned int>(from, n_kept);
+      while (n < n_kept &&
+             !std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
+               return is_enough(error(n, i));
+             }))
+        n = std::min<unsigned int>(n + basis_step, n_kept);
+      return n;
+    };
+    const unsigned int n =
+      smallest(smallest_basis, [&](const WorstError &worst) {
+        return excess(worst, options) <= options.safety;
+      });
+    const unsigned int n_total =
+      smallest(n + basis_step, [&](const WorstError &worst) {
+        return worst.relative <= judge_accuracy;
+      });
+    cell.turn.conservativeResize(Eigen::NoChange, n_total);
+    for (auto &part : cell.local.parts)
+      part = part.topLeftCorner(n_total, n_total).eval();
+    cell.local.n_basis = n;
   }
 } // namespace squeal

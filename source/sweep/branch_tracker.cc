@@ -23,15 +23,7 @@ namespace squeal
     bool
     is_coalesced(const ComplexPairs &pairs, const int i, const int j)
     {
-      return squared_split(pairs, i, j) < 0.;
-    }
-
-    bool
-    is_multiple(const ComplexPairs &pairs, const int i, const int j)
-    {
-      return std::abs(pairs.lambda[i] - pairs.lambda[j]) <
-               1e-8 * std::abs(pairs.lambda[i]) &&
-             pairs.condition[i] < coalescence_condition;
+      return squared_split(pairs, i, j) < 0. && !is_multiple(pairs, i, j);
     }
 
     /** |y_i^T x_j| of pairs of two points. */
@@ -96,6 +88,15 @@ namespace squeal
       if (branch[i] == wanted)
         return i;
     return -1;
+  }
+
+  bool
+  is_multiple(const ComplexPairs &pairs, const int i, const int j)
+  {
+    return std::abs(pairs.lambda[i] - pairs.lambda[j]) <
+             1e-8 * std::abs(pairs.lambda[i]) &&
+           pairs.condition[i] < coalescence_condition &&
+           pairs.condition[j] < coalescence_condition;
   }
 
   double
@@ -270,8 +271,8 @@ namespace squeal
                   if (there)
                     y[k] = squared_split(q.pairs, a, b);
                 }
-              if (!there || y[0] < 0. || y[1] < 0. || y[2] < 0. ||
-                  y[1] > y[0] || y[1] > y[2])
+              if (!there || is_multiple(points[p].pairs, i, j) || y[0] < 0. ||
+                  y[1] < 0. || y[2] < 0. || y[1] > y[0] || y[1] > y[2])
                 continue;
               double       lowest;
               const double at = parabola_minimum(x, y, lowest);

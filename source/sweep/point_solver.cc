@@ -2,9 +2,9 @@
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/sweep/point_solver.h>
+#include <squeal/sweep/refined_pairs.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,6 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** Conditions from which neighbours are shifted together. */
-    constexpr double close_condition = 30.;
 
     /** A Z with A real. */
     Eigen::MatrixXcd
@@ -29,42 +26,6 @@ namespace squeal
       result.real() = product.leftCols(Z.cols());
       result.imag() = product.rightCols(Z.cols());
       return result;
-    }
-
-    /** Blocks of M, C, K, H of the same place. */
-    struct Blocks
-    {
-      Eigen::MatrixXd M, C, K, H;
-
-      /** Q(lambda_j) z_j for every column. */
-      Eigen::MatrixXcd
-      apply(const Eigen::VectorXcd &lambda, const Eigen::MatrixXcd &Z) const
-      {
-        Eigen::MatrixXcd result =
-          times(K, Z) + times(C, Z) * lambda.asDiagonal() +
-          times(M, Z) * lambda.cwiseProduct(lambda).asDiagonal();
-        if (H.size() > 0)
-          result += Complex(0., 1.) * times(H, Z);
-        return result;
-      }
-    };
-
-    Blocks
-    blocks(const PointMatrices &p,
-           const unsigned int   row,
-           const unsigned int   column,
-           const unsigned int   n_rows,
-           const unsigned int   n_columns,
-           const bool           transposed = false)
-    {
-      const auto part = [&](const Eigen::MatrixXd &A) -> Eigen::MatrixXd {
-        if (A.size() == 0)
-          return A;
-        const auto block = A.block(row, column, n_rows, n_columns);
-        return transposed ? Eigen::MatrixXd(block.transpose())
-                          : Eigen::MatrixXd(block);
-      };
-      return {part(p.M), part(p.C), part(p.K), part(p.H)};
     }
 
     DensePairs
@@ -132,107 +93,6 @@ namespace squeal
         }
       return pairs;
     }
-
-
-
-    /** What W adds: z = Q_WW^-1 r of the right vectors, of the left ones on
-     * request, and D = l^T z: entry (a, b) has l of pair a and z of pair b. */
-    struct Complement
-    {
-      Eigen::MatrixXcd right, left, D;
-    };
-
-    Complement
-    complement(const PointMatrices &p,
-               const unsigned int   n,
-               const ComplexPairs  &pairs,
-               const bool           with_left)
-    {
-      const unsigned int     w  = p.M.rows() - n;
-      const Blocks           WV = blocks(p, n, 0, w, n);
-      const Blocks           VW = blocks(p, 0, n, n, w, true);
-      const Blocks           WW = blocks(p, n, n, w, w);
-      const Eigen::MatrixXcd r  = WV.apply(pairs.lambda, pairs.right);
-      const Eigen::MatrixXcd l  = VW.apply(pairs.lambda, pairs.left);
-      // One real factor at the middle of the pairs' frequencies; W is far above
-      // them, so a few corrections do.
-      double centre = 0.;
-      for (Eigen::Index j = 0; j < pairs.lambda.size(); ++j)
-        centre += std::norm(pairs.lambda[j]) / pairs.lambda.size();
-      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(WW.K - centre * WW.M);
-      const auto solve = [&](const Eigen::MatrixXcd &b, const bool transposed) {
-        Eigen::MatrixXd both(b.rows(), 2 * b.cols());
-        both << b.real(), b.imag();
-        const Eigen::MatrixXd x =
-          transposed ? Eigen::MatrixXd(factor.transpose().solve(both))
-                     : Eigen::MatrixXd(factor.solve(both));
-        Eigen::MatrixXcd result(b.rows(), b.cols());
-        result.real() = x.leftCols(b.cols());
-        result.imag() = x.rightCols(b.cols());
-        return result;
-      };
-      Complement result;
-      result.right = solve(r, false);
-      for (unsigned int i = 0; i < 2; ++i)
-        result.right += solve(r - WW.apply(pairs.lambda, result.right), false);
-      result.D = l.transpose() * result.right;
-      if (with_left)
-        {
-          const Blocks WWt = blocks(p, n, n, w, w, true);
-          result.left      = solve(l, true);
-          for (unsigned int i = 0; i < 2; ++i)
-            result.left +=
-              solve(l - WWt.apply(pairs.lambda, result.left), true);
-        }
-      return result;
-    }
-
-    int
-    neighbour(const Eigen::VectorXcd &lambda, const Eigen::Index a)
-    {
-      int    best     = -1;
-      double distance = 1e300;
-      for (Eigen::Index b = 0; b < lambda.size(); ++b)
-        if (b != a && std::abs(lambda[b] - lambda[a]) < distance)
-          {
-            best     = b;
-            distance = std::abs(lambda[b] - lambda[a]);
-          }
-      return best;
-    }
-
-    /** Eigenvalues with the shifts by W. */
-    Eigen::VectorXcd
-    shifted_eigenvalues(const PointMatrices    &p,
-                        const unsigned int      n,
-                        const ComplexPairs     &pairs,
-                        const Eigen::MatrixXcd &D)
-    {
-      const Eigen::MatrixXcd Mx = times(p.M.topLeftCorner(n, n), pairs.right);
-      const Eigen::MatrixXcd Cx = times(p.C.topLeftCorner(n, n), pairs.right);
-      Eigen::VectorXcd       d(pairs.size()), better = pairs.lambda;
-      for (unsigned int a = 0; a < pairs.size(); ++a)
-        d[a] = (pairs.left.col(a).transpose() *
-                (2. * pairs.lambda[a] * Mx.col(a) + Cx.col(a)))(0);
-      for (unsigned int a = 0; a < pairs.size(); ++a)
-        {
-          better[a] += D(a, a) / d[a];
-          const int b = neighbour(pairs.lambda, a);
-          if (b < 0 || pairs.condition[a] < close_condition)
-            continue;
-          Eigen::Matrix2cd B;
-          B << pairs.lambda[a] + D(a, a) / d[a], D(a, b) / d[a], D(b, a) / d[b],
-            pairs.lambda[b] + D(b, b) / d[b];
-          const Complex mean = 0.5 * B.trace();
-          const Complex half = 0.5 * (B(0, 0) - B(1, 1));
-          const Complex root = std::sqrt(half * half + B(0, 1) * B(1, 0));
-          better[a]          = std::abs(mean + root - pairs.lambda[a]) <
-                          std::abs(mean - root - pairs.lambda[a])
-                                 ? mean + root
-                                 : mean - root;
-        }
-      return better;
-    }
   } // namespace
 
 
@@ -292,15 +152,13 @@ namespace squeal
     ComplexPairs        pairs = band_pairs(p, n, band);
     if (pairs.size() == 0 || N == n)
       return pairs;
-    const Complement c = complement(p, n, pairs, corrected);
-    estimate_errors(pairs, shifted_eigenvalues(p, n, pairs, c.D));
+    const RefinedPairs refined = refine_pairs(p, pairs, corrected);
+    estimate_errors(pairs, refined.lambda);
     if (corrected)
       {
-        ComplexBlock right(N, pairs.size()), left(N, pairs.size());
-        right << pairs.right, -c.right;
-        left << pairs.left, -c.left;
-        pairs.right = right;
-        pairs.left  = left;
+        pairs.lambda = refined.lambda;
+        pairs.right  = refined.right;
+        pairs.left   = refined.left;
       }
     return pairs;
   }
@@ -315,13 +173,51 @@ namespace squeal
     const ModelCell   &cell = model.cell_of(point);
     const unsigned int n    = cell.local.n_basis;
     ComplexPairs       pairs =
-      with_estimates
-              ? solve_point(cell.local, coefficients, band)
-              : band_pairs(PointMatrices(cell.local, coefficients, n), n, band);
+      with_estimates ? solve_point(cell.local, coefficients, band)
+                           : solve_point_in_basis(cell.local, coefficients, band);
     const auto V = cell.turn.leftCols(n);
     pairs.right  = times(V, pairs.right);
     pairs.left   = times(V, pairs.left);
     return pairs;
+  }
+
+  ComplexPairs
+  solve_point_in_cell(const ReducedModel                  &model,
+                      const Eigen::VectorXd               &point,
+                      const std::vector<TermCoefficients> &coefficients,
+                      const Band                          &band)
+  {
+    const ModelCell &cell = model.cell_of(point);
+    ComplexPairs pairs    = solve_point_in_full(cell.local, coefficients, band);
+    pairs.right           = times(cell.turn, pairs.right);
+    pairs.left            = times(cell.turn, pairs.left);
+    return pairs;
+  }
+
+  ComplexPairs
+  solve_point_refined(const ReducedModel                  &model,
+                      const Eigen::VectorXd               &point,
+                      const std::vector<TermCoefficients> &coefficients,
+                      const Band                          &band)
+  {
+    ComplexPairs pairs = solve_point(model, point, coefficients, band, false);
+    const PointMatrices matrices(
+      {model.parts, model.n_total()}, coefficients, model.n_total());
+    const RefinedPairs refined = refine_pairs(matrices, pairs, true);
+    estimate_errors(pairs, refined.lambda);
+    pairs.lambda = refined.lambda;
+    pairs.right  = refined.right;
+    pairs.left   = refined.left;
+    return pairs;
+  }
+
+  ComplexPairs
+  solve_point_in_basis(const LocalModel                    &model,
+                       const std::vector<TermCoefficients> &coefficients,
+                       const Band                          &band)
+  {
+    const unsigned int n = model.n_basis;
+    return band_pairs(PointMatrices(model, coefficients, n), n, band);
   }
 
   ComplexPairs

@@ -10,6 +10,15 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
+    /** Sigma less what rounding makes of it: an undamped pair has one of either
+     * sign, a few digits of its condition large. */
+    double
+    certain_sigma(const ComplexPairs &pairs, const int i)
+    {
+      return pairs.sigma(i) - 1e-14 * std::min(pairs.condition[i], 1e8) *
+                                std::abs(pairs.lambda[i]);
+    }
+
     /** The root nearest to @p start of the polynomial through four points. */
     Complex
     interpolated_root(const double (&x)[4],
@@ -54,7 +63,7 @@ namespace squeal
   double
   LineStability::At::sigma() const
   {
-    return pair < 0 ? std::nan("") : pairs.sigma(pair);
+    return pair < 0 ? std::nan("") : certain_sigma(pairs, pair);
   }
 
   LineStability::At
@@ -91,7 +100,7 @@ namespace squeal
   {
     const int i = a.pair_of(branch), j = b.pair_of(branch);
     double    x0 = a.coordinate, x1 = b.coordinate;
-    double    s0 = a.pairs.sigma(i), s1 = b.pairs.sigma(j);
+    double    s0 = certain_sigma(a.pairs, i), s1 = certain_sigma(b.pairs, j);
     // The end inside the range leads: the branch is distinct there.
     const TrackedPoint &inside = s0 > 0. ? a : b;
     const int           pair   = s0 > 0. ? i : j;
@@ -171,7 +180,7 @@ namespace squeal
       {
         const auto sigma = [&](const std::size_t p) {
           const int i = line[p].pair_of(branch);
-          return i < 0 ? std::nan("") : line[p].pairs.sigma(i);
+          return i < 0 ? std::nan("") : certain_sigma(line[p].pairs, i);
         };
         for (std::size_t p = 0; p < line.size(); ++p)
           {
@@ -321,7 +330,8 @@ namespace squeal
           {
             const int b1 = line[p].branch[i], b2 = line[p].branch[j];
             const int k = line[p + 1].pair_of(b1), l = line[p + 1].pair_of(b2);
-            if (k < 0 || l < 0)
+            if (k < 0 || l < 0 || is_multiple(line[p].pairs, i, j) ||
+                is_multiple(line[p + 1].pairs, k, l))
               continue;
             const double before = squared_split(line[p].pairs, i, j);
             const double after  = squared_split(line[p + 1].pairs, k, l);

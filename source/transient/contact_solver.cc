@@ -2,6 +2,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/transient/contact_solver.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,11 +12,13 @@ namespace squeal
 {
   namespace
   {
-    constexpr unsigned int maximum_iterations = 40;
+    constexpr unsigned int maximum_iterations = 60;
     constexpr unsigned int maximum_rounds     = 60;
     constexpr unsigned int sweeps_per_round   = 20;
-    /** A kept factor that contracts less than this is renewed. */
-    constexpr double worth_keeping = 0.2;
+    /** An operator that contracts less than this is renewed. */
+    constexpr double worth_keeping = 0.4;
+    /** More changed nodes than this, as a share of all, are no low rank. */
+    constexpr double largest_share = 0.25;
   } // namespace
 
 
@@ -34,7 +38,8 @@ namespace squeal
                                Eigen::VectorXd initial_gap,
                                Eigen::VectorXd speed_ratio,
                                const double    force,
-                               const double    t)
+                               const double    t,
+                               const Precision precision)
     : W(std::move(delassus))
     , gap(std::move(initial_gap))
     , ratio(std::move(speed_ratio))
@@ -44,6 +49,8 @@ namespace squeal
     , rho_tangential(gap.size())
     , violation(Eigen::VectorXd::Zero(W.rows()))
     , states(gap.size(), ContactStatus::open)
+    , rows(gap.size())
+    , is_single(precision == Precision::single)
   {
     for (Eigen::Index j = 0; j < gap.size(); ++j)
       {
@@ -85,79 +92,278 @@ namespace squeal
 
 
 
-  double
-  ContactSolver::evaluate(const ContactStep     &step,
-                          const Eigen::VectorXd &lambda)
+  bool
+  ContactSolver::NodeRows::is_near(const NodeRows &other) const
   {
-    u = step.free_motion;
-    u.noalias() -= W * lambda;
+    return status == other.status &&
+           (status == ContactStatus::open ||
+            std::abs(friction - other.friction) <= 1e-3) &&
+           (status != ContactStatus::slip ||
+            ((direction - other.direction).squaredNorm() <= 0.01 &&
+             std::abs(turning - other.turning) <= 0.1 * (1. + other.turning)));
+  }
+
+
+
+  ContactSolver::NodeRows
+  ContactSolver::rows_of(const ContactStep &step, const Projection &p) const
+  {
+    NodeRows result;
+    result.status   = p.status;
+    result.friction = step.friction;
+    if (p.status == ContactStatus::slip)
+      {
+        const double size = p.tried.norm();
+        result.direction  = p.tried / size;
+        result.turning    = step.friction * p.normal / size;
+      }
+    return result;
+  }
+
+
+
+  double
+  ContactSolver::check_law(const ContactStep     &step,
+                           const Eigen::VectorXd &lambda)
+  {
     double worst = 0.;
     for (Eigen::Index j = 0; j < gap.size(); ++j)
       {
         const Projection p          = project(step, lambda, j);
         states[j]                   = p.status;
+        rows[j]                     = rows_of(step, p);
         violation.segment<3>(3 * j) = lambda.segment<3>(3 * j) - p.forces;
-        worst =
-          std::max(worst, violation.segment<3>(3 * j).cwiseAbs().maxCoeff());
+        const double size = violation.segment<3>(3 * j).cwiseAbs().maxCoeff();
+        // Not a number must not pass for small.
+        worst = size <= worst ? worst : size;
       }
     return worst / mean_force;
   }
 
 
 
-  void
-  ContactSolver::factorize(const ContactStep     &step,
-                           const Eigen::VectorXd &lambda)
+  double
+  ContactSolver::evaluate(const ContactStep     &step,
+                          const Eigen::VectorXd &lambda)
   {
-    closed.clear();
-    for (Eigen::Index j = 0; j < gap.size(); ++j)
-      if (states[j] != ContactStatus::open)
-        for (int c = 0; c < 3; ++c)
-          closed.push_back(3 * j + c);
-    factored_states         = states;
-    const Eigen::Index    n = closed.size();
-    Eigen::MatrixXd       J(n, n);
-    const Eigen::MatrixXd closed_W = W(closed, closed);
-    for (Eigen::Index i = 0; i < n; i += 3)
-      {
-        const int        j     = closed[i] / 3;
-        const double     rho_n = rho_normal[j], rho_t = rho_tangential[j];
-        const Projection p = project(step, lambda, j);
-        J.row(i)           = rho_n * closed_W.row(i);
-        if (p.status == ContactStatus::stick)
-          {
-            J.middleRows(i + 1, 2) = rho_t * closed_W.middleRows(i + 1, 2);
-            continue;
-          }
-        // d(lambda_t - mu p_n x/|x|) with p_n = lambda_n - rho_n g and
-        // x = lambda_t + rho_t s.
-        const double          size = p.tried.norm();
-        const Eigen::Vector2d d    = p.tried / size;
-        const Eigen::Matrix2d across =
-          step.friction * p.normal / size *
-          (Eigen::Matrix2d::Identity() - d * d.transpose());
-        J.middleRows(i + 1, 2) = step.friction * rho_n * d * closed_W.row(i) +
-                                 rho_t * across * closed_W.middleRows(i + 1, 2);
-        J.block<2, 1>(i + 1, i) -= step.friction * d;
-        J.block<2, 2>(i + 1, i + 1) += Eigen::Matrix2d::Identity() - across;
-      }
-    factor.compute(J);
+    u = step.free_motion;
+    u.noalias() -= W * lambda;
+    return check_law(step, lambda);
   }
 
 
 
-  bool
-  ContactSolver::release_open(Eigen::VectorXd &lambda) const
+  Eigen::MatrixXd
+  ContactSolver::jacobian(const unsigned int j, const NodeRows &r) const
   {
-    bool changed = false;
+    const double    rho_n = rho_normal[j], rho_t = rho_tangential[j];
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, W.cols());
+    if (r.status == ContactStatus::open)
+      {
+        J.middleCols<3>(3 * j).setIdentity();
+        return J;
+      }
+    // W is symmetric, and its columns lie together.
+    J.row(0) = rho_n * W.col(3 * j).transpose();
+    if (r.status == ContactStatus::stick)
+      {
+        J.bottomRows<2>() = rho_t * W.middleCols<2>(3 * j + 1).transpose();
+        return J;
+      }
+    // d(lambda_t - mu p_n x/|x|) with p_n = lambda_n - rho_n g and
+    // x = lambda_t + rho_t s.
+    const Eigen::Vector2d &d = r.direction;
+    const Eigen::Matrix2d  across =
+      r.turning * (Eigen::Matrix2d::Identity() - d * d.transpose());
+    J.bottomRows<2>() = r.friction * rho_n * d * W.col(3 * j).transpose() +
+                        rho_t * across * W.middleCols<2>(3 * j + 1).transpose();
+    J.block<2, 1>(1, 3 * j) -= r.friction * d;
+    J.block<2, 2>(1, 3 * j + 1) += Eigen::Matrix2d::Identity() - across;
+    return J;
+  }
+
+
+
+  void
+  ContactSolver::invert()
+  {
+    base    = rows;
+    updated = rows;
+    Eigen::MatrixXd  J(W.rows(), W.cols());
+    std::vector<int> closed, open;
     for (Eigen::Index j = 0; j < gap.size(); ++j)
-      if (states[j] == ContactStatus::open &&
-          !lambda.segment<3>(3 * j).isZero(0.))
-        {
-          lambda.segment<3>(3 * j).setZero();
-          changed = true;
-        }
-    return changed;
+      {
+        J.middleRows<3>(3 * j) = jacobian(j, base[j]);
+        for (int c = 0; c < 3; ++c)
+          (base[j].status == ContactStatus::open ? open : closed)
+            .push_back(3 * j + c);
+      }
+    if (is_single)
+      single.invert(J, closed, open);
+    else
+      full.invert(J, closed, open);
+    has_inverse = true;
+    ++n_inverted;
+    set_update();
+  }
+
+
+
+  void
+  ContactSolver::set_update()
+  {
+    changed.clear();
+    single.clear();
+    full.clear();
+    std::vector<unsigned int> nodes;
+    for (Eigen::Index j = 0; j < gap.size(); ++j)
+      if (!updated[j].is_near(base[j]))
+        nodes.push_back(j);
+    extend_update(nodes);
+  }
+
+
+
+  void
+  ContactSolver::extend_update(const std::vector<unsigned int> &nodes)
+  {
+    std::vector<unsigned int> places;
+    Eigen::MatrixXd           difference(3 * nodes.size(), W.cols());
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      {
+        const unsigned int j = nodes[k];
+        difference.middleRows<3>(3 * k) =
+          jacobian(j, updated[j]) - jacobian(j, base[j]);
+        const auto found = std::find(changed.begin(), changed.end(), j);
+        places.push_back(found - changed.begin());
+        if (found == changed.end())
+          changed.push_back(j);
+      }
+    if (is_single)
+      single.extend(difference, places, changed);
+    else
+      full.extend(difference, places, changed);
+  }
+
+
+
+  template <typename Scalar>
+  void
+  ContactSolver::Operator<Scalar>::invert(const Eigen::MatrixXd  &J,
+                                          const std::vector<int> &closed,
+                                          const std::vector<int> &open)
+  {
+    // Rows of open nodes are those of the identity.
+    inverse = Matrix::Identity(J.rows(), J.cols());
+    if (closed.empty())
+      return;
+    const Matrix square     = J(closed, closed).template cast<Scalar>();
+    const Matrix part       = square.partialPivLu().inverse();
+    inverse(closed, closed) = part;
+    if (!open.empty())
+      {
+        const Matrix rest     = J(closed, open).template cast<Scalar>();
+        inverse(closed, open) = Matrix(-part * rest);
+      }
+  }
+
+
+
+  template <typename Scalar>
+  void
+  ContactSolver::Operator<Scalar>::clear()
+  {
+    difference.resize(0, inverse.cols());
+    columns.resize(inverse.rows(), 0);
+    small.resize(0, 0);
+  }
+
+
+
+  template <typename Scalar>
+  void
+  ContactSolver::Operator<Scalar>::extend(
+    const Eigen::MatrixXd           &changes,
+    const std::vector<unsigned int> &places,
+    const std::vector<unsigned int> &nodes)
+  {
+    const Eigen::Index n_old = columns.cols(), n = 3 * nodes.size();
+    difference.conservativeResize(n, inverse.cols());
+    columns.conservativeResize(inverse.rows(), n);
+    small.conservativeResize(n, n);
+    for (Eigen::Index k = n_old; k < n; k += 3)
+      columns.template middleCols<3>(k) =
+        inverse.template middleCols<3>(3 * nodes[k / 3]);
+    const Matrix rows = changes.cast<Scalar>();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      difference.template middleRows<3>(3 * places[i]) =
+        rows.template middleRows<3>(3 * i);
+    // New columns of all rows, then all columns of the new rows.
+    if (n > n_old)
+      small.rightCols(n - n_old).noalias() =
+        difference * columns.rightCols(n - n_old);
+    if (n_old > 0 && !places.empty())
+      {
+        const Matrix products = rows * columns.leftCols(n_old);
+        for (std::size_t i = 0; i < places.size(); ++i)
+          small.template middleRows<3>(3 * places[i]).leftCols(n_old) =
+            products.template middleRows<3>(3 * i);
+      }
+    factorize();
+  }
+
+
+
+  template <typename Scalar>
+  void
+  ContactSolver::Operator<Scalar>::factorize()
+  {
+    if (small.rows() > 0)
+      small_factor.compute(
+        Matrix(small + Matrix::Identity(small.rows(), small.cols())));
+  }
+
+
+
+  template <typename Scalar>
+  Eigen::VectorXd
+  ContactSolver::Operator<Scalar>::apply(const Eigen::VectorXd &v) const
+  {
+    using Vector  = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    Vector change = inverse * Vector(v.cast<Scalar>());
+    if (columns.cols() > 0)
+      change.noalias() -=
+        columns * Vector(small_factor.solve(Vector(difference * change)));
+    return change.template cast<double>();
+  }
+
+
+
+  void
+  ContactSolver::adapt(const bool renew)
+  {
+    std::vector<unsigned int> nodes;
+    for (Eigen::Index j = 0; has_inverse && j < gap.size(); ++j)
+      if (renew ? !rows[j].is_near(updated[j])
+                : rows[j].status != updated[j].status)
+        nodes.push_back(j);
+    if (has_inverse && nodes.empty() && !renew)
+      return;
+    for (const unsigned int j : nodes)
+      updated[j] = rows[j];
+    if (!has_inverse ||
+        changed.size() + nodes.size() > largest_share * gap.size())
+      {
+        // Nodes that have come back to what they were count no more.
+        unsigned int n_changed = 0;
+        for (Eigen::Index j = 0; has_inverse && j < gap.size(); ++j)
+          n_changed += !rows[j].is_near(base[j]);
+        if (!has_inverse || n_changed > 0.8 * largest_share * gap.size())
+          return invert();
+        updated = rows;
+        return set_update();
+      }
+    extend_update(nodes);
   }
 
 
@@ -167,9 +373,9 @@ namespace squeal
                         Eigen::VectorXd   &lambda,
                         ContactReport     &report)
   {
-    double residual = evaluate(step, lambda);
-    bool   is_fresh = false;
-    double best     = residual;
+    double       residual = evaluate(step, lambda);
+    double       best     = residual;
+    unsigned int n_slow   = 0;
     for (unsigned int i = 0, n_idle = 0; i < maximum_iterations; ++i)
       {
         report.residual = residual;
@@ -177,25 +383,25 @@ namespace squeal
           return true;
         if (!(residual < std::numeric_limits<double>::max()) || n_idle > 12)
           return false;
-        if (!is_fresh && (factored_states != states || closed.empty()))
+        // Too slow twice with statuses that stay: single precision and the
+        // small changes left out add up.
+        if (n_slow > 1)
           {
-            factorize(step, lambda);
-            is_fresh = true;
+            invert();
+            n_slow = 0;
           }
-        if (release_open(lambda))
-          evaluate(step, lambda);
-        if (!closed.empty())
-          {
-            const Eigen::VectorXd change =
-              factor.solve(Eigen::VectorXd(violation(closed)));
-            for (std::size_t k = 0; k < closed.size(); ++k)
-              lambda[closed[k]] -= change[k];
-          }
+        else
+          adapt(n_slow > 0);
+        const Eigen::VectorXd change =
+          is_single ? single.apply(violation) : full.apply(violation);
+        lambda -= change;
+        u.noalias() += W * change;
         ++report.iterations;
-        const double next = evaluate(step, lambda);
-        is_fresh = factored_states == states && next < worth_keeping * residual;
-        if (!is_fresh)
-          closed.clear();
+        const std::vector<ContactStatus> before = states;
+        const double                     next   = check_law(step, lambda);
+        n_slow   = states == before && !(next < worth_keeping * residual)
+                     ? n_slow + 1
+                     : 0;
         n_idle   = next < 0.9 * best ? 0 : n_idle + 1;
         best     = std::min(best, next);
         residual = next;
@@ -238,7 +444,6 @@ namespace squeal
           sweep(step, lambda);
         report.sweeps += sweeps_per_round;
         const Eigen::VectorXd swept = lambda;
-        closed.clear();
         if (newton(step, lambda, report))
           return report;
         lambda = swept;
@@ -250,6 +455,89 @@ namespace squeal
   }
 
 
+
+  std::vector<double>
+  ContactSolver::memory() const
+  {
+    std::vector<double> result;
+    for (const auto *list : {&base, &updated})
+      for (const NodeRows &r : *list)
+        for (const double value : {static_cast<double>(r.status),
+                                   r.friction,
+                                   r.turning,
+                                   r.direction[0],
+                                   r.direction[1]})
+          result.push_back(value);
+    const auto append = [&](const auto &matrix) {
+      result.insert(result.end(), matrix.data(), matrix.data() + matrix.size());
+    };
+    if (!has_inverse)
+      return result;
+    result.push_back(changed.size());
+    result.insert(result.end(), changed.begin(), changed.end());
+    if (is_single)
+      {
+        append(single.small);
+        append(single.inverse);
+      }
+    else
+      {
+        append(full.small);
+        append(full.inverse);
+      }
+    return result;
+  }
+
+  void
+  ContactSolver::restore(const std::vector<double> &memory)
+  {
+    if (memory.empty())
+      return;
+    auto next = memory.begin();
+    for (auto *list : {&base, &updated})
+      {
+        list->resize(gap.size());
+        for (NodeRows &r : *list)
+          {
+            r.status    = static_cast<ContactStatus>(int(*next++));
+            r.friction  = *next++;
+            r.turning   = *next++;
+            r.direction = Eigen::Vector2d(next[0], next[1]);
+            next += 2;
+          }
+      }
+    std::vector<unsigned int> nodes(static_cast<std::size_t>(*next++));
+    for (unsigned int &node : nodes)
+      node = static_cast<unsigned int>(*next++);
+    const Eigen::Index    n = 3 * nodes.size();
+    const Eigen::MatrixXd small =
+      Eigen::Map<const Eigen::MatrixXd>(&*next, n, n);
+    next += small.size();
+    AssertDimension(memory.end() - next, W.size());
+    const Eigen::MatrixXd inverse =
+      Eigen::Map<const Eigen::MatrixXd>(&*next, W.rows(), W.cols());
+    has_inverse = true;
+    changed.clear();
+    // The small matrix has grown bit by bit: it is taken as it was.
+    const auto take = [&](auto &op) {
+      using Matrix = std::decay_t<decltype(op.inverse)>;
+      op.inverse   = inverse.cast<typename Matrix::Scalar>();
+      op.clear();
+      extend_update(nodes);
+      op.small = small.cast<typename Matrix::Scalar>();
+      op.factorize();
+    };
+    if (is_single)
+      take(single);
+    else
+      take(full);
+  }
+
+  unsigned int
+  ContactSolver::n_inversions() const
+  {
+    return n_inverted;
+  }
 
   const std::vector<ContactStatus> &
   ContactSolver::status() const

@@ -110,14 +110,23 @@ namespace squeal
 
 
   Eigen::VectorXd
-  ReducedTransient::modal_forces(const double           time,
-                                 const Eigen::VectorXd &forces) const
+  ReducedTransient::external_forces(const double time) const
   {
     Eigen::VectorXd f = drive.load(time) * model.load;
-    f.noalias() -= model.participation.transpose() * forces;
-    if (drive.trigger)
-      f += drive.trigger(time);
+    for (const auto &force : drive.forces)
+      if (const double factor = force.factor(time); factor != 0.)
+        f += factor * force.force.modal;
     return f;
+  }
+
+  Eigen::VectorXd
+  ReducedTransient::external_motion(const double time) const
+  {
+    Eigen::VectorXd motion = drive.load(time) * model.load_motion;
+    for (const auto &force : drive.forces)
+      if (const double factor = force.factor(time); factor != 0.)
+        motion += factor * force.force.motion;
+    return motion;
   }
 
 
@@ -127,18 +136,17 @@ namespace squeal
                           const Eigen::VectorXd &velocity,
                           const Eigen::VectorXd &forces)
   {
-    n_steps       = 0;
-    q             = positions;
-    v             = velocity;
-    lambda        = forces;
-    lambda_before = forces;
-    total_force   = modal_forces(0., lambda);
-    u = model.participation * q + drive.load(0.) * model.load_motion -
-        model.flexibility * lambda;
-    energies         = {};
-    energies.start   = stored_energy();
-    energies.kinetic = 0.5 * v.squaredNorm();
-    energies.elastic = energies.start - energies.kinetic;
+    n_steps  = 0;
+    q        = positions;
+    v        = velocity;
+    lambda   = forces;
+    lambda_1 = lambda_2 = forces;
+    load_now            = external_forces(0.);
+    motion_now          = external_motion(0.);
+    total_force         = load_now - model.participation.transpose() * lambda;
+    u = model.participation * q + motion_now - model.flexibility * lambda;
+    energies       = {};
+    energies.start = stored_energy();
   }
 
 
@@ -147,34 +155,40 @@ namespace squeal
   ReducedTransient::advance()
   {
     const double          t      = dt * (n_steps + 1);
-    const double          factor = drive.load(t);
-    const Eigen::VectorXd zero   = Eigen::VectorXd::Zero(lambda.size());
-    const Eigen::VectorXd load   = modal_forces(t, zero);
+    const Eigen::VectorXd load   = external_forces(t);
+    const Eigen::VectorXd motion = external_motion(t);
     const Eigen::VectorXd q_free = q_q.cwiseProduct(q) + q_v.cwiseProduct(v) +
                                    q_f0.cwiseProduct(total_force) +
                                    q_f1.cwiseProduct(load);
     ContactStep step;
-    step.free_motion = factor * model.load_motion;
+    step.free_motion = motion;
     step.free_motion.noalias() += model.participation * q_free;
     step.previous_motion = u;
     step.duration        = dt;
-    step.friction        = drive.friction;
+    step.friction        = drive.friction(t);
     step.speed           = drive.speed(t - 0.5 * dt);
 
-    Eigen::VectorXd       guess  = 2. * lambda - lambda_before;
+    Eigen::VectorXd       guess  = 3. * (lambda - lambda_1) + lambda_2;
     const ContactReport   report = solver.solve(step, guess);
     const Eigen::VectorXd force =
       load - model.participation.transpose() * guess;
     const Eigen::VectorXd q_before = q, v_before = v, u_before = u;
     v = v_q.cwiseProduct(q_before) + v_v.cwiseProduct(v_before) +
         v_f0.cwiseProduct(total_force) + v_f1.cwiseProduct(force);
-    q             = q_free + q_f1.cwiseProduct(force - load);
-    lambda_before = lambda;
-    lambda        = guess;
-    total_force   = force;
-    u             = solver.motion();
+    q           = q_free + q_f1.cwiseProduct(force - load);
+    lambda_2    = lambda_1;
+    lambda_1    = lambda;
+    lambda      = guess;
+    total_force = force;
+    u           = solver.motion();
     ++n_steps;
-    update_ledger(q_before, v_before, lambda_before, u_before);
+    // The ledger sees external forces and motions of both ends.
+    const Eigen::VectorXd load_before = load_now, motion_before = motion_now;
+    load_now   = load;
+    motion_now = motion;
+    energies.load += 0.5 * (load + load_before).dot(q - q_before) +
+                     0.5 * (lambda + lambda_1).dot(motion - motion_before);
+    update_ledger(q_before, v_before, lambda_1, u_before);
     return report;
   }
 
@@ -196,20 +210,11 @@ namespace squeal
                                   const Eigen::VectorXd &forces_before,
                                   const Eigen::VectorXd &motion_before)
   {
-    const double t   = time();
-    energies.kinetic = 0.5 * v.squaredNorm();
-    energies.elastic = stored_energy() - energies.kinetic;
     for (Eigen::Index k = 0; k < q.size(); ++k)
       energies.damping +=
         model.damping[k] *
         slope_product(q_before[k], v_before[k], q[k], v[k], dt);
-    const Eigen::VectorXd f =
-      0.5 * (drive.load(t) + drive.load(t - dt)) * model.load;
-    energies.load += f.dot(q - q_before);
-    if (drive.trigger)
-      energies.load +=
-        0.5 * (drive.trigger(t) + drive.trigger(t - dt)).dot(q - q_before);
-    const double speed = drive.speed(t - 0.5 * dt);
+    const double speed = drive.speed(time() - 0.5 * dt);
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
         const Eigen::Vector3d mean =
@@ -260,9 +265,87 @@ namespace squeal
     return solver.status();
   }
 
-  const EnergyLedger &
+  EnergyLedger
   ReducedTransient::ledger() const
   {
-    return energies;
+    EnergyLedger result = energies;
+    result.kinetic      = 0.5 * v.squaredNorm();
+    result.elastic      = stored_energy() - result.kinetic;
+    return result;
+  }
+
+  Eigen::VectorXd
+  ReducedTransient::accelerations() const
+  {
+    return total_force - model.damping.cwiseProduct(v) -
+           model.omega_squared.cwiseProduct(q);
+  }
+
+  unsigned int
+  ReducedTransient::n_inversions() const
+  {
+    return solver.n_inversions();
+  }
+
+  double
+  ReducedTransient::load_share() const
+  {
+    return drive.load(time());
+  }
+
+
+
+  std::vector<double>
+  ReducedTransient::memory() const
+  {
+    std::vector<double> result = {static_cast<double>(n_steps),
+                                  energies.damping,
+                                  energies.friction,
+                                  energies.driving,
+                                  energies.load,
+                                  energies.numerical,
+                                  energies.start};
+    for (const auto *x : {&q,
+                          &v,
+                          &u,
+                          &total_force,
+                          &lambda,
+                          &lambda_1,
+                          &lambda_2,
+                          &load_now,
+                          &motion_now})
+      result.insert(result.end(), x->data(), x->data() + x->size());
+    const std::vector<double> more = solver.memory();
+    result.insert(result.end(), more.begin(), more.end());
+    return result;
+  }
+
+  void
+  ReducedTransient::restore(const std::vector<double> &memory)
+  {
+    auto next = memory.begin();
+    n_steps   = static_cast<unsigned int>(*next++);
+    for (double *x : {&energies.damping,
+                      &energies.friction,
+                      &energies.driving,
+                      &energies.load,
+                      &energies.numerical,
+                      &energies.start})
+      *x = *next++;
+    const Eigen::Index n = model.n_modes(), m = 3 * model.n_nodes();
+    for (const auto &[x, size] : {std::make_pair(&q, n),
+                                  std::make_pair(&v, n),
+                                  std::make_pair(&u, m),
+                                  std::make_pair(&total_force, n),
+                                  std::make_pair(&lambda, m),
+                                  std::make_pair(&lambda_1, m),
+                                  std::make_pair(&lambda_2, m),
+                                  std::make_pair(&load_now, n),
+                                  std::make_pair(&motion_now, m)})
+      {
+        *x = Eigen::Map<const Eigen::VectorXd>(&*next, size);
+        next += size;
+      }
+    solver.restore({next, memory.end()});
   }
 } // namespace squeal

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace squeal
@@ -49,77 +50,132 @@ namespace squeal
 
 
 
+  unsigned int
+  SteadySliding::n_with(const ContactStatus asked) const
+  {
+    return std::count(status.begin(), status.end(), asked);
+  }
+
+
+
+  namespace
+  {
+    /** Static contact problems of one model. Motions that nothing holds get an
+     * auxiliary stiffness whose force goes back into the load. */
+    class StaticContact
+    {
+    public:
+      StaticContact(const ReducedContactModel &m, const double tolerance)
+        : model(m)
+        , held(Eigen::VectorXd::Zero(m.n_modes()))
+        , compliance(m.n_modes())
+      {
+        for (unsigned int k = 0; k < model.n_modes(); ++k)
+          {
+            if (model.omega_squared[k] == 0.)
+              held[k] = std::pow(2. * M_PI * auxiliary_frequency, 2);
+            compliance[k] = 1. / (model.omega_squared[k] + held[k]);
+          }
+        const Eigen::MatrixXd &Psi = model.participation;
+        const Eigen::MatrixXd  W =
+          Psi * compliance.asDiagonal() * Psi.transpose() + model.flexibility;
+        solver =
+          std::make_unique<ContactSolver>(W,
+                                          model.initial_gap,
+                                          model.speed_ratio,
+                                          mean_force(W),
+                                          tolerance,
+                                          ContactSolver::Precision::full);
+      }
+
+      /** Nothing touches. */
+      SteadySliding
+      untouched() const
+      {
+        SteadySliding state;
+        state.forces      = Eigen::VectorXd::Zero(model.participation.rows());
+        state.motion      = state.forces;
+        state.coordinates = Eigen::VectorXd::Zero(model.n_modes());
+        state.status.assign(model.n_nodes(), ContactStatus::open);
+        return state;
+      }
+
+      /** False where there is no solution near the forces of @p state. */
+      bool
+      solve(ContactStep step, const double share, SteadySliding &state)
+      {
+        const Eigen::MatrixXd &Psi = model.participation;
+        const Eigen::VectorXd  f   = share * model.load;
+        for (unsigned int i = 0; i < 100; ++i)
+          {
+            const Eigen::VectorXd q_free =
+              compliance.cwiseProduct(f + held.cwiseProduct(state.coordinates));
+            step.free_motion = Psi * q_free + share * model.load_motion;
+            if (!solver->newton(step, state.forces, state.report))
+              return false;
+            const Eigen::VectorXd q =
+              q_free - compliance.cwiseProduct(Psi.transpose() * state.forces);
+            const double change =
+              held.cwiseProduct(q - state.coordinates).norm();
+            state.coordinates = q;
+            if (change <= 1e-11 * f.norm())
+              {
+                state.motion = solver->motion();
+                state.status = solver->status();
+                return true;
+              }
+            if (!(change < 1e6 * f.norm()))
+              return false;
+          }
+        return false;
+      }
+
+    private:
+      /** The size of forces: what would close the gap at full load. */
+      double
+      mean_force(const Eigen::MatrixXd &W) const
+      {
+        const Eigen::VectorXd load_motion =
+          model.participation * compliance.cwiseProduct(model.load) +
+          model.load_motion;
+        double approach = 0., flexibility = 0.;
+        for (unsigned int j = 0; j < model.n_nodes(); ++j)
+          {
+            approach = std::max(approach, load_motion[3 * j]);
+            for (unsigned int i = 0; i < model.n_nodes(); ++i)
+              flexibility = std::max(flexibility, std::abs(W(3 * j, 3 * i)));
+          }
+        return std::max(approach / flexibility, 1e-12) / model.n_nodes();
+      }
+
+      const ReducedContactModel     &model;
+      Eigen::VectorXd                held, compliance;
+      std::unique_ptr<ContactSolver> solver;
+    };
+  } // namespace
+
+
+
   SteadySliding
   steady_sliding(const ReducedContactModel &model,
                  const double               friction,
-                 const double               load_factor)
+                 const double               load_factor,
+                 const double               tolerance)
   {
-    const double    auxiliary = std::pow(2. * M_PI * auxiliary_frequency, 2);
-    Eigen::VectorXd held      = Eigen::VectorXd::Zero(model.n_modes());
-    Eigen::VectorXd compliance(model.n_modes());
-    for (unsigned int k = 0; k < model.n_modes(); ++k)
-      {
-        if (model.omega_squared[k] == 0.)
-          held[k] = auxiliary;
-        compliance[k] = 1. / (model.omega_squared[k] + held[k]);
-      }
-    const Eigen::MatrixXd &Psi = model.participation;
-    const Eigen::MatrixXd  W =
-      Psi * compliance.asDiagonal() * Psi.transpose() + model.flexibility;
-
+    StaticContact contact(model, tolerance);
     // The target slides so far that the slip has its direction.
     ContactStep step;
-    step.previous_motion = Eigen::VectorXd::Zero(Psi.rows());
+    step.previous_motion = Eigen::VectorXd::Zero(model.participation.rows());
     step.duration        = 1e6;
-    step.friction        = friction;
     step.speed           = 1.;
-    // The size of forces: that of the load on the rigid motions or, held
-    // bodies, of what would close the gap.
-    const Eigen::VectorXd load_motion =
-      Psi * compliance.cwiseProduct(model.load) + model.load_motion;
-    double approach = 0., flexibility = 0.;
-    for (unsigned int j = 0; j < model.n_nodes(); ++j)
-      {
-        approach = std::max(approach, load_factor * load_motion[3 * j]);
-        for (unsigned int i = 0; i < model.n_nodes(); ++i)
-          flexibility = std::max(flexibility, std::abs(W(3 * j, 3 * i)));
-      }
-    const double force =
-      std::max(approach / flexibility, 1e-12) / model.n_nodes();
-    ContactSolver solver(W, model.initial_gap, model.speed_ratio, force, 1e-10);
-
-    SteadySliding result;
-    result.forces           = Eigen::VectorXd::Zero(Psi.rows());
-    result.coordinates      = Eigen::VectorXd::Zero(model.n_modes());
-    const Eigen::VectorXd f = load_factor * model.load;
-    // One solution with what the auxiliary stiffness held in the load; false
-    // where there is none near the forces at hand.
-    const auto solve = [&](SteadySliding &state) {
-      for (unsigned int i = 0; i < 100; ++i)
-        {
-          const Eigen::VectorXd q_free =
-            compliance.cwiseProduct(f + held.cwiseProduct(state.coordinates));
-          step.free_motion = Psi * q_free + load_factor * model.load_motion;
-          if (!solver.newton(step, state.forces, state.report))
-            return false;
-          const Eigen::VectorXd q =
-            q_free - compliance.cwiseProduct(Psi.transpose() * state.forces);
-          const double change = held.cwiseProduct(q - state.coordinates).norm();
-          state.coordinates   = q;
-          if (change <= 1e-11 * f.norm())
-            return true;
-          if (!(change < 1e6 * f.norm()))
-            return false;
-        }
-      return false;
-    };
+    SteadySliding result = contact.untouched();
     // Friction comes in steps, from the solution without it, which is unique.
     double reached = 0., increment = friction;
     for (bool first = true; first || reached < friction; first = false)
       {
         step.friction = first ? 0. : std::min(reached + increment, friction);
         SteadySliding next   = result;
-        const bool    solved = solve(next);
+        const bool    solved = contact.solve(step, load_factor, next);
         if (!solved && (first || increment < 1e-3 * friction))
           throw_none(first, reached);
         if (!solved)
@@ -130,9 +186,44 @@ namespace squeal
         result  = next;
         reached = step.friction;
       }
-    result.motion = solver.motion();
-    result.status = solver.status();
+    if (result.n_closed() == 0)
+      throw_none(true, 0.);
     return result;
+  }
+
+
+
+  std::vector<SteadySliding>
+  press_at_rest(const ReducedContactModel &model,
+                const double               friction,
+                const unsigned int         n_steps,
+                const double               tolerance)
+  {
+    StaticContact contact(model, tolerance);
+    ContactStep   step;
+    step.duration = 0.;
+    step.speed    = 0.;
+    std::vector<SteadySliding> states;
+    for (unsigned int k = 1; k <= n_steps; ++k)
+      {
+        SteadySliding next =
+          states.empty() ? contact.untouched() : states.back();
+        step.previous_motion = next.motion;
+        // The first touch is sought without friction.
+        if (k == 1)
+          {
+            step.friction = 0.;
+            if (!contact.solve(step, 1. / n_steps, next))
+              throw_none(true, 0.);
+          }
+        step.friction = friction;
+        if (!contact.solve(step, double(k) / n_steps, next))
+          throw ComputationError("the contact at rest has no solution at " +
+                                 std::to_string(100. * k / n_steps) +
+                                 " % of the load: raise Preload/Load steps");
+        states.push_back(next);
+      }
+    return states;
   }
 
 

@@ -71,6 +71,8 @@ namespace
       case Parameters::Analysis::work_precision:
         run_work_precision(context);
         break;
+      default:
+        check(false, "an analysis that exports matrices");
       }
     MPI_Barrier(MPI_COMM_WORLD);
   }

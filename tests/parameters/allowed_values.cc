@@ -63,7 +63,7 @@ namespace
                        {"test.prm:2: ", "true or false"},
                        "no flag");
     check_text_refused("set Analysis = swep\n",
-                       {"one of modes, cea, sweep, work precision"},
+                       {"one of modes, cea, sweep, preload, transient"},
                        "analysis that does not exist");
     check_text_refused("subsection Work precision\n"
                        "set Ladders = degree, degre\nend\n",

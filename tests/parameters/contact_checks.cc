@@ -143,9 +143,8 @@ namespace
   laws()
   {
     check_change_refused(
-      {contact + "Contact state = preload"},
-      {"needs a steady-sliding solution (Analysis = preload), which this "
-       "version does not compute"});
+      {contact + "Contact state = preload", contact + "Friction slope = -0.01"},
+      {"'Scene/Contact pad_disc/Friction slope'", "must be 0"});
     check_change_accepted({contact + "Contact state = stick"});
     check_change_refused(
       {contact + "Transverse slip term = true", contact + "Sliding speed = 0"},

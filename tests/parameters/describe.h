@@ -169,6 +169,23 @@ namespace squeal
     }
 
     inline void
+    describe(Description &description, const MeasuredPointParameters &point)
+    {
+      SQUEAL_DESCRIBE(point, body);
+      SQUEAL_DESCRIBE(point, position);
+      SQUEAL_DESCRIBE(point, direction);
+      SQUEAL_DESCRIBE(point, node);
+    }
+
+    inline void
+    describe(Description &description, const UpdatedNumberParameters &number)
+    {
+      SQUEAL_DESCRIBE(number, entries);
+      SQUEAL_DESCRIBE(number, lower);
+      SQUEAL_DESCRIBE(number, upper);
+    }
+
+    inline void
     describe(Description &description, const SweepAxisParameters &axis)
     {
       SQUEAL_DESCRIBE(axis, entries);
@@ -177,6 +194,9 @@ namespace squeal
       SQUEAL_DESCRIBE(axis, to);
       SQUEAL_DESCRIBE(axis, number);
       SQUEAL_DESCRIBE(axis, values);
+      SQUEAL_DESCRIBE(axis, distribution);
+      SQUEAL_DESCRIBE(axis, mean);
+      SQUEAL_DESCRIBE(axis, deviation);
     }
 
     inline void
@@ -254,6 +274,54 @@ namespace squeal
       SQUEAL_DESCRIBE(p, sweep.direct_checks);
       SQUEAL_DESCRIBE(p, sweep.compare);
       SQUEAL_DESCRIBE(p, sweep.sensitivities);
+      SQUEAL_DESCRIBE(p, sweep.scatter_samples);
+      SQUEAL_DESCRIBE(p, sweep.scatter_seed);
+      SQUEAL_DESCRIBE(p, preload.load_steps);
+      SQUEAL_DESCRIBE(p, preload.tolerance);
+      SQUEAL_DESCRIBE(p, preload.stiffness_entry);
+      SQUEAL_DESCRIBE(p, preload.stiffness_values);
+      SQUEAL_DESCRIBE(p, transient.start);
+      SQUEAL_DESCRIBE(p, transient.disturbance);
+      SQUEAL_DESCRIBE(p, transient.cut_off);
+      SQUEAL_DESCRIBE(p, transient.time_step);
+      SQUEAL_DESCRIBE(p, transient.end_time);
+      SQUEAL_DESCRIBE(p, transient.tolerance);
+      SQUEAL_DESCRIBE(p, transient.sample_interval);
+      SQUEAL_DESCRIBE(p, transient.history_start);
+      SQUEAL_DESCRIBE(p, transient.final_speed_ratio);
+      SQUEAL_DESCRIBE(p, transient.friction_impulse);
+      SQUEAL_DESCRIBE(p, transient.friction_impulse_time);
+      SQUEAL_DESCRIBE(p, transient.friction_impulse_duration);
+      SQUEAL_DESCRIBE(p, transient.checkpoint_file);
+      SQUEAL_DESCRIBE(p, transient.checkpoint_interval);
+      SQUEAL_DESCRIBE(p, transient.resume);
+      SQUEAL_DESCRIBE(p, transient.tops);
+      SQUEAL_DESCRIBE(p, transient.top_support);
+      SQUEAL_DESCRIBE(p, transient.compare_with_cea);
+      SQUEAL_DESCRIBE(p, transient.campaign_table);
+      SQUEAL_DESCRIBE(p, transient.threads);
+      SQUEAL_DESCRIBE(p, transient.hammer.body);
+      SQUEAL_DESCRIBE(p, transient.hammer.face);
+      SQUEAL_DESCRIBE(p, transient.hammer.force);
+      SQUEAL_DESCRIBE(p, transient.hammer.time);
+      SQUEAL_DESCRIBE(p, transient.hammer.duration);
+      SQUEAL_DESCRIBE(p, frequency_response.quantity);
+      SQUEAL_DESCRIBE(p, frequency_response.excitations);
+      SQUEAL_DESCRIBE(p, frequency_response.responses);
+      SQUEAL_DESCRIBE(p, frequency_response.states);
+      SQUEAL_DESCRIBE(p, frequency_response.number);
+      SQUEAL_DESCRIBE(p, frequency_response.scale);
+      SQUEAL_DESCRIBE(p, frequency_response.margin);
+      SQUEAL_DESCRIBE(p, frequency_response.residual);
+      SQUEAL_DESCRIBE(p, frequency_response.checks);
+      SQUEAL_DESCRIBE(p, frequency_response.check_tolerance);
+      SQUEAL_DESCRIBE(p, updating.pairing);
+      SQUEAL_DESCRIBE(p, updating.minimum_mac);
+      SQUEAL_DESCRIBE(p, updating.tolerance);
+      SQUEAL_DESCRIBE(p, updating.maximum_evaluations);
+      SQUEAL_DESCRIBE(p, updating.confidence_percent);
+      SQUEAL_DESCRIBE(p, measurement.shapes_file);
+      SQUEAL_DESCRIBE(p, measurement.frequencies_file);
       SQUEAL_DESCRIBE(p, work_precision.ladders);
       SQUEAL_DESCRIBE(p, work_precision.values);
       SQUEAL_DESCRIBE(p, work_precision.adaptive_values);
@@ -279,6 +347,8 @@ namespace squeal
       describe(description, p.scene);
       describe_numerics(description, p);
       describe_all(description, p.sweep.axes);
+      describe_all(description, p.measurement.points);
+      describe_all(description, p.updating.numbers);
       describe_all(description, p.result_checks);
       return description.lines;
     }

@@ -64,7 +64,7 @@ namespace
   {
     TrackingOptions o;
     o.lowest_frequency  = 0.;
-    o.highest_frequency = 10.;
+    o.highest_frequency = 1.;
     o.real              = real;
     return o;
   }
@@ -196,11 +196,12 @@ namespace
   void
   closed_loop()
   {
-    // Damping of one degree of freedom moves the coalescence off the real axis
-    // of t: with the coupling as second parameter it is a point of the plane.
+    // Two oscillators, one of them damped: their eigenvalues coalesce where the
+    // frequencies agree and the coupling is half the damping times the
+    // frequency, a point in the plane of t and the coupling.
     const auto pairs_at = [](const double t, const double coupling) {
       Eigen::MatrixXd K(2, 2), C = Eigen::MatrixXd::Zero(2, 2);
-      K << std::pow(1. + 0.5 * t, 2), coupling, -coupling,
+      K << std::pow(1. + 0.5 * t, 2), coupling, coupling,
         std::pow(2. - 0.5 * t, 2);
       C(0, 0) = 0.05;
       return solve(K, C);
@@ -210,7 +211,7 @@ namespace
       const std::complex<double> d = 0.5 * (q.lambda[0] - q.lambda[1]);
       return d * d;
     };
-    Eigen::Vector2d p(0.99, 0.05);
+    Eigen::Vector2d p(0.99, 0.03);
     for (unsigned int step = 0; step < 40; ++step)
       {
         const double               h = 1e-6;

@@ -3,20 +3,14 @@
 // The certified basis of a coarse TriboBrake over the box of its stability map:
 // true errors, estimates, reuse.
 #include <squeal/base/exceptions.h>
-#include <squeal/contact/contact_terms.h>
 #include <squeal/eigen/certified_solver.h>
-#include <squeal/eigen/direct_solver.h>
-#include <squeal/sweep/basis_builder.h>
 #include <squeal/sweep/branch_tracker.h>
 #include <squeal/sweep/stability.h>
 
 #include "check.h"
+#include "coarse_brake.h"
 
 #include <deal.II/base/mpi.h>
-
-#include <deal.II/distributed/tria.h>
-
-#include <deal.II/fe/mapping.h>
 
 #include <algorithm>
 #include <fstream>
@@ -26,56 +20,7 @@ using namespace squeal::testing;
 
 namespace
 {
-  struct Setup
-  {
-    explicit Setup(const Parameters &p)
-      : parameters(p)
-      , discretization(parameters.scene,
-                       parameters.discretization,
-                       2,
-                       MPI_COMM_SELF)
-      , linearized(
-          linearized_system(discretization, assemble_bodies(discretization)))
-      , grid(parameters)
-      , system(linearized.system, grid)
-    {
-      options.band                = {2000., 6000.};
-      options.frequency_tolerance = parameters.sweep.frequency_tolerance;
-      options.sigma_tolerance     = parameters.sweep.sigma_tolerance;
-    }
-
-    ComplexPairs
-    solve(const ReducedModel &model, const SweepPoint &point) const
-    {
-      return solve_point(
-        model, point, system.coefficients(point), options.band);
-    }
-
-    ComplexPairs
-    direct(const SweepPoint &point) const
-    {
-      const Pencil       pencil(system.merged(), grid.scene(point));
-      const DirectSolver solver(pencil, {0., 2. * M_PI * 4000.});
-      return solver.solve(26);
-    }
-
-    Parameters       parameters;
-    Discretization   discretization;
-    LinearizedSystem linearized;
-    SweepGrid        grid;
-    ParametricSystem system;
-    BasisOptions     options;
-  };
-
-  Parameters
-  coarse_map()
-  {
-    return read_parameters(SQUEAL_SOURCE_DIR
-                           "/prm/tribobrake/stability_map.prm",
-                           {"Scene/Body disc/Cells = 16, 3, 1",
-                            "Scene/Body pad/Cells = 2, 2, 2",
-                            "Scene/Body support/Cells = 2, 2, 6"});
-  }
+  using Setup = CoarseBrake;
 
   /** Coordinates of coalescences on lines through the box. */
   std::vector<SweepPoint>
@@ -129,7 +74,7 @@ namespace
     for (const auto &point : points)
       {
         const ComplexPairs pairs  = setup.solve(model, point);
-        const ComplexPairs direct = setup.direct(point);
+        const ComplexPairs direct = setup.direct(setup.grid.scene(point));
         ComplexPairs       truth  = pairs;
         estimate_errors(truth, direct.lambda);
         for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -211,7 +156,7 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   geometry_is_refused();
-  const Setup  setup(coarse_map());
+  const Setup  setup;
   BasisBuilder builder(setup.system, setup.options);
   const auto   model = builder.build([](const BasisRound &round) {
     std::cout << "basis " << round.basis_size << ", " << round.n_factors

@@ -172,7 +172,7 @@ namespace
     for (const double dt : {4e-6, 2e-6})
       {
         TransientDrive drive;
-        drive.friction = mu;
+        drive.friction = [mu](double) { return mu; };
         drive.speed    = [](double) { return speed; };
         drive.load     = [](double) { return 1.; };
         ReducedTransient run(r.model, dt, drive, load / r.model.n_nodes());
@@ -231,7 +231,7 @@ namespace
     for (const double dt : {4e-6, 1e-6})
       {
         TransientDrive drive;
-        drive.friction = .3;
+        drive.friction = [](double) { return .3; };
         drive.speed    = [](double) { return speed; };
         drive.load     = [](double) { return 1.; };
         ReducedTransient run(r.model, dt, drive, load / r.model.n_nodes());

@@ -22,9 +22,9 @@ using namespace squeal::tribology;
 namespace
 {
   cv::Mat
-  cracks_of(const std::string &path)
+  centre_lines_of(const std::string &path)
   {
-    return segment(read_grey(path)).cracks.area;
+    return segment(read_grey(path)).cracks.centre_line;
   }
 
 
@@ -64,7 +64,7 @@ main(int argc, char **argv)
       const cv::Mat     mask =
         cv::imread((data / "cracks" / "masks" / (stem + ".png")).string(),
                    cv::IMREAD_GRAYSCALE);
-      const cv::Mat   found = cracks_of(file);
+      const cv::Mat   found = centre_lines_of(file);
       const LineScore s     = score_lines(found, mask, 2.);
       std::printf("%-22s %9.3f %7.3f %6.3f %6.3f\n",
                   stem.c_str(),
@@ -83,7 +83,7 @@ main(int argc, char **argv)
   cv::glob((data / "negatives" / "images" / "*.jpg").string(), files);
   for (const std::string file : files)
     {
-      const int n = cv::countNonZero(thin(cracks_of(file)));
+      const int n = cv::countNonZero(thin(centre_lines_of(file)));
       std::printf("no crack: %-22s %d px\n", fs::path(file).stem().c_str(), n);
       false_length += n;
     }

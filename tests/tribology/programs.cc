@@ -11,6 +11,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+
 using namespace squeal;
 using namespace squeal::testing;
 namespace fs = std::filesystem;
@@ -75,6 +83,32 @@ end
     check(outcome.code == 0, claim + ": " + outcome.errors);
   }
 
+  /** The file for ParaView holds what the table holds. */
+  void
+  check_vtu(const Table &table)
+  {
+    vtkNew<vtkXMLUnstructuredGridReader> reader;
+    reader->SetFileName("damage/damage.vtu");
+    reader->Update();
+    vtkUnstructuredGrid *grid = reader->GetOutput();
+    check(grid->GetNumberOfPoints() == 25 && grid->GetNumberOfCells() == 16,
+          "damage.vtu: 25 nodes, 16 cells");
+    for (const char *name : {"x_m", "y_m", "damage_m5_per_s"})
+      {
+        vtkDataArray *values = grid->GetPointData()->GetArray(name);
+        check(values != nullptr, std::string("damage.vtu has ") + name);
+        for (vtkIdType i = 0; i < 25; ++i)
+          check(std::abs(values->GetTuple1(i) - table.real(i, name)) <=
+                  1e-9 * std::abs(table.real(i, name)),
+                std::string("damage.vtu: ") + name);
+      }
+    for (vtkIdType i = 0; i < 25; ++i)
+      check(std::abs(grid->GetPoint(i)[1] - table.real(i, "y_m")) < 1e-12,
+            "damage.vtu: places");
+  }
+
+
+
   void
   whole_chain()
   {
@@ -111,6 +145,7 @@ end
         std::max(table.real(i, "y_m") < -4e-3 ? leading : trailing,
                  table.real(i, "damage_m5_per_s"));
     check(leading > 10. * trailing, "most at the leading edge");
+    check_vtu(table);
 
     // chunks and a second run change no byte
     const std::string before = text_of("damage/damage.csv");

@@ -2,6 +2,7 @@
 #ifndef squeal_contact_contact_geometry_h
 #define squeal_contact_contact_geometry_h
 
+#include <squeal/base/contact_status.h>
 #include <squeal/base/low_rank_matrix.h>
 #include <squeal/discretization/discretization.h>
 #include <squeal/discretization/point_evaluator.h>
@@ -11,14 +12,6 @@
 
 namespace squeal
 {
-  /** What a contact point does. */
-  enum class ContactStatus
-  {
-    open,
-    slip,
-    stick
-  };
-
   /**
    * Contact state of a pair: the status of every contact point and the share
    * of the normal force it carries (sums to one over the closed points). One

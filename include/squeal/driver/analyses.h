@@ -19,6 +19,20 @@ namespace squeal
    * certified basis. */
   void run_sweep(RunContext &context);
 
+  /** `Analysis = preload`: steady sliding under the loads. */
+  void run_preload(RunContext &context);
+
+  /** `Analysis = transient`: motion in time, one run or a campaign. */
+  void run_transient(RunContext &context);
+
+  /** `Analysis = frequency response`: responses between points by
+   * superposition of the complex modes. */
+  void run_frequency_response(RunContext &context);
+
+  /** `Analysis = updating`: numbers of the scene fitted to measured
+   * frequencies. */
+  void run_updating(RunContext &context);
+
   /** `Analysis = work precision`: a ladder of settings, error against work. */
   void run_work_precision(RunContext &context);
 } // namespace squeal

@@ -22,8 +22,12 @@ namespace squeal
   class Model
   {
   public:
-    /** Discretises and assembles. Throws InputError. */
-    Model(const Parameters &parameters, Timers &timers);
+    /** Discretises and assembles. The contact states are those of the
+     * parameters (`preload`: of the steady sliding) unless they are given, one
+     * a pair. Throws InputError. */
+    Model(const Parameters                &parameters,
+          Timers                          &timers,
+          const std::vector<ContactState> &states = {});
 
     /** Assembles again on a (refined) mesh. */
     void assemble(Timers &timers);
@@ -56,6 +60,7 @@ namespace squeal
     void assemble_imported();
 
     const Parameters                     &all_parameters;
+    const std::vector<ContactState>       given_states;
     std::unique_ptr<Discretization>       space;
     std::vector<BodyMatrices>             bodies;
     LinearizedSystem                      system;

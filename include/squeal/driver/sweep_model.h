@@ -42,13 +42,19 @@ namespace squeal
     ComplexPairs solve(const SweepPoint &point,
                        const bool        with_estimates = true) const;
 
+    /** With estimates within the tolerances: enlarges the small basis where
+     * they are not, throws ComputationError where that does not help. The
+     * largest estimates are entered in @p worst. */
+    ComplexPairs solve_certified(const SweepPoint &point, WorstError &worst);
+
+    /** Within a hundred times the tolerances, the small basis being left alone:
+     * for points that only steer, many of them next to a coalescence. */
+    ComplexPairs solve_between(const SweepPoint &point) const;
+
     /** residual_rel of pairs of solve(), from inner products of the products
      * of all parts with the basis. */
     Eigen::VectorXd residuals(const SweepPoint   &point,
                               const ComplexPairs &pairs) const;
-
-    /** Enlarges the small basis at @p point; false when it holds all. */
-    bool enlarge(const SweepPoint &point);
 
     /** Undamped modes at a point and their names and mesh errors. */
     struct Modes
@@ -72,6 +78,9 @@ namespace squeal
     void        add_quantities(RunContext &context, const Block &basis);
     void        add_mesh_errors(RunContext &context, const Block &basis);
     std::string hash() const;
+    bool        is_within(const WorstError &worst, const double factor) const;
+    /** Enlarges the small basis at @p point; false when it holds all. */
+    bool enlarge(const SweepPoint &point);
 
     const Parameters       &parameters;
     Model                   full;

@@ -3,6 +3,7 @@
 #define squeal_driver_sweep_solution_h
 
 #include <squeal/driver/sweep_model.h>
+#include <squeal/results/chart.h>
 #include <squeal/sweep/stability.h>
 
 #include <string>
@@ -71,9 +72,20 @@ namespace squeal
 
   /** direct_check.csv: pairs of points, a third of them beside lock-ins, by
    * the direct solver on the full matrices. */
-  Table direct_check_table(const SweepModel    &model,
+  Table direct_check_table(SweepModel          &model,
                            const SweepSolution &solution,
                            RunContext          &context);
+
+  struct ScatterTables
+  {
+    Table              probabilities; /**< scatter.csv */
+    Table              drivers;       /**< scatter_drivers.csv */
+    std::vector<Chart> charts;        /**< one an axis */
+  };
+
+  /** The share of random scenes that squeals, with the error of the sampling
+   * and of the basis, and which axis decides. Ranks share the samples. */
+  ScatterTables scatter_tables(SweepModel &model, RunContext &context);
 
   /** comparison.csv: this sweep beside repeated direct solutions and one
    * frictionless modal basis. */
@@ -81,11 +93,12 @@ namespace squeal
                          const SweepSolution &solution,
                          RunContext          &context);
 
-  /** Charts in plots/. */
-  void draw_sweep(const SweepModel    &model,
-                  const SweepSolution &solution,
-                  RunContext          &context,
-                  HtmlReport          &report);
+  /** Charts in plots/, those of the scatter among them. */
+  void draw_sweep(const SweepModel         &model,
+                  const SweepSolution      &solution,
+                  const std::vector<Chart> &scatter,
+                  RunContext               &context,
+                  HtmlReport               &report);
 } // namespace squeal
 
 #endif

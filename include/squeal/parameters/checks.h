@@ -28,6 +28,12 @@ namespace squeal
     /** Axes of a sweep: entries, ranges and that every value is allowed. */
     void check_sweep(const Parameters &parameters);
 
+    /** Preload and transient: one contact, a load, times in order. */
+    void check_transient(const Parameters &parameters);
+
+    /** Measured points, frequency responses and updating. */
+    void check_response(const Parameters &parameters);
+
     /** Everything outside the scene. */
     void check_analysis(const Parameters &parameters);
     //@}

@@ -35,11 +35,21 @@ namespace squeal
   Choices<MatrixPartParameters::Format> choices(MatrixPartParameters::Format);
   Choices<DiscretizationParameters::Refinement> choices(
     DiscretizationParameters::Refinement);
-  Choices<EigenParameters::Solver>         choices(EigenParameters::Solver);
-  Choices<SweepAxisParameters::Scale>      choices(SweepAxisParameters::Scale);
+  Choices<EigenParameters::Solver>    choices(EigenParameters::Solver);
+  Choices<SweepAxisParameters::Scale> choices(SweepAxisParameters::Scale);
+  Choices<SweepAxisParameters::Distribution> choices(
+    SweepAxisParameters::Distribution);
   Choices<WorkPrecisionParameters::Ladder> choices(
     WorkPrecisionParameters::Ladder);
-  Choices<OutputParameters::Shapes> choices(OutputParameters::Shapes);
+  Choices<TransientParameters::Start> choices(TransientParameters::Start);
+  Choices<FrequencyResponseParameters::Quantity> choices(
+    FrequencyResponseParameters::Quantity);
+  Choices<FrequencyResponseParameters::Residual> choices(
+    FrequencyResponseParameters::Residual);
+  Choices<FrequencyResponseParameters::Scale> choices(
+    FrequencyResponseParameters::Scale);
+  Choices<UpdatingParameters::Pairing> choices(UpdatingParameters::Pairing);
+  Choices<OutputParameters::Shapes>    choices(OutputParameters::Shapes);
   //@}
 
   /** The name of @p value in parameter files. */

@@ -76,6 +76,9 @@ namespace squeal
     void declare_contact(Schema &schema, ContactParameters &contact);
     void declare_analysis(Schema &schema, Parameters &parameters);
     void declare_sweep(Schema &schema, SweepParameters &sweep);
+    void declare_preload(Schema &schema, PreloadParameters &preload);
+    void declare_transient(Schema &schema, TransientParameters &transient);
+    void declare_response(Schema &schema, Parameters &parameters);
 
     /** Section "Result checks", which every program has. */
     void declare_result_checks(Schema                             &schema,

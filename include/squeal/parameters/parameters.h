@@ -3,8 +3,10 @@
 #define squeal_parameters_parameters_h
 
 #include <squeal/parameters/analysis_parameters.h>
+#include <squeal/parameters/response_parameters.h>
 #include <squeal/parameters/scene_parameters.h>
 #include <squeal/parameters/sweep_parameters.h>
+#include <squeal/parameters/transient_parameters.h>
 
 #include <iosfwd>
 #include <memory>
@@ -25,14 +27,23 @@ namespace squeal
       modes,
       cea,
       sweep,
-      work_precision
+      preload,
+      transient,
+      work_precision,
+      frequency_response,
+      updating
     };
     Analysis                           analysis = Analysis::cea;
     SceneParameters                    scene;
     DiscretizationParameters           discretization;
     EigenParameters                    eigen;
     SweepParameters                    sweep;
+    PreloadParameters                  preload;
+    TransientParameters                transient;
     WorkPrecisionParameters            work_precision;
+    MeasurementParameters              measurement;
+    FrequencyResponseParameters        frequency_response;
+    UpdatingParameters                 updating;
     OutputParameters                   output;
     std::vector<ResultCheckParameters> result_checks;
 

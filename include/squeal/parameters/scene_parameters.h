@@ -118,7 +118,9 @@ namespace squeal
     {
       clamped,    /**< all components of the face (or of a rigid body) */
       components, /**< the listed components */
-      guided      /**< the face moves along z but cannot tilt; x, y free */
+      guided,     /**< the face moves along z but cannot tilt; x, y free */
+      held,       /**< guided, and kept along z where the loads have moved it */
+      free        /**< nothing is held */
     };
     std::string              name;
     std::string              body;

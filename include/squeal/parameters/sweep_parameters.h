@@ -29,6 +29,17 @@ namespace squeal
     unsigned int        number = 11;
     /** Values of `list`, the same for all entries. */
     std::vector<double> values;
+    /** How the axis scatters in production, between its lowest and highest
+     * value. */
+    enum class Distribution
+    {
+      uniform, /**< in the coordinate: in the logarithm on a logarithmic axis */
+      normal   /**< cut off at the ends */
+    };
+    Distribution distribution = Distribution::uniform;
+    /** Of `normal`, in the coordinate (decades on a logarithmic axis); a
+     * deviation of 0 stands for a sixth of the range about its middle. */
+    double mean = 0., deviation = 0.;
   };
 
   /** Parameter sweep on a certified basis, section "Sweep". */
@@ -50,6 +61,9 @@ namespace squeal
     bool         compare            = false;
     /** Entries whose influence on unstable pairs is reported; empty: none. */
     std::vector<std::string> sensitivities;
+    /** Samples of the squeal probability; 0: none. */
+    unsigned int scatter_samples = 0;
+    unsigned int scatter_seed    = 1;
   };
 } // namespace squeal
 

@@ -2,6 +2,7 @@
 #ifndef squeal_results_contact_history_h
 #define squeal_results_contact_history_h
 
+#include <squeal/base/contact_status.h>
 #include <squeal/base/files.h>
 #include <squeal/results/hdf5_file.h>
 
@@ -13,14 +14,6 @@
 
 namespace squeal
 {
-  /** State of a contact node. */
-  enum class ContactStatus : std::uint8_t
-  {
-    open  = 0,
-    stick = 1,
-    slip  = 2
-  };
-
   /** What a contact history is about; doc/history_format.md. */
   struct HistoryLayout
   {

@@ -99,6 +99,8 @@ namespace squeal
     void                   check_inertia();
     std::vector<ModelCell> make_cells() const;
     void                   fit_cell(ModelCell &cell) const;
+    /** K + omega^2 M of the symmetric parts, omega the end of the band. */
+    Eigen::MatrixXd energy_matrix(const SweepPoint &point) const;
 
     const ParametricSystem              &system;
     const BasisOptions                   options;

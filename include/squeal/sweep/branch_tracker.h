@@ -92,6 +92,11 @@ namespace squeal
    * frequencies, negative for a coalesced pair, smooth through the coalescence.
    */
   double squared_split(const ComplexPairs &pairs, const int i, const int j);
+
+  /** Whether two pairs are a multiple eigenvalue with vectors of its own, such
+   * as the doublet of a round disc: their difference is rounding, and they do
+   * not coalesce however small it is. */
+  bool is_multiple(const ComplexPairs &pairs, const int i, const int j);
 } // namespace squeal
 
 #endif

@@ -31,14 +31,10 @@ namespace squeal
    * Eigenpairs at one parameter point from a local model, with the error of
    * each against the full one.
    *
-   * Vectors are coordinates in V, of mass norm 1. The error is the shift of
-   * lambda by the part W of the basis, dlambda = l^T Q_WW^-1 r / y^T Q' x with
-   * the residuals r = Q_WV x and l = Q_VW^T y that x and y from V leave there:
-   * y takes a part outside V, -Q_WW^-T l, without which the estimate would
-   * vanish identically. Neighbours with conditions above 30 are shifted
-   * together, as a
-   * 2 x 2 problem on their invariant subspace. With @p corrected the vectors
-   * are coordinates in [V W], corrected by the parts in W.
+   * Vectors are coordinates in V, of mass norm 1. The error is the distance to
+   * the eigenvalue in all of [V W] that refine_pairs() finds from there. With
+   * @p corrected the eigenvalues and vectors (coordinates in [V W]) are
+   * the refined ones.
    */
   ComplexPairs solve_point(const LocalModel                    &model,
                            const std::vector<TermCoefficients> &coefficients,
@@ -53,6 +49,27 @@ namespace squeal
                            const std::vector<TermCoefficients> &coefficients,
                            const Band                          &band,
                            const bool with_estimates = true);
+
+  /** From all of the [V W] of the point's cell, without estimates (zero). */
+  ComplexPairs solve_point_in_cell(
+    const ReducedModel                  &model,
+    const Eigen::VectorXd               &point,
+    const std::vector<TermCoefficients> &coefficients,
+    const Band                          &band);
+
+  /** From V, refined in the whole of the common basis: for what depends on
+   * the vectors to first order. */
+  ComplexPairs solve_point_refined(
+    const ReducedModel                  &model,
+    const Eigen::VectorXd               &point,
+    const std::vector<TermCoefficients> &coefficients,
+    const Band                          &band);
+
+  /** From V alone, without estimates (zero). */
+  ComplexPairs solve_point_in_basis(
+    const LocalModel                    &model,
+    const std::vector<TermCoefficients> &coefficients,
+    const Band                          &band);
 
   /** From all of [V W], without estimates (zero). */
   ComplexPairs solve_point_in_full(

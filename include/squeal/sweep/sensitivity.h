@@ -14,7 +14,9 @@ namespace squeal
    * other_entries(). Of members of a nearly coalesced pair it grows without
    * bound: see pair_sensitivities().
    *
-   * @p pairs hold vectors in the common basis, as solve_point() returns them.
+   * @p pairs hold vectors in the common basis, as solve_point_refined() returns
+   * them; from those of solve_point() the derivatives are good to the root of
+   * the eigenvalues' error only.
    */
   Eigen::VectorXcd sensitivities(const ReducedModel     &model,
                                  const ParametricSystem &system,

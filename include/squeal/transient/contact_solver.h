@@ -38,10 +38,11 @@ namespace squeal
    *   |lambda_t| <= mu lambda_n, slip s = duration V + (u - u_previous)_t
    *   parallel to lambda_t, and none where |lambda_t| < mu lambda_n.
    *
-   * Semi-smooth Newton iterations (Alart and Curnier 1991) on the closed nodes;
-   * the factor is kept as long as no status changes and it still contracts.
-   * Where they cycle, projected Gauss-Seidel sweeps (Jean 1999) take over until
-   * Newton's method converges.
+   * Semi-smooth Newton iterations (Alart and Curnier 1991). The inverse of the
+   * Jacobian of one contact state is kept; nodes whose status or slip direction
+   * has changed since are a low-rank change of it (Woodbury), until they are
+   * too many. Where the iterations cycle, projected Gauss-Seidel sweeps (Jean
+   * 1999) take over until Newton's method converges.
    *
    * The residual is the largest violation of the projected law, |lambda -
    * P(lambda + rho (gap or slip))|, over the mean nodal force.
@@ -51,11 +52,17 @@ namespace squeal
   public:
     /** @p delassus: symmetric, positive definite on each node, m/N. @p force:
      * the mean nodal force, N, that residuals are measured in. */
+    enum class Precision
+    {
+      single, /**< of the kept inverse, which only has to contract */
+      full
+    };
     ContactSolver(Eigen::MatrixXd delassus,
                   Eigen::VectorXd initial_gap,
                   Eigen::VectorXd speed_ratio,
                   const double    force,
-                  const double    tolerance = 1e-8);
+                  const double    tolerance = 1e-8,
+                  const Precision precision = Precision::single);
 
     /** Starts at @p lambda and improves it. Throws ComputationError where no
      * solution is found. */
@@ -72,26 +79,83 @@ namespace squeal
     /** u = a - W lambda of the last solution. */
     const Eigen::VectorXd &motion() const;
 
+    /** Inverses computed anew so far. */
+    unsigned int n_inversions() const;
+
+    /** @name What later iterations depend on, for checkpoints */
+    //@{
+    std::vector<double> memory() const;
+    void                restore(const std::vector<double> &memory);
+    //@}
+
   private:
     struct Projection; // of one node
+
+    /** What the rows of the Jacobian of a node depend on. */
+    struct NodeRows
+    {
+      ContactStatus   status    = ContactStatus::open;
+      double          friction  = 0.;
+      double          turning   = 0.; /**< mu p / |x|: how x turns the force */
+      Eigen::Vector2d direction = Eigen::Vector2d::Zero(); /**< of x */
+      bool            is_near(const NodeRows &other) const;
+    };
+
     Projection project(const ContactStep     &step,
                        const Eigen::VectorXd &lambda,
                        const unsigned int     node) const;
-    double     evaluate(const ContactStep &step, const Eigen::VectorXd &lambda);
-    void factorize(const ContactStep &step, const Eigen::VectorXd &lambda);
+    /** Violation, states and rows from u; returns the residual. */
+    double   check_law(const ContactStep &step, const Eigen::VectorXd &lambda);
+    double   evaluate(const ContactStep &step, const Eigen::VectorXd &lambda);
+    NodeRows rows_of(const ContactStep &step, const Projection &p) const;
+    /** The three rows of node @p j. */
+    Eigen::MatrixXd jacobian(const unsigned int j, const NodeRows &rows) const;
+    void            invert();
+    void            set_update();
+    void            extend_update(const std::vector<unsigned int> &nodes);
+    /** Makes the operator fit the states at hand. */
+    void adapt(const bool renew);
     void sweep(const ContactStep &step, Eigen::VectorXd &lambda);
-    /** Takes the forces off open nodes; true where there were any. */
-    bool release_open(Eigen::VectorXd &lambda) const;
 
     const Eigen::MatrixXd W;
     const Eigen::VectorXd gap, ratio;
     const double          mean_force, tolerance;
     Eigen::VectorXd       rho_normal, rho_tangential; /**< N/m, of each node */
 
-    Eigen::VectorXd                      u, violation;
-    std::vector<ContactStatus>           states, factored_states;
-    std::vector<int>                     closed; /**< rows of the factor */
-    Eigen::PartialPivLU<Eigen::MatrixXd> factor;
+    Eigen::VectorXd            u, violation;
+    std::vector<ContactStatus> states;
+    std::vector<NodeRows>      rows; /**< at the last evaluation */
+    unsigned int               n_inverted = 0;
+
+    /** Inverse of the Jacobian of `base` and the low-rank change to that of
+     * `updated`: what rows of changed nodes differ by, the columns of the
+     * inverse that belong to them, and the small factor. */
+    template <typename Scalar>
+    struct Operator
+    {
+      using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+      Matrix                      inverse, difference, columns;
+      Matrix                      small; /**< difference times columns */
+      Eigen::PartialPivLU<Matrix> small_factor;
+
+      void invert(const Eigen::MatrixXd  &J,
+                  const std::vector<int> &closed,
+                  const std::vector<int> &open);
+      void clear();
+      /** Sets the rows at @p places among @p nodes, which may be new ones at
+       * the end. */
+      void            extend(const Eigen::MatrixXd           &changes,
+                             const std::vector<unsigned int> &places,
+                             const std::vector<unsigned int> &nodes);
+      void            factorize();
+      Eigen::VectorXd apply(const Eigen::VectorXd &v) const;
+    };
+    Operator<float>           single;
+    Operator<double>          full;
+    const bool                is_single;
+    bool                      has_inverse = false;
+    std::vector<NodeRows>     base, updated;
+    std::vector<unsigned int> changed;
   };
 } // namespace squeal
 

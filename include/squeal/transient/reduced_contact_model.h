@@ -6,6 +6,8 @@
 #include <squeal/discretization/affine_system.h>
 #include <squeal/eigen/undamped_modes.h>
 
+#include <vector>
+
 namespace squeal
 {
   /**
@@ -33,6 +35,18 @@ namespace squeal
     Eigen::VectorXd load;          /**< phi^T f at full load */
     Eigen::VectorXd load_motion;   /**< residual motion of the nodes, m */
     Eigen::VectorXd initial_gap;   /**< of every node, m */
+    /** Observed motions: modes q + load share * load - contact lambda. */
+    struct Observation
+    {
+      Eigen::MatrixXd modes;   /**< observers x modes */
+      Eigen::VectorXd load;    /**< at full load */
+      Eigen::MatrixXd contact; /**< observers x 3 nodes */
+
+      Eigen::VectorXd evaluate(const Eigen::VectorXd &coordinates,
+                               const double           load_share,
+                               const Eigen::VectorXd &forces) const;
+    };
+    Observation observed;
     /** |V| over |V| at the centre of the face, of every node. */
     Eigen::VectorXd speed_ratio;
     double          cut_off; /**< Hz: all modes below it are there */
@@ -56,13 +70,28 @@ namespace squeal
    * @param pencil     symmetric, whole-model Rayleigh damping
    * @param modes      all modes below the cut-off, mass-normalised
    * @param cut_off    Hz
+   * @param observers  columns l of motions l^T u to be observed
    * Throws InputError where the damping is not alpha M + beta K.
    */
   ReducedContactModel reduce_contact_model(const Pencil          &pencil,
                                            const UndampedModes   &modes,
                                            const double           cut_off,
                                            const ContactGeometry &geometry,
-                                           const Block           &load);
+                                           const Block           &load,
+                                           const Block &observers = {});
+
+  /** What further nodal forces @p force do: their share in the modes,
+   * phi^T f, and the motion of the nodes on the flexibility of the others. */
+  struct ModalForce
+  {
+    Eigen::VectorXd modal, motion;
+  };
+
+  /** Columns of @p forces as modal forces of the same reduction. */
+  std::vector<ModalForce> modal_forces(const Pencil          &pencil,
+                                       const UndampedModes   &modes,
+                                       const ContactGeometry &geometry,
+                                       const Block           &forces);
 } // namespace squeal
 
 #endif

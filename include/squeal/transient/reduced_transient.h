@@ -6,17 +6,25 @@
 #include <squeal/transient/reduced_contact_model.h>
 
 #include <functional>
+#include <vector>
 
 namespace squeal
 {
-  /** What drives a transient. */
+  /** What drives a transient; every function is one of time, s. */
   struct TransientDrive
   {
-    double                        friction; /**< mu >= 0 */
-    std::function<double(double)> speed; /**< |V| at the centre (time), m/s */
-    std::function<double(double)> load;  /**< share of the full load (time) */
-    /** Further modal forces at a time, phi^T f; may be empty. */
-    std::function<Eigen::VectorXd(double)> trigger;
+    using Function = std::function<double(double)>;
+    Function friction; /**< mu >= 0 */
+    Function speed;    /**< |V| at the centre, m/s; negative: turning back */
+    Function load;     /**< share of the full load */
+
+    /** A further force with its course in time. */
+    struct Force
+    {
+      ModalForce force;
+      Function   factor;
+    };
+    std::vector<Force> forces;
   };
 
   /** Energies since the start, J. */
@@ -64,11 +72,22 @@ namespace squeal
     const Eigen::VectorXd            &forces() const; /**< lambda, N */
     const Eigen::VectorXd            &motion() const; /**< B u, m */
     const std::vector<ContactStatus> &status() const;
-    const EnergyLedger               &ledger() const;
+    /** Damped, driven: q''. */
+    Eigen::VectorXd accelerations() const;
+    EnergyLedger    ledger() const;
+    unsigned int    n_inversions() const; /**< see ContactSolver */
+    /** Share of the full load now. */
+    double load_share() const;
+
+    /** @name All that later steps depend on: the same bits after restore() */
+    //@{
+    std::vector<double> memory() const;
+    void                restore(const std::vector<double> &memory);
+    //@}
 
   private:
-    Eigen::VectorXd modal_forces(const double           time,
-                                 const Eigen::VectorXd &lambda) const;
+    Eigen::VectorXd external_forces(const double time) const;
+    Eigen::VectorXd external_motion(const double time) const;
     void            update_ledger(const Eigen::VectorXd &q_before,
                                   const Eigen::VectorXd &v_before,
                                   const Eigen::VectorXd &lambda_before,
@@ -83,7 +102,9 @@ namespace squeal
     ContactSolver   solver;
 
     unsigned int    n_steps = 0;
-    Eigen::VectorXd q, v, lambda, lambda_before, u, total_force;
+    Eigen::VectorXd q, v, u, total_force;
+    Eigen::VectorXd lambda, lambda_1, lambda_2; /**< now and before */
+    Eigen::VectorXd load_now, motion_now;       /**< by all but the contact */
     EnergyLedger    energies;
   };
 } // namespace squeal

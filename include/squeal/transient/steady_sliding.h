@@ -18,6 +18,7 @@ namespace squeal
     ContactReport              report;
 
     unsigned int n_closed() const;
+    unsigned int n_with(const ContactStatus status) const;
     /** Sum of the nodal forces: normal, along and across the sliding, N. */
     Eigen::Vector3d resultant() const;
   };
@@ -30,10 +31,18 @@ namespace squeal
    */
   SteadySliding steady_sliding(const ReducedContactModel &model,
                                const double               friction,
-                               const double               load_factor = 1.);
+                               const double               load_factor = 1.,
+                               const double               tolerance   = 1e-10);
 
-
-
+  /**
+   * A target at rest pressed on in @p n_steps equal shares of the load: nodes
+   * stick or slip by how the bodies deform. One state a step, the last under
+   * the full load. Throws ComputationError.
+   */
+  std::vector<SteadySliding> press_at_rest(const ReducedContactModel &model,
+                                           const double               friction,
+                                           const unsigned int         n_steps,
+                                           const double tolerance = 1e-10);
   /** Eigenvalues of the motion about steady sliding with its contact state,
    * and the left vectors that pick the amplitude of each out of a motion. */
   struct LinearizedMotion

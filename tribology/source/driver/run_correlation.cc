@@ -6,6 +6,7 @@
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/damage/map_picture.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/study_report.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
@@ -315,6 +316,7 @@ namespace squeal::tribology
       prm::require_file(file, "Correlation", "Damage tables", true);
     for (const std::string &file : p.feature_tables)
       prm::require_file(file, "Correlation", "Feature tables", true);
+    const StudyRuns            study(p.runs);
     const std::vector<PadMaps> pads = read_pads(p);
     std::vector<PadLink>       links;
     std::vector<GroupResult>   groups;
@@ -357,6 +359,17 @@ namespace squeal::tribology
                               {"links", std::to_string(links.size())}};
     report.set_verdict(
       HtmlReport::Verdict::neutral, verdict, context.record.figures);
+    if (!study.empty())
+      {
+        report.section("In short");
+        report.list(in_plain_words(links, groups, p));
+        report.section("What was done");
+        study.add_steps(report);
+        report.section("Damage of the pad");
+        study.add_damage(report);
+        report.section("Images");
+        study.add_images(report, context);
+      }
     if (!links.empty())
       report_links(report, context, table, groups);
     if (p.self_test)
@@ -381,6 +394,11 @@ namespace squeal::tribology
         report.table(test, "Rates (self_test.csv)");
         report.figure(context.output.path() + "/plots/power.png",
                       "Power against the strength of the link.");
+      }
+    if (!study.empty())
+      {
+        report.section("The whole study again");
+        study.add_commands(report);
       }
     write_atomically(context.output.file("correlation.json"),
                      [&](std::ostream &out) { out << json.dump(2) << '\n'; });

@@ -17,7 +17,8 @@ namespace squeal::tribology
     constexpr int    roughness_window  = 9;   // pixels
     constexpr double plateau_roughness = 1.3; // of the bulk's
     constexpr double rough_pit         = 1.5; // of the bulk's
-    constexpr double least_thickness   = 3.;  // pixels, radius
+    constexpr double half_depth        = 0.5;
+    constexpr double least_thickness   = 3.; // pixels, radius
 
     double
     median_of(const cv::Mat1f &values)
@@ -158,6 +159,41 @@ namespace squeal::tribology
 
   namespace
   {
+    /** Moves the edge of each part to half of its mean depth: the threshold
+     * that finds it lies far out on the blurred edge of a deep pit. */
+    void
+    sharpen_edges(cv::Mat &mask, const cv::Mat1f &depth)
+    {
+      cv::Mat1i           labels;
+      const int           n = cv::connectedComponents(mask, labels, 8);
+      std::vector<double> sum(n, 0.), area(n, 0.);
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            sum[labels(y, x)] += depth(y, x);
+            area[labels(y, x)] += 1.;
+          }
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          {
+            const int l = labels(y, x);
+            if (l > 0 && depth(y, x) * area[l] < half_depth * sum[l])
+              mask.at<uchar>(y, x) = 0;
+          }
+      const int r = int(least_thickness);
+      cv::morphologyEx(mask,
+                       mask,
+                       cv::MORPH_CLOSE,
+                       cv::getStructuringElement(
+                         cv::MORPH_ELLIPSE, cv::Size(2 * r + 1, 2 * r + 1)));
+      std::vector<std::vector<cv::Point>> outlines;
+      cv::findContours(
+        mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+      cv::drawContours(mask, outlines, -1, 255, cv::FILLED);
+    }
+
+
+
     /** Parts of @p mask whose mean of @p rough is above @p least. */
     cv::Mat
     rough_parts(const cv::Mat &mask, const cv::Mat1f &rough, const double least)
@@ -269,9 +305,10 @@ namespace squeal::tribology
     const double bright =
       std::max(settings.bright_contrast, deviations_needed * deviation);
     AreaMap map;
-    map.exfoliation    = clean(smooth < bulk - inner_share * dark,
+    map.exfoliation = clean(smooth < bulk - inner_share * dark,
                             smooth < bulk - dark,
                             settings.smallest_area);
+    sharpen_edges(map.exfoliation, bulk - smooth);
     map.rough          = rough_parts(map.exfoliation, rough, rough_pit * usual);
     const cv::Mat even = rough < plateau_roughness * usual;
     map.plateau        = clean((smooth > bulk + inner_share * bright) & even,

@@ -2,190 +2,193 @@
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/crack_finder.h>
 #include <squeal/tribology/images/crack_growth.h>
+#include <squeal/tribology/images/line_graph.h>
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace squeal::tribology
 {
   namespace
   {
-    // In units of noise.
-    constexpr double crest_levels[]  = {2.8, 3.5};
-    constexpr double free_strength   = 2.; // counts nothing
-    constexpr double strongest_needs = 4.;
-    constexpr double sum_needs       = 80.;
-    // In pixels.
-    constexpr int longest_spur    = 8;
-    constexpr int shortest_piece  = 25;
-    constexpr int shortest_sample = 10;
-    // Shape.
-    constexpr double least_chord      = 0.5;
-    constexpr double least_axis_share = 0.2;
-    constexpr int    straight_length  = 40;
-    constexpr double straight_within  = 0.0075;
-    constexpr int    scratch_votes    = 60;
-    constexpr int    scratch_length   = 110;
-    constexpr int    scratch_gap      = 12;
-    constexpr int    scratch_width    = 13;
-
-    /** Strength of the axis of a piece. */
-    struct Weight
+    /** What an edge has to show; contrasts in units of noise but the last. */
+    struct Need
     {
-      double sum = 0., strongest = 0.;
+      double local, path;
+      double darkness; /**< of the darker flank's brightness */
     };
-
-    Weight
-    weigh(const LinePiece &piece, const RidgeField &ridges)
-    {
-      Weight w;
-      for (const cv::Point &p : piece.axis)
-        {
-          const double z = ridges.strength.at<float>(p);
-          w.sum += z - free_strength;
-          w.strongest = std::max(w.strongest, z);
-        }
-      return w;
-    }
-
-
-
-    /** Sum that less than one background piece of this image reaches: their
-     * sums are exponentially distributed about the median. */
-    double
-    significant_sum(const std::vector<LinePiece> &pieces,
-                    const std::vector<Weight>    &weights)
-    {
-      std::vector<double> sums;
-      for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (int(pieces[i].axis.size()) >= shortest_sample)
-          sums.push_back(weights[i].sum);
-      if (sums.empty())
-        return sum_needs;
-      const auto middle = sums.begin() + sums.size() / 2;
-      std::nth_element(sums.begin(), middle, sums.end());
-      const double mean = *middle / std::log(2.);
-      // Pieces beside a crack share in it: four fifths are background.
-      return std::max(sum_needs,
-                      0.8 * mean * std::log(std::max<double>(2., sums.size())));
-    }
-
-
-
-    bool
-    is_straight(const LinePiece &piece)
-    {
-      return int(piece.axis.size()) > straight_length &&
-             piece.waviness() < straight_within * piece.axis.size();
-    }
-
-
-
-    bool
-    has_shape_of_crack(const LinePiece &piece)
-    {
-      return int(piece.axis.size()) >= shortest_piece &&
-             piece.chord_ratio() > least_chord &&
-             piece.axis.size() > least_axis_share * piece.pixels.size() &&
-             !is_straight(piece);
-    }
-
-
-
-    /** Takes away the strength along straight lines that crests follow over a
-     * long way: grooves, scratches and edges of the specimen. A crack that
-     * crosses one has another direction and stays. */
-    void
-    silence_scratches(RidgeField &ridges, const cv::Mat &crests)
-    {
-      constexpr int          n = RidgeField::n_directions;
-      std::vector<cv::Vec4i> lines;
-      cv::HoughLinesP(crests,
-                      lines,
-                      1.,
-                      CV_PI / 360.,
-                      scratch_votes,
-                      scratch_length,
-                      scratch_gap);
-      std::vector<cv::Mat> masks(n);
-      for (const cv::Vec4i &l : lines)
-        {
-          const double a = std::atan2(l[3] - l[1], l[2] - l[0]) / CV_PI * n;
-          for (int turn = -1; turn <= 1; ++turn)
-            {
-              cv::Mat &mask = masks[(cvRound(a) + turn + 2 * n) % n];
-              if (mask.empty())
-                mask = cv::Mat::zeros(crests.size(), CV_8U);
-              cv::line(mask, {l[0], l[1]}, {l[2], l[3]}, 255, scratch_width);
-            }
-        }
-      for (int t = 0; t < n; ++t)
-        if (!masks[t].empty())
-          ridges.strength.setTo(0., masks[t] & (ridges.direction == t));
-    }
-
-
+    constexpr Need   to_start   = {3.5, 2.7, 0.045};
+    constexpr Need   to_belong  = {2.8, 2.0, 0.02};
+    constexpr double crest      = 2.;
+    constexpr double counts     = 2.;  // local contrast above this adds up
+    constexpr double needed_sum = 40.; // over the pixels of a crack
+    // In pixels.
+    constexpr int    crest_spur      = 4;
+    constexpr int    longest_spur    = 8;
+    constexpr int    shortest_crack  = 20;
+    constexpr int    shortest_end    = 4;
+    constexpr int    shortest_bridge = 5;
+    constexpr int    border          = 3;
+    constexpr double flank           = 4.;
+    // Straight lines of this length are scratches, grooves or edges.
+    constexpr double strong_contrast = 3.25;
+    constexpr double strong_scratch = 110., weak_scratch = 80.;
+    constexpr double led_on_scratch = 140.;
+    constexpr int    scratch_width  = 3;
 
     cv::Mat
-    crests_above(const RidgeField &ridges, const double level)
+    find_crests(const RidgeField &ridges)
     {
-      cv::Mat crests = cv::Mat::zeros(ridges.strength.size(), CV_8U);
+      cv::Mat crests = cv::Mat::zeros(ridges.sharp.size(), CV_8U);
       for (int y = 0; y < crests.rows; ++y)
         {
-          const float *z = ridges.strength.ptr<float>(y);
+          const float *z = ridges.sharp.ptr<float>(y);
           for (int x = 0; x < crests.cols; ++x)
-            if (z[x] >= level && ridges.is_crest({x, y}))
+            if (z[x] >= crest && ridges.is_crest({x, y}))
               crests.at<uchar>(y, x) = 255;
         }
       cv::dilate(crests, crests, cv::Mat());
       cv::Mat skeleton = thin(crests);
-      remove_spurs(skeleton, longest_spur);
+      remove_spurs(skeleton, crest_spur);
       return skeleton;
     }
 
 
 
-    void
-    add_cracks(const RidgeField &ridges, const double level, cv::Mat &cracks)
+    /** Means along an edge. */
+    struct Weight
     {
-      const auto          pieces = line_pieces(crests_above(ridges, level));
-      std::vector<Weight> weights;
-      for (const LinePiece &piece : pieces)
-        weights.push_back(weigh(piece, ridges));
-      const double needed = significant_sum(pieces, weights);
-      for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (weights[i].sum >= needed &&
-            weights[i].strongest >= strongest_needs &&
-            has_shape_of_crack(pieces[i]))
-          for (const cv::Point &p : pieces[i].pixels)
-            cracks.at<uchar>(p) = 255;
+      double local = 0., path = 0., darkness = 0.;
+      int    length      = 0;
+      bool   is_straight = false;
+
+      bool
+      has(const Need &need) const
+      {
+        return local >= need.local && path >= need.path &&
+               darkness >= need.darkness;
+      }
+    };
+
+    /** How much darker the pixel is than the darker flank, relative to it. */
+    double
+    darkness_at(const cv::Mat    &smooth,
+                const RidgeField &ridges,
+                const cv::Point  &p)
+    {
+      const double    a = ridges.angle(p);
+      const cv::Point across(cvRound(-flank * std::sin(a)),
+                             cvRound(flank * std::cos(a)));
+      const auto      at = [&](const cv::Point &q) {
+        return std::max(1.F,
+                        smooth.at<float>(std::clamp(q.y, 0, smooth.rows - 1),
+                                         std::clamp(q.x, 0, smooth.cols - 1)));
+      };
+      const float beside = std::min(at(p + across), at(p - across));
+      return (beside - at(p)) / beside;
     }
 
 
 
-    /** Removes the straight stretches between junctions: grooves that a crack
-     * meets. */
-    void
-    remove_straight_stretches(cv::Mat &skeleton)
+    /** The crests of an image as edges with their weights. */
+    class CrestGraph
     {
-      cv::Mat   nodes = cv::Mat::zeros(skeleton.size(), CV_8U);
-      PixelPath pixels;
-      cv::findNonZero(skeleton, pixels);
-      for (const cv::Point &p : pixels)
-        if (n_neighbours(skeleton, p) > 2)
-          nodes.at<uchar>(p) = 255;
-      cv::dilate(nodes, nodes, cv::Mat());
-      cv::Mat stretches = skeleton.clone();
-      stretches.setTo(0, nodes);
-      for (const LinePiece &piece : line_pieces(stretches))
-        if (is_straight(piece))
-          for (const cv::Point &p : piece.pixels)
-            skeleton.at<uchar>(p) = 0;
+    public:
+      CrestGraph(const cv::Mat &grey, const RidgeField &ridges)
+        : crests(find_crests(ridges))
+        , graph(crests)
+      {
+        cv::Mat smooth;
+        cv::GaussianBlur(grey, smooth, cv::Size(), 1.);
+        for (const LineGraph::Edge &edge : graph.edges)
+          {
+            Weight w;
+            w.length = int(edge.piece.axis.size());
+            for (const cv::Point &p : edge.piece.axis)
+              {
+                w.local += ridges.local.at<float>(p) / w.length;
+                w.path += ridges.strength.at<float>(p) / w.length;
+                w.darkness += darkness_at(smooth, ridges, p) / w.length;
+              }
+            w.is_straight =
+              straight_run(crests, edge.piece) >
+              (w.local > strong_contrast ? strong_scratch : weak_scratch);
+            weights.push_back(w);
+          }
+      }
+
+      /** Edges that belong to connected parts with enough evidence. */
+      cv::Mat
+      cracks() const
+      {
+        std::vector<char> kept;
+        for (std::size_t i = 0; i < weights.size(); ++i)
+          kept.push_back(may_belong(i));
+        const std::vector<int> part = graph.parts(kept);
+        std::vector<double>    sum(kept.size(), 0.), length(kept.size(), 0.);
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          if (kept[i])
+            {
+              const Weight &w = weights[i];
+              length[part[i]] += w.length;
+              if (w.has(to_start))
+                sum[part[i]] += w.length * (w.local - counts);
+            }
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          if (kept[i])
+            kept[i] =
+              sum[part[i]] >= needed_sum && length[part[i]] >= shortest_crack;
+        return graph.draw(kept);
+      }
+
+      /** Where scratches run. */
+      cv::Mat
+      scratches() const
+      {
+        cv::Mat result = cv::Mat::zeros(crests.size(), CV_8U);
+        for (std::size_t i = 0; i < weights.size(); ++i)
+          if (weights[i].is_straight)
+            for (const cv::Point &p : graph.edges[i].piece.pixels)
+              result.at<uchar>(p) = 255;
+        cv::dilate(result, result, cv::Mat(), {-1, -1}, scratch_width);
+        return result;
+      }
+
+      const cv::Mat crests;
+
+    private:
+      bool
+      may_belong(const std::size_t i) const
+      {
+        const Weight &w          = weights[i];
+        const bool    has_an_end = graph.edges[i].nodes.size() < 2;
+        if (!has_an_end && w.length <= shortest_bridge)
+          return true;
+        return w.has(to_belong) && !w.is_straight &&
+               (!has_an_end || w.length >= shortest_end);
+      }
+
+      LineGraph           graph;
+      std::vector<Weight> weights;
+    };
+
+
+
+    /** Removes the edges that lie on long straight lines, which a crack was
+     * led on to, and what is short then. */
+    void
+    remove_straight_edges(cv::Mat &skeleton, const cv::Mat &crests)
+    {
+      const LineGraph   graph(skeleton);
+      const cv::Mat     all = crests | skeleton;
+      std::vector<char> kept;
+      for (const LineGraph::Edge &edge : graph.edges)
+        kept.push_back(straight_run(all, edge.piece) < led_on_scratch);
+      skeleton = graph.draw(kept);
       for (const LinePiece &piece : line_pieces(skeleton))
-        if (int(piece.pixels.size()) <= longest_spur)
+        if (int(piece.pixels.size()) <= shortest_crack)
           for (const cv::Point &p : piece.pixels)
             skeleton.at<uchar>(p) = 0;
     }
@@ -194,26 +197,21 @@ namespace squeal::tribology
 
 
   cv::Mat
-  find_centre_lines(const RidgeField &field)
+  find_centre_lines(const cv::Mat &grey, const RidgeField &ridges)
   {
-    // Scratches neither count nor lead a crack on.
-    RidgeField ridges = field;
-    ridges.strength   = field.strength.clone();
-    silence_scratches(ridges, crests_above(field, crest_levels[0]));
-    cv::Mat cracks = cv::Mat::zeros(ridges.strength.size(), CV_8U);
-    for (const double level : crest_levels)
-      add_cracks(ridges, level, cracks);
-    // The levels run at most a pixel apart.
-    cv::dilate(cracks,
-               cracks,
-               cv::getStructuringElement(cv::MORPH_CROSS, cv::Size(3, 3)));
-    cracks = thin(cracks);
+    const CrestGraph graph(grey, ridges);
+    cv::Mat          cracks = graph.cracks();
     remove_spurs(cracks, longest_spur);
-    if (cv::countNonZero(cracks) > 0)
-      cracks = CrackGrowth(ridges, cracks).grow(cracks);
+    if (cv::countNonZero(cracks) == 0)
+      return cracks;
+    // Neither scratches nor the border lead a crack on.
+    cv::Mat closed = graph.scratches();
+    cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255, 2 * border - 1);
+    cv::Mat free = ridges.local.clone();
+    free.setTo(0., closed);
+    cracks = CrackGrowth(ridges, free, cracks).grow(cracks);
     remove_spurs(cracks, longest_spur);
-    remove_straight_stretches(cracks);
-    remove_spurs(cracks, longest_spur);
+    remove_straight_edges(cracks, graph.crests);
     return cracks;
   }
 } // namespace squeal::tribology

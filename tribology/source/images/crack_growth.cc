@@ -16,6 +16,8 @@ namespace squeal::tribology
     constexpr double half_sector     = 0.5; // cosine
     constexpr double least_strength  = 2.;
     constexpr double crest_strength  = 2.;
+    constexpr double end_strength    = 2.8;  // contrast that adds up to
+    constexpr double end_sum         = 2.;   // at least this
     constexpr double straight_within = 0.45; // pixels
     constexpr int    n_trials        = 400;
     constexpr int    n_rounds        = 12;
@@ -42,10 +44,13 @@ namespace squeal::tribology
 
 
 
-  CrackGrowth::CrackGrowth(const RidgeField &ridges, const cv::Mat &centre_line)
+  CrackGrowth::CrackGrowth(const RidgeField &ridges,
+                           const cv::Mat    &contrast,
+                           const cv::Mat    &centre_line)
     : ridges(ridges)
+    , contrast(contrast)
   {
-    cv::max(ridges.strength, 0., cost);
+    cv::max(contrast, 0., cost);
     cost += 0.3;
     cv::divide(1., cost, cost);
     calibrate(centre_line);
@@ -70,7 +75,7 @@ namespace squeal::tribology
         const cv::Point p(random.uniform(8, cost.cols - 8),
                           random.uniform(8, cost.rows - 8));
         const int       sign = random.uniform(0, 2) == 0 ? -1 : 1;
-        if (ridges.strength.at<float>(p) < crest_strength ||
+        if (contrast.at<float>(p) < crest_strength ||
             distance.at<float>(p) < reach || !ridges.is_crest(p))
           continue;
         const double    a = ridges.angle(p);
@@ -84,7 +89,7 @@ namespace squeal::tribology
     const double middle = median(found);
     for (double &x : found)
       x = std::abs(x - middle);
-    threshold = std::max(threshold, middle + 2. * 1.4826 * median(found));
+    threshold = std::max(least_strength, middle + 2. * 1.4826 * median(found));
   }
 
 
@@ -152,10 +157,37 @@ namespace squeal::tribology
     for (cv::Point u = last; u != start; u -= neighbour_steps[from(u)])
       {
         extension.way.push_back(u + offset);
-        strength += ridges.strength.at<float>(u + offset);
+        strength += contrast.at<float>(u + offset);
       }
     extension.mean_strength = strength / extension.way.size();
     return extension;
+  }
+
+
+
+  void
+  CrackGrowth::finish_ends(cv::Mat &network) const
+  {
+    const cv::Mat before = network.clone();
+    for (const LineEnd &end : line_ends(before))
+      {
+        const PixelPath way = extend(end, before).way;
+        double          sum = 0., best = end_sum;
+        std::size_t     n = 0;
+        // The way is listed from its far end.
+        for (std::size_t i = way.size(); i-- > 0;)
+          {
+            sum += contrast.at<float>(way[i]) - end_strength;
+            if (sum > best)
+              {
+                best = sum;
+                n    = way.size() - i;
+              }
+          }
+        for (std::size_t i = way.size() - n; i < way.size(); ++i)
+          network.at<uchar>(way[i]) = 255;
+      }
+    network = thin(network);
   }
 
 
@@ -182,6 +214,7 @@ namespace squeal::tribology
           break;
         network = thin(network);
       }
+    finish_ends(network);
     return network;
   }
 } // namespace squeal::tribology

@@ -11,11 +11,12 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int    profile_reach = 16;  // pixels to each side
-    constexpr int    n_along       = 3;   // profiles averaged on each side
-    constexpr double sample_step   = 0.5; // pixels
-    // Of optics, pixel and the smoothing below.
-    constexpr double blur = 1.; // pixels
+    constexpr int    profile_reach = 16;   // pixels to each side
+    constexpr int    n_along       = 3;    // profiles averaged on each side
+    constexpr double sample_step   = 0.5;  // pixels
+    constexpr double beyond_edge   = 1.5;  // pixels, to the flank
+    constexpr double flank_length  = 4.;   // pixels
+    constexpr double usual_depth   = 0.55; // of the brightness beside it
 
     float
     value_at(const cv::Mat &grey, const double x, const double y)
@@ -77,11 +78,40 @@ namespace squeal::tribology
 
 
 
+    /** Light that is missing on one side, and the brightness beside it. */
+    struct Flank
+    {
+      double deficit    = 0.; /**< grey levels times pixels */
+      double brightness = 0.; /**< grey levels */
+    };
+
+    Flank
+    measure_flank(const std::vector<float> &profile)
+    {
+      const double edge = 2. * half_depth(profile) + beyond_edge;
+      const int    n    = int(profile.size());
+      const int    i0   = std::clamp(int(edge / sample_step), 1, n - 2);
+      const int    i1   = std::min(n, i0 + int(flank_length / sample_step) + 1);
+      Flank        flank;
+      for (int i = i0; i < i1; ++i)
+        flank.brightness += profile[i] / (i1 - i0);
+      for (int i = 0; i < i0; ++i)
+        flank.deficit +=
+          (i == 0 ? 0.5 : 1.) * sample_step * (flank.brightness - profile[i]);
+      return flank;
+    }
+
+
+
+    /** Missing light over the depth of the profile: neither optics nor pixels
+     * change it. A crack too narrow to show its depth counts as one of the
+     * usual depth. */
     double
     width_at(const cv::Mat &grey, const cv::Point &p, const double angle)
     {
       const double c = std::cos(angle), s = std::sin(angle);
-      double       width = 0.;
+      Flank        both;
+      double       darkest = 0.;
       for (const int side : {-1, 1})
         {
           std::vector<float> profile;
@@ -93,9 +123,14 @@ namespace squeal::tribology
                   grey, p.x + t * c - side * d * s, p.y + t * s + side * d * c);
               profile.push_back(sum / (2 * n_along + 1));
             }
-          width += half_depth(profile);
+          const Flank flank = measure_flank(profile);
+          both.deficit += flank.deficit;
+          both.brightness += 0.5 * flank.brightness;
+          darkest = profile[0];
         }
-      return width;
+      const double depth = std::max(
+        {both.brightness - darkest, usual_depth * both.brightness, 1.});
+      return std::max(0., both.deficit / depth);
     }
 
 
@@ -118,42 +153,6 @@ namespace squeal::tribology
               w        = std::clamp(w, 0.5F * *middle, 2.F * *middle);
             }
         }
-    }
-
-
-
-    /** Width at half depth of a slit of @p width behind a Gaussian blur. */
-    double
-    blurred_width(const double width)
-    {
-      const auto dark = [&](const double x) {
-        return std::erf((0.5 * width - x) / (std::sqrt(2.) * blur)) +
-               std::erf((0.5 * width + x) / (std::sqrt(2.) * blur));
-      };
-      double low = 0., high = width + 4. * blur;
-      for (int i = 0; i < 40; ++i)
-        {
-          const double x                          = 0.5 * (low + high);
-          (dark(x) > 0.5 * dark(0.) ? low : high) = x;
-        }
-      return 2. * low;
-    }
-
-
-
-    /** Width of the slit that looks @p measured pixels wide. */
-    double
-    resolved_width(const double measured)
-    {
-      if (measured > 4.)
-        return measured;
-      double low = 0.5, high = 4.;
-      for (int i = 0; i < 20; ++i)
-        {
-          const double w                             = 0.5 * (low + high);
-          (blurred_width(w) < measured ? low : high) = w;
-        }
-      return low;
     }
   } // namespace
 
@@ -178,7 +177,7 @@ namespace squeal::tribology
       {
         const double a = direction_at(centre_line, p, ridges.angle(p));
         map.direction.at<float>(p) = float(a);
-        raw.at<float>(p) = float(std::max(1., width_at(smooth, p, a)));
+        raw.at<float>(p) = float(std::max(0.2, width_at(smooth, p, a)));
       }
     limit_widths(raw);
     for (const cv::Point &p : pixels)
@@ -193,7 +192,7 @@ namespace squeal::tribology
               widths.push_back(raw.at<float>(y, x));
         const auto middle = widths.begin() + widths.size() / 2;
         std::nth_element(widths.begin(), middle, widths.end());
-        const double width     = resolved_width(*middle);
+        const double width     = *middle;
         map.width.at<float>(p) = float(width);
         const double r         = 0.5 * std::max(1., width);
         const int    ir        = int(std::ceil(r));

@@ -233,7 +233,6 @@ namespace squeal::tribology
       prm::refuse_entry(specimen_section,
                         "Damage table",
                         "is empty, but 'Link strength' is not 0");
-    prm::require_file(s.damage_table, specimen_section, "Damage table", false);
     if (!s.damage_table.empty() && s.damage_column.empty())
       prm::refuse_entry(specimen_section,
                         "Damage column",

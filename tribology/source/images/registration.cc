@@ -275,8 +275,9 @@ namespace squeal::tribology
     if ((high.x - low.x) * (high.y - low.y) > 4e8)
       throw InputError("the mosaic of 'Images' would have more than 400 "
                        "megapixels: check the stage positions");
-    const cv::Size size(int(std::ceil(high.x - low.x)) + 1,
-                        int(std::ceil(high.y - low.y)) + 1);
+    // As far as the frames reach at whole pixels: an empty row would be a dark
+    // line.
+    const cv::Size size(cvRound(high.x - low.x), cvRound(high.y - low.y));
     cv::Mat        weight = cv::Mat::zeros(size, CV_32F);
     result.grey           = cv::Mat::zeros(size, CV_32F);
     for (std::size_t i = 0; i < frames.size(); ++i)

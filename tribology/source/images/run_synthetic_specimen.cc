@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/parameters/checks.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/driver/analyses.h>
 #include <squeal/tribology/images/image_files.h>
@@ -23,6 +24,8 @@ namespace squeal::tribology
     {
       if (p.damage_table.empty() || p.link_strength == 0.)
         return {};
+      prm::require_file(
+        p.damage_table, "Synthetic specimen", "Damage table", true);
       const Table               table = read_csv(p.damage_table);
       const std::vector<double> x = table.reals("x_m"), y = table.reals("y_m"),
                                 values = table.reals(p.damage_column);

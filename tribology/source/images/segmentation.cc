@@ -79,7 +79,7 @@ namespace squeal::tribology
   segment(const cv::Mat &grey, const SegmentationSettings &settings)
   {
     const RidgeField ridges = filter_ridges(grey, settings.n_octaves);
-    cv::Mat          line   = find_centre_lines(ridges);
+    cv::Mat          line   = find_centre_lines(grey, ridges);
     Segmentation     result;
     result.cracks = measure_cracks(grey, line, ridges);
     result.areas  = find_areas(grey, result.cracks.area, settings.areas);

@@ -35,6 +35,11 @@ namespace squeal::tribology
                c.groups,
                Allowed::list(Allowed::one_of({"silent", "squealing"})),
                "Which group each pad belongs to; empty: all squealed.");
+    schema.add("Runs",
+               c.runs,
+               Allowed::list(Allowed::file()),
+               "Output directories of the runs that led to the tables, in "
+               "their order; report.html then tells the whole study.");
     schema.add(
       "Level", c.level, Allowed::number(1e-4, 0.5), "Level of significance.");
     schema.add("Surrogates",

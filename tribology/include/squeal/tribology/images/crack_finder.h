@@ -18,20 +18,20 @@ namespace squeal::tribology
   /**
    * Centre lines of cracks.
    *
-   * Crests of the ridge field above a level in units of noise are joined to
-   * pieces. A piece counts by the sum of its strength over its axis; that of
-   * background pieces is exponentially distributed, with a mean that the
-   * median piece gives. A piece is a crack when fewer than one as strong is
-   * expected in the whole image, and when it is stronger than an absolute
-   * sum. Long pieces that are straight within 0.75 % of their length are
+   * Crests of the evidence form a graph of edges between junctions. An edge
+   * belongs to a crack by its mean contrast in units of noise, at its own
+   * pixels and along the best path through them, and by how much darker it is
+   * than both flanks. Connected edges are a crack when their strong ones add up
+   * to enough contrast over their length. Edges on long straight lines are
    * scratches, grooves or edges of the specimen. From the ends of cracks the
-   * cheapest way over 35 pixels ahead is added as long as its mean strength
+   * cheapest way over 35 pixels ahead is added as long as its mean contrast
    * exceeds what the same search finds from crests of the background (median
-   * and two robust deviations).
+   * and two robust deviations), else the part of it that is contrasty itself.
    *
-   * Nothing depends on quantiles of the image: one without cracks gives none.
+   * Nothing depends on quantiles of the evidence: an image without cracks
+   * gives none. @p grey is CV_32F.
    */
-  cv::Mat find_centre_lines(const RidgeField &ridges);
+  cv::Mat find_centre_lines(const cv::Mat &grey, const RidgeField &ridges);
 
   /** Width, direction and area from the dark profile across the centre line:
    * the width is that at half the depth. @p grey is CV_32F. */

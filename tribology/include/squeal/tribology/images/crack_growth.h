@@ -12,8 +12,11 @@ namespace squeal::tribology
   class CrackGrowth
   {
   public:
-    /** The background is what lies away from @p centre_line. */
-    CrackGrowth(const RidgeField &ridges, const cv::Mat &centre_line);
+    /** @p contrast is that of @p ridges at each pixel, without what must not
+     * lead on. The background is what lies away from @p centre_line. */
+    CrackGrowth(const RidgeField &ridges,
+                const cv::Mat    &contrast,
+                const cv::Mat    &centre_line);
 
     /** Mean strength that an extension needs. */
     double
@@ -34,8 +37,10 @@ namespace squeal::tribology
     };
     Extension extend(const LineEnd &end, const cv::Mat &network) const;
     void      calibrate(const cv::Mat &centre_line);
+    void      finish_ends(cv::Mat &network) const;
 
     const RidgeField &ridges;
+    const cv::Mat     contrast;
     cv::Mat           cost;
     double            threshold = 0.;
   };

@@ -11,9 +11,13 @@ namespace squeal::tribology
   {
     static constexpr int n_directions = 16;
 
-    /** CV_32F, contrast of the best line through the pixel in units of the
-     * noise of that line's direction and width at this place. */
+    /** CV_32F, contrast along the best path of about 36 pixels through the
+     * pixel, in units of the noise of each direction and width at its place. */
     cv::Mat strength;
+    /** CV_32F, has its crest on the centre of a line. */
+    cv::Mat sharp;
+    /** CV_32F, that of the sample at the pixel alone. */
+    cv::Mat local;
     /** CV_8U, direction of the best line, in steps of pi / n_directions from
      * +x (right) towards +y (down). */
     cv::Mat direction;
@@ -28,15 +32,14 @@ namespace squeal::tribology
   /**
    * Oriented filters for dark lines of several widths.
    *
-   * For each width the image is smoothed, averaged along half lines of six
-   * standard deviations in 16 directions, and the average is compared with
-   * those of the two flanks. A step has one flank only, so the smaller
-   * contrast has the larger weight; a spot fills one half line only, so the
-   * weaker half has the larger weight; the two halves may bend by one step.
-   * Contrasts are divided by a robust estimate of their own spread in a
-   * neighbourhood of 64 pixels, for each direction and width apart: grooves
-   * raise the noise of their own direction and of no other. A flank outside
-   * the image proves nothing.
+   * For each width the image is smoothed, averaged along lines of six standard
+   * deviations in 16 directions, and the average is compared with those of the
+   * two flanks. A step has one flank only, so the smaller contrast has the
+   * larger weight. Contrasts are divided by a robust estimate of their own
+   * spread in a neighbourhood of 64 pixels, for each direction and width apart:
+   * grooves raise the noise of their own direction and of no other. A flank
+   * outside the image proves nothing. The best width of each direction is kept
+   * and added up along paths, see integrate_paths().
    *
    * @p grey is CV_32F. @p n_octaves 2 reaches lines about 9 pixels wide, each
    * further one doubles that.

@@ -164,6 +164,7 @@ namespace squeal
       std::vector<std::string> indices;  /**< columns of the damage tables */
       std::vector<std::string> features; /**< columns of the feature tables */
       std::vector<std::string> groups;   /**< of the pads: silent, squealing */
+      std::vector<std::string> runs;     /**< directories that led here */
       double                   level         = 0.05;
       unsigned int             n_surrogates  = 999;
       unsigned int             n_bootstraps  = 999;

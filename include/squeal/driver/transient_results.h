@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_driver_transient_results_h
+#define squeal_driver_transient_results_h
+
+#include <squeal/driver/transient_run.h>
+#include <squeal/eigen/complex_pairs.h>
+#include <squeal/results/table.h>
+#include <squeal/transient/growth.h>
+#include <squeal/transient/spectrum.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  class RunContext;
+  class RunLog;
+  class HtmlReport;
+
+  /** All that a transient is started from. */
+  struct PreparedTransient
+  {
+    PressedModel              pressed;
+    SteadySliding             steady;
+    LinearizedMotion          linear;
+    std::vector<unsigned int> branches; /**< pairs within the band */
+
+    PreparedTransient(const PressedModel &pressed,
+                      const Parameters   &parameters,
+                      Timers             &timers);
+  };
+
+  /** One pair about steady sliding and what the motion makes of it. */
+  struct BranchResult
+  {
+    double sigma     = 0.;           /**< of the reduced model, 1/s */
+    double frequency = 0.;           /**< Hz */
+    double sigma_cea, frequency_cea; /**< of the whole model; NaN if not
+                                        computed */
+    GrowthFit fit;
+    double    last_amplitude = 0.; /**< rms over the second half of the run,
+                                      sqrt(J) */
+  };
+
+  /** What comes out of a transient. */
+  struct TransientFigures
+  {
+    std::vector<BranchResult> branches;
+    int                       leading = -1; /**< branch of the largest sigma */
+    std::string               verdict;      /**< stable, unstable, undecided */
+    double linear_start = 0., linear_end = 0.; /**< of the linear phase, s */
+
+    /** @name Over the second half of the run */
+    //@{
+    bool   has_limit_cycle = false;
+    double frequency       = 0.;   /**< largest line of the normal
+                                      resultant, Hz */
+    std::vector<double> harmonics; /**< rms of its multiples 1.., N */
+    double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
+    double min_normal = 0., max_normal = 0.;
+    double mean_tangential = 0., rms_tangential = 0.;
+    double macroscopic_friction = 0.; /**< mean tangential over mean normal */
+    double phase = 0.; /**< of the tangential against the normal force, deg */
+    bool   separates                = false; /**< all nodes open at a time */
+    double stick_fraction           = 0.;    /**< of closed node-time */
+    double max_slip_speed_ratio     = 0.;
+    double rms_acceleration         = 0.; /**< of the source's centre, m/s^2 */
+    double mean_leading_edge_factor = 0.;
+    double peak_pressure            = 0.; /**< Pa */
+    unsigned int n_never = 0, n_slip = 0, n_stick_slip = 0, n_separating = 0;
+    //@}
+
+    double worst_imbalance = 0.; /**< of the ledger, over the work of the run */
+    double steps_per_second = 0., iterations_per_step = 0., n_inversions = 0.;
+  };
+
+  TransientFigures evaluate_transient(const PreparedTransient &prepared,
+                                      const TransientRecord   &record,
+                                      const Parameters        &parameters,
+                                      const ComplexPairs      *cea = nullptr);
+
+  /** Pairs of the whole model about a contact state. */
+  ComplexPairs whole_model_pairs(const Parameters   &parameters,
+                                 const ContactState &state,
+                                 RunLog             &log,
+                                 Timers             &timers);
+
+  /** @name Tables and files of one run */
+  //@{
+  Table transient_table(const TransientFigures &figures);
+  Table branch_table(const TransientFigures &figures);
+  Table force_table(const TransientRecord &record);
+  Table energy_table(const TransientRecord &record);
+  Table probe_table(const TransientRecord &record);
+  Table zone_table(const PreparedTransient &prepared,
+                   const TransientRecord   &record);
+  void  write_transient_json(const TransientFigures &figures,
+                             const std::string      &path);
+  void  write_contact_history(const PreparedTransient &prepared,
+                              const TransientRecord   &record,
+                              const std::string       &name,
+                              const std::string       &path);
+  void  draw_transient(RunContext              &context,
+                       const PreparedTransient &prepared,
+                       const TransientRecord   &record,
+                       const TransientFigures  &figures,
+                       HtmlReport              &report);
+  //@}
+
+  /** One run for each point of the axes of `Sweep` and each top. */
+  void run_campaign(RunContext &context);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_driver_transient_run_h
+#define squeal_driver_transient_run_h
+
+#include <squeal/driver/pressed_model.h>
+#include <squeal/results/contact_history.h>
+#include <squeal/transient/reduced_transient.h>
+
+#include <complex>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** One sample of a transient. */
+  struct TransientSample
+  {
+    double time       = 0.;
+    double tangential = 0., radial = 0., normal = 0.; /**< N: y, x, z; target on
+                                                         source */
+    double n_open = 0., n_stick = 0.;                 /**< nodes */
+    /** 1 where every status has been that of steady sliding since the sample
+     * before. */
+    double is_linear       = 0.;
+    double position[3]     = {}; /**< of the source's centre, m */
+    double acceleration[3] = {}; /**< m/s^2 */
+    double leading_edge    = 0.; /**< its pressure over the mean one */
+    double kinetic = 0., elastic = 0., damping = 0., friction = 0.,
+           driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
+  };
+
+  /** What a node has done since a time. */
+  struct NodeShares
+  {
+    double open = 0., stick = 0., slip = 0.; /**< steps */
+    double fastest_slip  = 0.;               /**< |v_t| over |V| */
+    double peak_pressure = 0.;               /**< Pa */
+  };
+
+  /** All that a transient leaves. */
+  struct TransientRecord
+  {
+    std::vector<TransientSample>      samples;
+    std::vector<std::complex<double>> amplitudes; /**< samples x branches */
+    HistorySamples                    history;
+    std::vector<StatusChange>         changes;
+    /** Over the second half of the run. */
+    std::vector<NodeShares> nodes;
+    double                  n_steps = 0., n_iterations = 0., n_sweeps = 0.;
+    double                  worst_residual = 0.;
+    double                  cpu_seconds    = 0.; /**< of the steps */
+    double                  n_inversions   = 0.;
+
+    std::vector<double>               times() const;
+    std::vector<std::complex<double>> branch(const unsigned int k,
+                                             const unsigned int n) const;
+  };
+
+  /**
+   * One transient by the reduced integrator, from its start to its end, with
+   * checkpoints.
+   */
+  class TransientRun
+  {
+  public:
+    /** @p branches: the pairs of @p linear whose amplitudes are recorded. */
+    TransientRun(const PressedModel              &pressed,
+                 const SteadySliding             &steady,
+                 const LinearizedMotion          &linear,
+                 const std::vector<unsigned int> &branches,
+                 const Parameters                &parameters);
+
+    /** Called now and then with the steps since; true: stop. */
+    using Watch = std::function<bool(const unsigned int n_steps)>;
+
+    /** Goes on to the end; false where @p watch stopped it. Throws
+     * ComputationError. */
+    bool advance(const Watch &watch = {});
+
+    const TransientRecord &record() const;
+    unsigned int           n_steps_left() const;
+
+    /** @name Checkpoints: a run that continues from one gives the same bits */
+    //@{
+    void write_checkpoint(const std::string &path) const;
+    /** False where there is none, or one of other parameters. */
+    bool read_checkpoint(const std::string &path);
+    //@}
+
+  private:
+    void take_sample(const bool is_linear);
+    void take_node_shares();
+
+    const PressedModel             &pressed;
+    const SteadySliding            &steady;
+    const LinearizedMotion         &linear;
+    const std::vector<unsigned int> branches;
+    const TransientParameters      &settings;
+    const std::string               key; /**< of the parameters */
+    const std::vector<bool>         edge;
+    double                          edge_area = 0., area = 0.;
+    unsigned int                    n_steps, stride;
+    ReducedTransient                motion;
+    TransientRecord                 kept;
+    std::vector<ContactStatus>      status;
+    bool                            linear_since_sample = true;
+    Eigen::VectorXd                 last_motion;
+  };
+
+  /** What drives a run of these parameters. */
+  TransientDrive make_drive(const PressedModel &pressed,
+                            const Parameters   &parameters);
+
+  /** All entries that the motion depends on, as one text. */
+  std::string key_of_motion(const Parameters &parameters);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_results_contact_map_h
+#define squeal_results_contact_map_h
+
+#include <squeal/results/plotter.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The nodes of a flat contact face and the cells they stand for: between the
+   * middles to their neighbours where the nodes are a grid in x and y, squares
+   * of their areas otherwise.
+   */
+  class ContactMap
+  {
+  public:
+    using Values = std::vector<double>;
+
+    ContactMap(const std::vector<std::array<double, 3>> &points, /**< m */
+               const Values                             &areas);                             /**< m^2 */
+
+    /** One panel of a picture. */
+    struct Panel
+    {
+      std::string title;
+      std::string label; /**< of the colours, with unit */
+      Values      values;
+      double      lower = 0., upper = 0.;     /**< the same: by the values */
+      std::vector<double> arrows_x, arrows_y; /**< one a node, or none */
+    };
+
+    /** Writes path.png with the panels side by side, @p n_columns in a row;
+     * the sliding direction +y points up. */
+    bool plot(const Plotter            &plotter,
+              const std::vector<Panel> &panels,
+              const std::string        &path,
+              const unsigned int        n_columns = 2) const;
+
+    /** Writes a .vtu file with the values of @p fields at the nodes. */
+    void write_vtu(
+      const std::string                                 &path,
+      const std::vector<std::pair<std::string, Values>> &fields) const;
+
+  private:
+    struct Box
+    {
+      double x_min, x_max, y_min, y_max;
+    };
+    std::vector<std::array<double, 3>> points;
+    std::vector<Box>                   boxes;
+    /** Nodes of the quads between them; empty where they are no grid. */
+    std::vector<std::array<int, 4>> quads;
+  };
+} // namespace squeal
+
+#endif

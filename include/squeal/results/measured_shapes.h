@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_results_measured_shapes_h
+#define squeal_results_measured_shapes_h
+
+#include <array>
+#include <complex>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** A shape of a measured mode. */
+  struct MeasuredShape
+  {
+    std::string name;
+    double      frequency = 0.; /**< Hz */
+    /** Values of a UFF file: x, y, z of numbered nodes. */
+    std::map<unsigned int, std::array<std::complex<double>, 3>> nodes;
+    /** Values of a CSV file, by the name of the point. */
+    std::map<std::string, std::complex<double>> points;
+  };
+
+  /**
+   * Reads the datasets 55 of a universal file (normal or complex modes of three
+   * or six motions a node, real or complex), or a CSV file with the columns
+   * shape, frequency_hz, point, real and imag. What begins with "-1" alone in a
+   * line is a universal file.
+   *
+   * Throws InputError "file:line: ..." for a file that is neither, that is cut
+   * off, holds no shape, or numbers that are none.
+   */
+  std::vector<MeasuredShape> read_measured_shapes(const std::string &path);
+} // namespace squeal
+
+#endif

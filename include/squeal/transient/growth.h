@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_growth_h
+#define squeal_transient_growth_h
+
+#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace squeal
+{
+  /** Rate and frequency of a complex amplitude a(t) ~ exp((sigma + i omega) t)
+   * in a window. */
+  struct GrowthFit
+  {
+    double rate         = 0.;    /**< 1/s */
+    double rate_ci      = 0.;    /**< half width of the 95 % interval, 1/s */
+    double frequency    = 0.;    /**< Hz */
+    double frequency_ci = 0.;    /**< Hz */
+    double start = 0., end = 0.; /**< of the window, s */
+    bool   is_valid = false;
+
+    double e_foldings() const;
+  };
+
+  /**
+   * Least squares for log|a| and the phase over samples @p first to @p last
+   * (one past the end). The interval comes from the scatter of the slopes of
+   * eight equal parts of the window. Not valid with fewer than 64 samples or
+   * where a vanishes. Neighbouring samples must be less than half a period
+   * apart.
+   */
+  GrowthFit fit_growth(const std::vector<double>               &times,
+                       const std::vector<std::complex<double>> &amplitudes,
+                       const std::size_t                        first,
+                       const std::size_t                        last);
+
+  /**
+   * The window of a fit within the linear phase, samples @p first to @p last:
+   * its last two thirds; of a motion that decays, from the start until it has
+   * fallen to a thousandth. Returns {first, last}.
+   */
+  std::pair<std::size_t, std::size_t> fit_window(
+    const std::vector<std::complex<double>> &amplitudes,
+    const std::size_t                        first,
+    const std::size_t                        last,
+    const bool                               decays);
+} // namespace squeal
+
+#endif

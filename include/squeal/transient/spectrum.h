@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_spectrum_h
+#define squeal_transient_spectrum_h
+
+#include <vector>
+
+namespace squeal
+{
+  /** Power spectral density of a signal, one-sided. */
+  struct Spectrum
+  {
+    std::vector<double> frequency; /**< Hz, from 0 in equal steps */
+    std::vector<double> density;   /**< (unit of the signal)^2 / Hz */
+
+    /** Frequency of the largest density between two frequencies, refined by a
+     * parabola through the logarithms of three values; 0 if there is none. */
+    double peak(const double lowest, const double highest) const;
+    /** Root of the integral of the density within a relative width around a
+     * frequency: the rms of one line. */
+    double line_rms(const double centre, const double relative_width) const;
+  };
+
+  /**
+   * Welch's estimate: Hann windows over half-overlapping parts of @p n_parts
+   * equal lengths (1: the whole), the mean taken off.
+   */
+  Spectrum power_spectrum(const std::vector<double> &signal,
+                          const double               interval,
+                          const unsigned int         n_parts = 1);
+
+  /** Phase of @p b against @p a at a frequency, degrees in (-180, 180]. */
+  double phase_difference(const std::vector<double> &a,
+                          const std::vector<double> &b,
+                          const double               interval,
+                          const double               frequency);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/driver/contact_output.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+    std::array<double, 2>
+    mean_direction(const ContactGeometry &g)
+    {
+      std::array<double, 2> d{{0., 0.}};
+      for (std::size_t j = 0; j < g.points.size(); ++j)
+        for (unsigned int c = 0; c < 2; ++c)
+          d[c] += g.areas[j] * g.slip_direction[j][c];
+      const double size = std::hypot(d[0], d[1]);
+      return {{d[0] / size, d[1] / size}};
+    }
+  } // namespace
+
+
+
+  std::vector<std::array<double, 3>>
+  node_points(const ContactGeometry &g)
+  {
+    std::vector<std::array<double, 3>> result;
+    for (const auto &p : g.points)
+      result.push_back({{p[0], p[1], p[2]}});
+    return result;
+  }
+
+  ContactMap
+  contact_map(const ContactGeometry &g)
+  {
+    return ContactMap(node_points(g), g.areas);
+  }
+
+
+
+  std::vector<bool>
+  leading_edge(const ContactGeometry &g)
+  {
+    const auto          d = mean_direction(g);
+    std::vector<double> along;
+    for (const auto &p : g.points)
+      along.push_back(d[0] * p[0] + d[1] * p[1]);
+    const auto        ends  = std::minmax_element(along.begin(), along.end());
+    const double      limit = *ends.first + 1e-6 * (*ends.second - *ends.first);
+    std::vector<bool> result;
+    for (const double s : along)
+      result.push_back(s <= limit);
+    return result;
+  }
+
+
+
+  std::vector<double>
+  tractions(const ContactGeometry &g, const Eigen::VectorXd &forces)
+  {
+    std::vector<double> result;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        // The transverse direction of (tx, ty) is (ty, -tx).
+        const auto [tx, ty] = g.slip_direction[j];
+        const double t = forces[3 * j + 1], s = forces[3 * j + 2];
+        result.push_back((tx * t + ty * s) / g.areas[j]);
+        result.push_back((ty * t - tx * s) / g.areas[j]);
+      }
+    return result;
+  }
+
+
+
+  ContactResultant
+  contact_resultant(const ContactGeometry &g, const Eigen::VectorXd &forces)
+  {
+    ContactResultant          r{};
+    const std::vector<double> q     = tractions(g, forces);
+    const std::vector<bool>   edge  = leading_edge(g);
+    double                    total = 0., edge_area = 0., edge_force = 0.;
+    std::array<double, 2>     face{{0., 0.}}, moment{{0., 0.}};
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        const double n = forces[3 * j], a = g.areas[j];
+        r.force[0] += q[2 * j] * a;
+        r.force[1] += q[2 * j + 1] * a;
+        r.force[2] += n;
+        r.peak_pressure = std::max(r.peak_pressure, n / a);
+        total += a;
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            face[c] += a * g.points[j][c];
+            moment[c] += n * g.points[j][c];
+          }
+        if (edge[j])
+          {
+            edge_area += a;
+            edge_force += n;
+          }
+      }
+    r.mean_pressure       = r.force[2] / total;
+    const bool is_pressed = r.force[2] > 0.;
+    for (unsigned int c = 0; c < 2; ++c)
+      r.centre[c] =
+        is_pressed ? moment[c] / r.force[2] - face[c] / total : not_known;
+    r.leading_edge_factor =
+      is_pressed ? edge_force / edge_area / r.mean_pressure : not_known;
+    return r;
+  }
+
+
+
+  Table
+  contact_table(const ContactGeometry            &g,
+                const Eigen::VectorXd            &forces,
+                const Eigen::VectorXd            &motion,
+                const Eigen::VectorXd            &initial_gap,
+                const std::vector<ContactStatus> &status)
+  {
+    using Type = Table::Type;
+    Table table({{"node", Type::integer, "", "number of the node, from 0"},
+                 {"x_m", Type::real, "m", "radial place"},
+                 {"y_m", Type::real, "m", "place along the sliding"},
+                 {"z_m", Type::real, "m", "place along the axis"},
+                 {"area_m2", Type::real, "m2", "tributary area"},
+                 {"status", Type::text, "", "open, stick or slip"},
+                 {"pressure_pa", Type::real, "Pa", "compression positive"},
+                 {"traction_x_pa", Type::real, "Pa", "target on source"},
+                 {"traction_y_pa", Type::real, "Pa", "target on source"},
+                 {"gap_m", Type::real, "m", "opening"},
+                 {"normal_n", Type::real, "N", "force of the node"}});
+    const std::vector<double> q       = tractions(g, forces);
+    const char *const         names[] = {"open", "stick", "slip"};
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      table.add_row({j,
+                     g.points[j][0],
+                     g.points[j][1],
+                     g.points[j][2],
+                     g.areas[j],
+                     names[static_cast<int>(status[j])],
+                     forces[3 * j] / g.areas[j],
+                     q[2 * j],
+                     q[2 * j + 1],
+                     initial_gap[j] - motion[3 * j],
+                     forces[3 * j]});
+    return table;
+  }
+} // namespace squeal

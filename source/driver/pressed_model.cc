@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/timers.h>
+#include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/load_vector.h>
+#include <squeal/driver/pressed_model.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** The same contact with sliding and transverse direction reversed. */
+    void
+    reverse(ContactGeometry &g)
+    {
+      const auto negative = [](const Functionals &all) {
+        std::vector<Functionals::Row> rows = all.rows();
+        for (auto &row : rows)
+          for (auto &[column, weight] : row)
+            weight = -weight;
+        return std::make_shared<const Functionals>(all.space_pointer(),
+                                                   std::move(rows));
+      };
+      g.tangential = negative(*g.tangential);
+      g.transverse = negative(*g.transverse);
+      for (auto &direction : g.slip_direction)
+        direction = {{-direction[0], -direction[1]}};
+    }
+
+    /** Point springs give way: their compliance adds to that of the bodies. */
+    void
+    add_springs(const ContactParameters &contact, ReducedContactModel &model)
+    {
+      if (contact.formulation != ContactParameters::Formulation::springs)
+        return;
+      const double normal     = contact.normal_stiffness,
+                   tangential = contact.tangential_stiffness >= 0.
+                                  ? contact.tangential_stiffness
+                                  : normal;
+      if (!(tangential > 0.))
+        throw InputError("Scene/Contact " + contact.name +
+                         "/Tangential stiffness: must not be 0, nodes that "
+                         "stick could not carry friction");
+      for (unsigned int j = 0; j < model.n_nodes(); ++j)
+        {
+          model.flexibility(3 * j, 3 * j) += 1. / normal;
+          for (unsigned int c = 1; c < 3; ++c)
+            model.flexibility(3 * j + c, 3 * j + c) += 1. / tangential;
+        }
+    }
+
+    void
+    add_row(const RowSpace             &space,
+            const Functionals::Row     &row,
+            const double                factor,
+            Eigen::Ref<Eigen::VectorXd> column)
+    {
+      const auto first = space.first_owned(), n = space.n_owned();
+      for (const auto &[r, weight] : row)
+        if (r >= first && r < first + n)
+          column[r - first] += factor * weight;
+    }
+  } // namespace
+
+
+
+  bool
+  has_held_support(const SceneParameters &scene)
+  {
+    for (const auto &support : scene.supports)
+      if (support.kind == SupportParameters::Kind::held)
+        return true;
+    return false;
+  }
+
+
+
+  /** The same scene with its held supports guided. */
+  struct PressedModel::MovingScene
+  {
+    Parameters                      scene;
+    std::unique_ptr<Discretization> space;
+    std::unique_ptr<PressedModel>   pressed;
+  };
+
+
+
+  PressedModel::PressedModel(const Parameters                &p,
+                             const Discretization            &d,
+                             const std::vector<BodyMatrices> &bodies,
+                             const double                     highest,
+                             Timers                          &timers)
+    : parameters(p)
+    , scene(p.scene)
+    , discretization(d)
+    , cut_off(highest)
+    , mu(std::abs(p.scene.contacts[0].friction_coefficient))
+  {
+    {
+      Timers::Section section(timers, "Assemble: open contact");
+      separated = separated_system(d, bodies);
+      pencil    = std::make_shared<const Pencil>(separated.system, scene);
+      if (scene.contacts[0].friction_coefficient < 0.)
+        reverse(separated.contacts[0]);
+    }
+    {
+      Timers::Section section(timers, "Solve: modes of the bodies");
+      modes = undamped_modes(
+        *pencil, ShiftedInverse(*pencil, std::pow(2. * M_PI * cut_off, 2)));
+      modes.release_start();
+    }
+    Timers::Section      section(timers, "Solve: contact flexibility");
+    const PointEvaluator evaluator(d);
+    Block                load = Block::Zero(d.space()->n_owned(), 1);
+    for (const auto &l : scene.loads)
+      load += load_vector(d, evaluator, l);
+    reduced =
+      reduce_contact_model(*pencil,
+                           modes,
+                           cut_off,
+                           separated.contacts[0],
+                           separated.restrict_forces(load),
+                           separated.restrict_forces(observers(bodies)));
+    add_springs(scene.contacts[0], reduced);
+  }
+
+
+
+  Block
+  PressedModel::observers(const std::vector<BodyMatrices> &bodies) const
+  {
+    const auto        &contact = scene.contacts[0];
+    const auto        &g       = separated.contacts[0];
+    const RowSpace    &space   = *discretization.space();
+    const unsigned int source  = body_index(scene, contact.source_body);
+    Block              l       = Block::Zero(space.n_owned(), n_observers);
+    double             area    = 0.;
+    for (const double a : g.areas)
+      area += a;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      add_row(space,
+              g.target_rows[j][2],
+              g.areas[j] / area,
+              l.col(target_at_contact));
+    const PointEvaluator evaluator(discretization);
+    LoadParameters       unit = scene.loads[0];
+    unit.force                = {{0., 0., 1.}};
+    l.col(loaded_face)        = load_vector(discretization, evaluator, unit);
+    const auto centre =
+      evaluator.displacements(source, {bodies[source].centre}, 1e-4);
+    for (unsigned int c = 0; c < 3; ++c)
+      add_row(space, centre.rows[0][c], 1., l.col(centre_x + c));
+    // The far face may be inside, tied to another body: the contact nodes
+    // mirrored at the centre's height.
+    std::vector<dealii::Point<3>> mirrored = g.points;
+    for (auto &point : mirrored)
+      point[2] = 2. * bodies[source].centre[2] - point[2];
+    const auto far = evaluator.displacements(source, mirrored, 1e-4);
+    for (std::size_t j = 0; j < mirrored.size(); ++j)
+      add_row(space,
+              far.found[j] ? far.rows[j][2] : centre.rows[0][2],
+              g.areas[j] / area,
+              l.col(far_face));
+    return l;
+  }
+
+
+
+  const ContactGeometry &
+  PressedModel::geometry() const
+  {
+    return separated.contacts[0];
+  }
+
+  const ReducedContactModel &
+  PressedModel::model() const
+  {
+    return reduced;
+  }
+
+  double
+  PressedModel::friction() const
+  {
+    return mu;
+  }
+
+  void
+  PressedModel::set_friction(const double friction)
+  {
+    Assert(friction >= 0., dealii::ExcInternalError());
+    mu = friction;
+  }
+
+  double
+  PressedModel::speed() const
+  {
+    return scene.contacts[0].sliding_speed;
+  }
+
+  unsigned int
+  PressedModel::n_unknowns() const
+  {
+    return separated.system.space->n_global();
+  }
+
+
+
+  ModalForce
+  PressedModel::force(const LoadParameters &load) const
+  {
+    return modal_forces(
+             *pencil,
+             modes,
+             separated.contacts[0],
+             separated.restrict_forces(load_vector(
+               discretization, PointEvaluator(discretization), load)))
+      .front();
+  }
+
+
+
+  SteadySliding
+  PressedModel::steady(const double tolerance, Timers &timers)
+  {
+    if (!has_held_support(scene))
+      {
+        Timers::Section section(timers, "Solve: steady sliding");
+        return steady_sliding(reduced, friction(), 1., tolerance);
+      }
+    if (!moving)
+      {
+        moving        = std::make_shared<MovingScene>();
+        moving->scene = parameters;
+        for (auto &support : moving->scene.scene.supports)
+          if (support.kind == SupportParameters::Kind::held)
+            support.kind = SupportParameters::Kind::guided;
+        moving->space =
+          std::make_unique<Discretization>(moving->scene.scene,
+                                           moving->scene.discretization,
+                                           discretization.degree(),
+                                           MPI_COMM_WORLD);
+        moving->pressed =
+          std::make_unique<PressedModel>(moving->scene,
+                                         *moving->space,
+                                         assemble_bodies(*moving->space),
+                                         cut_off,
+                                         timers);
+      }
+    moving->pressed->set_friction(mu);
+    SteadySliding steady = moving->pressed->steady(tolerance, timers);
+    if ((reduced.omega_squared.array() == 0.).any())
+      throw InputError("Scene/Supports: with a held support a motion is left "
+                       "that nothing holds; hold it by Scene/Springs");
+    // The held support adds a constant to the motion of the nodes: what is left
+    // when loads and contact forces have done theirs.
+    steady.coordinates =
+      (reduced.load - reduced.participation.transpose() * steady.forces)
+        .cwiseQuotient(reduced.omega_squared);
+    reduced.load_motion =
+      steady.motion - (reduced.participation * steady.coordinates -
+                       reduced.flexibility * steady.forces);
+    return steady;
+  }
+
+
+
+  ContactState
+  PressedModel::state_of(const SteadySliding &steady) const
+  {
+    ContactState state;
+    state.status           = steady.status;
+    const double reference = scene.contacts[0].normal_force;
+    for (unsigned int j = 0; j < reduced.n_nodes(); ++j)
+      state.force_share.push_back(std::max(0., steady.forces[3 * j]) /
+                                  (reference > 0. ? reference : 1.));
+    return state;
+  }
+
+
+
+  std::vector<ContactState>
+  preload_states(const Parameters                &parameters,
+                 const Discretization            &discretization,
+                 const std::vector<BodyMatrices> &bodies,
+                 Timers                          &timers)
+  {
+    // Statics do not depend on the cut-off.
+    PressedModel pressed(parameters,
+                         discretization,
+                         bodies,
+                         parameters.eigen.highest_frequency,
+                         timers);
+    return {
+      pressed.state_of(pressed.steady(parameters.preload.tolerance, timers))};
+  }
+} // namespace squeal

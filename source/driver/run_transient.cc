@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/stop_request.h>
+#include <squeal/driver/analyses.h>
+#include <squeal/driver/transient_results.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    std::string
+    checkpoint_file(const Parameters &p)
+    {
+      std::string directory = p.output.directory;
+      while (directory.size() > 1 && directory.back() == '/')
+        directory.pop_back();
+      return p.transient.checkpoint_file.empty() ? directory + "_checkpoint.h5"
+                                                 : p.transient.checkpoint_file;
+    }
+
+    /** Goes on to the end with progress and checkpoints; a signal ends the
+     * program after one more checkpoint. */
+    void
+    integrate(TransientRun &run, RunContext &context)
+    {
+      const auto       &t    = context.parameters.transient;
+      const std::string file = checkpoint_file(context.parameters);
+      if (t.resume && run.read_checkpoint(file))
+        context.log.info(
+          "  continues from " + file + " at step " +
+          std::to_string(static_cast<long>(run.record().n_steps)));
+      StopRequest stop;
+      bool        finished;
+      {
+        Timers::Section section(context.timers, "Solve: time steps");
+        Progress        progress(context.log, "time steps", run.n_steps_left());
+        double          last = wall_seconds();
+        finished             = run.advance([&](const unsigned int n) {
+          progress.advance(
+            n,
+            "t = " + rounded_text(run.record().samples.back().time, 4) + " s");
+          if (t.checkpoint_interval > 0. &&
+              wall_seconds() - last > t.checkpoint_interval && context.is_root)
+            {
+              run.write_checkpoint(file);
+              last = wall_seconds();
+            }
+          return stop.is_there();
+        });
+      }
+      if (!finished)
+        {
+          if (context.is_root)
+            run.write_checkpoint(file);
+          context.log.info("stopped; the same command continues from " + file);
+          stop.repeat();
+          throw ComputationError("stopped by a signal");
+        }
+    }
+
+    void
+    report_run(RunContext              &context,
+               const PreparedTransient &prepared,
+               const TransientRecord   &record,
+               const TransientFigures  &f)
+    {
+      const auto &p       = context.parameters;
+      const Table summary = transient_table(f), branches = branch_table(f);
+      context.write_table("transient.csv", summary);
+      context.write_table("branches.csv", branches);
+      context.write_table("forces.csv", force_table(record));
+      context.write_table("energy.csv", energy_table(record));
+      context.write_table("probes.csv", probe_table(record));
+      const Table zones = zone_table(prepared, record);
+      context.write_table("zones.csv", zones);
+      if (context.is_root)
+        {
+          Timers::Section section(context.timers, "Write: history");
+          write_transient_json(f, context.output.file("transient.json"));
+          if (record.history.n_samples() > 0)
+            write_contact_history(prepared,
+                                  record,
+                                  p.scene.name,
+                                  context.output.file("contact_history.h5"));
+        }
+      const auto shown = [&](const std::string &name) {
+        return summary.display(0, summary.column_index(name));
+      };
+      context.record.figures = {
+        {"verdict", f.verdict},
+        {"growth rate",
+         shown("growth_rate_per_s") + " +- " + shown("growth_rate_ci_per_s") +
+           " 1/s at " + shown("growth_frequency_hz") + " Hz"},
+        {"linearised about steady sliding",
+         shown("sigma_linear_per_s") + " 1/s at " +
+           shown("frequency_linear_hz") + " Hz"},
+        {"limit cycle",
+         f.has_limit_cycle ? shown("limit_cycle_frequency_hz") + " Hz"
+                           : "none in the second half of the run"},
+        {"normal force",
+         shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") + " N, " +
+           shown("min_normal_n") + " to " + shown("max_normal_n") + " N"},
+        {"nodes: slip, stick-slip, separating, never closed",
+         shown("n_slip") + ", " + shown("n_stick_slip") + ", " +
+           shown("n_separating") + ", " + shown("n_never")},
+        {"worst imbalance of the ledger", shown("worst_imbalance")},
+        {"steps per second",
+         shown("steps_per_second") + ", " + shown("iterations_per_step") +
+           " iterations a step"}};
+      context.log.heading("Pairs about steady sliding and in time");
+      std::ostringstream text;
+      branches.print(text,
+                     {"branch",
+                      "frequency_linear_hz",
+                      "sigma_linear_per_s",
+                      "sigma_cea_per_s",
+                      "frequency_transient_hz",
+                      "growth_rate_per_s",
+                      "growth_rate_ci_per_s",
+                      "e_foldings"});
+      context.log.info(text.str());
+
+      HtmlReport report("Transient of " + p.scene.name,
+                        "motion in time about steady sliding");
+      report.set_verdict(
+        f.verdict == "unstable" ? HtmlReport::Verdict::bad
+        : f.verdict == "stable" ? HtmlReport::Verdict::good
+                                : HtmlReport::Verdict::neutral,
+        f.verdict +
+          (f.has_limit_cycle
+             ? ", limit cycle at " + shown("limit_cycle_frequency_hz") + " Hz"
+             : ""),
+        context.record.figures);
+      if (p.output.plots && context.is_root)
+        {
+          Timers::Section section(context.timers, "Write: charts");
+          draw_transient(context, prepared, record, f, report);
+        }
+      report.section("Pairs");
+      report.table(branches, "Pairs about steady sliding and in time");
+      report.section("Contact zones");
+      report.table(zones, "Second half of the run", {}, {}, false);
+      context.finish(p.output.report ? &report : nullptr, "");
+    }
+  } // namespace
+
+
+
+  void
+  run_transient(RunContext &context)
+  {
+    if (!context.parameters.sweep.axes.empty() ||
+        !context.parameters.transient.tops.empty())
+      return run_campaign(context);
+    Parameters p              = context.parameters;
+    p.scene.contacts[0].state = ContactParameters::State::full;
+    Model model(p, context.timers);
+    model.print_summary(context.log);
+    const PreparedTransient prepared(PressedModel(p,
+                                                  *model.discretization(),
+                                                  model.body_matrices(),
+                                                  p.transient.cut_off,
+                                                  context.timers),
+                                     p,
+                                     context.timers);
+    context.record.n_dofs = model.n_unknowns();
+    context.log.key_values(
+      {{"modes up to the cut-off",
+        std::to_string(prepared.pressed.model().n_modes())},
+       {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
+       {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
+       {"pairs in the band", std::to_string(prepared.branches.size())}});
+    TransientRun run(
+      prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);
+    integrate(run, context);
+    ComplexPairs cea;
+    if (p.transient.compare_with_cea)
+      cea = whole_model_pairs(p,
+                              prepared.pressed.state_of(prepared.steady),
+                              context.log,
+                              context.timers);
+    report_run(context,
+               prepared,
+               run.record(),
+               evaluate_transient(
+                 prepared, run.record(), p, cea.size() > 0 ? &cea : nullptr));
+    if (context.is_root)
+      std::filesystem::remove(checkpoint_file(p));
+  }
+} // namespace squeal

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a transient says: growth of every branch in the linear phase, the limit
+// cycle in the second half of the run.
+
+#include <squeal/base/run_log.h>
+#include <squeal/base/timers.h>
+#include <squeal/driver/cea_solution.h>
+#include <squeal/driver/contact_output.h>
+#include <squeal/driver/transient_results.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+    /** The longest stretch of samples without a change of status. */
+    std::pair<std::size_t, std::size_t>
+    linear_phase(const std::vector<TransientSample> &samples)
+    {
+      std::pair<std::size_t, std::size_t> best{0, 0};
+      for (std::size_t i = 0, first = 0; i <= samples.size(); ++i)
+        if (i == samples.size() || samples[i].is_linear == 0.)
+          {
+            if (i - first > best.second - best.first)
+              best = {first, i};
+            first = i + 1;
+          }
+      return best;
+    }
+
+    double
+    mean_of(const std::vector<double> &x)
+    {
+      double sum = 0.;
+      for (const double value : x)
+        sum += value;
+      return x.empty() ? 0. : sum / x.size();
+    }
+
+    double
+    rms_about_mean(const std::vector<double> &x)
+    {
+      const double mean = mean_of(x);
+      double       sum  = 0.;
+      for (const double value : x)
+        sum += (value - mean) * (value - mean);
+      return x.empty() ? 0. : std::sqrt(sum / x.size());
+    }
+
+    void
+    evaluate_branches(const PreparedTransient &prepared,
+                      const TransientRecord   &record,
+                      const ComplexPairs      *cea,
+                      TransientFigures        &f)
+    {
+      const auto   times    = record.times();
+      const auto   linear   = linear_phase(record.samples);
+      const double rms_from = 0.5 * times.back();
+      if (linear.first < linear.second)
+        {
+          f.linear_start = times[linear.first];
+          f.linear_end   = times[linear.second - 1];
+        }
+      const unsigned int n = prepared.branches.size();
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const auto   lambda = prepared.linear.lambda[prepared.branches[k]];
+          BranchResult b;
+          b.sigma         = lambda.real();
+          b.frequency     = lambda.imag() / (2. * M_PI);
+          b.sigma_cea     = not_known;
+          b.frequency_cea = not_known;
+          const auto a    = record.branch(k, n);
+          const auto window =
+            fit_window(a, linear.first, linear.second, lambda.real() < 0.);
+          b.fit = fit_growth(times, a, window.first, window.second);
+          std::vector<double> sizes;
+          for (std::size_t i = 0; i < a.size(); ++i)
+            if (times[i] >= rms_from)
+              sizes.push_back(std::norm(a[i]));
+          b.last_amplitude = std::sqrt(mean_of(sizes));
+          for (unsigned int i = 0; cea && i < cea->size(); ++i)
+            if (const double d = std::abs(cea->lambda[i] - lambda);
+                std::isnan(b.sigma_cea) ||
+                d < std::hypot(b.sigma_cea - lambda.real(),
+                               2. * M_PI * b.frequency_cea - lambda.imag()))
+              {
+                b.sigma_cea     = cea->sigma(i);
+                b.frequency_cea = cea->frequency(i);
+              }
+          if (f.leading < 0 || b.sigma > f.branches[f.leading].sigma)
+            f.leading = k;
+          f.branches.push_back(b);
+        }
+    }
+
+    std::string
+    verdict_of(const TransientFigures &f)
+    {
+      if (f.leading < 0)
+        return "undecided";
+      const GrowthFit &fit = f.branches[f.leading].fit;
+      if (!fit.is_valid)
+        return "undecided";
+      return fit.rate - fit.rate_ci > 0.   ? "unstable"
+             : fit.rate + fit.rate_ci < 0. ? "stable"
+                                           : "undecided";
+    }
+
+    void
+    evaluate_nodes(const TransientRecord &record, TransientFigures &f)
+    {
+      double stick = 0., closed = 0.;
+      for (const NodeShares &node : record.nodes)
+        {
+          stick += node.stick;
+          closed += node.stick + node.slip;
+          f.max_slip_speed_ratio =
+            std::max(f.max_slip_speed_ratio, node.fastest_slip);
+          f.peak_pressure = std::max(f.peak_pressure, node.peak_pressure);
+          if (node.stick + node.slip == 0.)
+            ++f.n_never;
+          else if (node.open > 0.)
+            ++f.n_separating;
+          else if (node.stick > 0.)
+            ++f.n_stick_slip;
+          else
+            ++f.n_slip;
+        }
+      f.stick_fraction = closed > 0. ? stick / closed : 0.;
+    }
+
+    void
+    evaluate_limit_cycle(const TransientRecord &record,
+                         const Parameters      &p,
+                         TransientFigures      &f)
+    {
+      const auto         &samples = record.samples;
+      const std::size_t   first   = samples.size() / 2;
+      std::vector<double> normal, tangential, edge, acceleration;
+      const double        n_nodes = record.nodes.size();
+      for (std::size_t i = first; i < samples.size(); ++i)
+        {
+          normal.push_back(samples[i].normal);
+          tangential.push_back(samples[i].tangential);
+          edge.push_back(samples[i].leading_edge);
+          double square = 0.;
+          for (const double a : samples[i].acceleration)
+            square += a * a;
+          acceleration.push_back(square);
+          f.separates = f.separates || samples[i].n_open == n_nodes;
+        }
+      f.mean_normal          = mean_of(normal);
+      f.rms_normal           = rms_about_mean(normal);
+      f.min_normal           = *std::min_element(normal.begin(), normal.end());
+      f.max_normal           = *std::max_element(normal.begin(), normal.end());
+      f.mean_tangential      = mean_of(tangential);
+      f.rms_tangential       = rms_about_mean(tangential);
+      f.macroscopic_friction = f.mean_tangential / f.mean_normal;
+      f.mean_leading_edge_factor = mean_of(edge);
+      f.rms_acceleration         = std::sqrt(mean_of(acceleration));
+      // Four quarters alike, and more than the noise of the solver.
+      double least = 1e300, most = 0.;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const double rms =
+            rms_about_mean({normal.begin() + k * normal.size() / 4,
+                            normal.begin() + (k + 1) * normal.size() / 4});
+          least = std::min(least, rms);
+          most  = std::max(most, rms);
+        }
+      f.has_limit_cycle = most > 1e-4 * f.mean_normal && least > 0.8 * most;
+      const double interval =
+        samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
+      const Spectrum spectrum = power_spectrum(normal, interval);
+      f.frequency = spectrum.peak(p.eigen.lowest_frequency, 0.45 / interval);
+      for (unsigned int k = 1; k <= 5 && k * f.frequency < 0.45 / interval; ++k)
+        f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
+      if (f.frequency > 0.)
+        f.phase = phase_difference(normal, tangential, interval, f.frequency);
+    }
+  } // namespace
+
+
+
+  PreparedTransient::PreparedTransient(const PressedModel &model,
+                                       const Parameters   &p,
+                                       Timers             &timers)
+    : pressed(model)
+    , steady(pressed.steady(p.preload.tolerance, timers))
+  {
+    Timers::Section section(timers, "Solve: linearised motion");
+    linear =
+      linearize(pressed.model(), steady, pressed.friction(), pressed.speed());
+    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
+      if (const double f = linear.lambda[k].imag() / (2. * M_PI);
+          f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency &&
+          linear.lambda[k].real() > -0.3 * linear.lambda[k].imag())
+        branches.push_back(k);
+  }
+
+
+
+  TransientFigures
+  evaluate_transient(const PreparedTransient &prepared,
+                     const TransientRecord   &record,
+                     const Parameters        &p,
+                     const ComplexPairs      *cea)
+  {
+    TransientFigures f;
+    evaluate_branches(prepared, record, cea, f);
+    f.verdict = verdict_of(f);
+    evaluate_limit_cycle(record, p, f);
+    evaluate_nodes(record, f);
+    // Against the work of the whole run: at the start there is next to none.
+    const auto work = [&](const TransientSample &s) {
+      return std::abs(s.driving) + std::abs(s.load) +
+             record.samples.front().kinetic + record.samples.front().elastic;
+    };
+    for (const auto &sample : record.samples)
+      f.worst_imbalance =
+        std::max(f.worst_imbalance,
+                 sample.imbalance * work(sample) /
+                   std::max(work(record.samples.back()), 1e-300));
+    f.steps_per_second    = record.n_steps / std::max(record.cpu_seconds, 1e-9);
+    f.n_inversions        = record.n_inversions;
+    f.iterations_per_step = record.n_iterations / std::max(record.n_steps, 1.);
+    return f;
+  }
+
+
+
+  ComplexPairs
+  whole_model_pairs(const Parameters   &parameters,
+                    const ContactState &state,
+                    RunLog             &log,
+                    Timers             &timers)
+  {
+    Model        model(parameters, timers, {state});
+    ModeSolution modes = solve_modes(model, log, timers);
+    return solve_cea(model, modes, log, timers).pairs;
+  }
+} // namespace squeal

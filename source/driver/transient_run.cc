@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/timers.h>
+#include <squeal/driver/contact_output.h>
+#include <squeal/driver/transient_run.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr unsigned int steps_between_watches = 50;
+
+    double
+    half_sine(const double time, const double start, const double duration)
+    {
+      const double s = (time - start) / duration;
+      return s > 0. && s < 1. ? std::sin(M_PI * s) : 0.;
+    }
+
+    /** From 0 to 1, smooth. */
+    double
+    ramp(const double time, const double duration)
+    {
+      if (time >= duration)
+        return 1.;
+      return time <= 0. ? 0. : 0.5 * (1. - std::cos(M_PI * time / duration));
+    }
+
+    /** CPU seconds of this thread. */
+    double
+    thread_seconds()
+    {
+      timespec now;
+      ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+      return now.tv_sec + 1e-9 * now.tv_nsec;
+    }
+  } // namespace
+
+
+
+  TransientDrive
+  make_drive(const PressedModel &pressed, const Parameters &p)
+  {
+    const TransientParameters t = p.transient;
+    TransientDrive            drive;
+    const double              mu = pressed.friction(), speed = pressed.speed();
+    drive.friction = [mu, t](const double time) {
+      return std::max(0.,
+                      mu + t.friction_impulse *
+                             half_sine(time,
+                                       t.friction_impulse_time,
+                                       t.friction_impulse_duration));
+    };
+    drive.speed = [speed, t](const double time) {
+      return speed * (1. + (t.final_speed_ratio - 1.) * time / t.end_time);
+    };
+    // Loads share one ramp: the longest.
+    double ramp_time = 0.;
+    for (const auto &load : p.scene.loads)
+      ramp_time = std::max(ramp_time, load.ramp_time);
+    const bool ramped = t.start == TransientParameters::Start::ramp;
+    drive.load        = [ramped, ramp_time](const double time) {
+      return ramped ? ramp(time, ramp_time) : 1.;
+    };
+    if (!t.hammer.body.empty())
+      {
+        LoadParameters load;
+        load.name  = "hammer";
+        load.body  = t.hammer.body;
+        load.face  = t.hammer.face;
+        load.force = t.hammer.force;
+        drive.forces.push_back({pressed.force(load), [t](const double time) {
+                                  return half_sine(
+                                    time, t.hammer.time, t.hammer.duration);
+                                }});
+      }
+    return drive;
+  }
+
+
+
+  std::string
+  key_of_motion(const Parameters &p)
+  {
+    std::string key;
+    for (const auto &[name, value] : p.used)
+      if ((name.rfind("Scene/", 0) == 0 || name.rfind("Transient/", 0) == 0 ||
+           name.rfind("Discretization/", 0) == 0 ||
+           name.rfind("Eigenvalues/", 0) == 0 ||
+           name.rfind("Preload/Tolerance", 0) == 0) &&
+          name.rfind("Transient/Checkpoint", 0) != 0 &&
+          name.rfind("Transient/Resume", 0) != 0 &&
+          name.rfind("Transient/Threads", 0) != 0)
+        key += name + " = " + value + "\n";
+    // Points of a campaign differ in numbers that the file does not hold.
+    for (const auto &body : p.scene.bodies)
+      key += std::to_string(std::log(std::max(1e-30, body.young_modulus))) +
+             " " + std::to_string(body.density) + "\n";
+    for (const auto &contact : p.scene.contacts)
+      key += std::to_string(contact.friction_coefficient) + " " +
+             std::to_string(contact.sliding_speed) + "\n";
+    for (const auto &support : p.scene.supports)
+      key += std::to_string(static_cast<int>(support.kind)) + "\n";
+    return key;
+  }
+
+
+
+  std::vector<double>
+  TransientRecord::times() const
+  {
+    std::vector<double> result;
+    for (const auto &sample : samples)
+      result.push_back(sample.time);
+    return result;
+  }
+
+  std::vector<std::complex<double>>
+  TransientRecord::branch(const unsigned int k, const unsigned int n) const
+  {
+    std::vector<std::complex<double>> result;
+    for (std::size_t i = k; i < amplitudes.size(); i += n)
+      result.push_back(amplitudes[i]);
+    return result;
+  }
+
+
+
+  TransientRun::TransientRun(const PressedModel              &model,
+                             const SteadySliding             &state,
+                             const LinearizedMotion          &linearized,
+                             const std::vector<unsigned int> &recorded,
+                             const Parameters                &p)
+    : pressed(model)
+    , steady(state)
+    , linear(linearized)
+    , branches(recorded)
+    , settings(p.transient)
+    , key(key_of_motion(p))
+    , edge(leading_edge(model.geometry()))
+    , n_steps(std::lround(settings.end_time / settings.time_step))
+    , stride(std::max<long>(
+        1,
+        std::lround(settings.sample_interval / settings.time_step)))
+    , motion(model.model(),
+             settings.time_step,
+             make_drive(model, p),
+             state.resultant()[0] / model.model().n_nodes(),
+             settings.tolerance)
+  {
+    const unsigned int n = model.model().n_modes();
+    kept.nodes.resize(model.model().n_nodes());
+    for (std::size_t j = 0; j < edge.size(); ++j)
+      {
+        area += model.geometry().areas[j];
+        edge_area += edge[j] ? model.geometry().areas[j] : 0.;
+      }
+    const Eigen::VectorXd v =
+      Eigen::VectorXd::Constant(n, std::sqrt(2. * settings.disturbance / n));
+    if (settings.start == TransientParameters::Start::ramp)
+      motion.start(Eigen::VectorXd::Zero(n),
+                   v,
+                   Eigen::VectorXd::Zero(steady.forces.size()));
+    else
+      motion.start(steady.coordinates, v, steady.forces);
+    status      = settings.start == TransientParameters::Start::ramp
+                    ? std::vector<ContactStatus>(edge.size(), ContactStatus::open)
+                    : steady.status;
+    last_motion = motion.motion();
+    take_sample(status == steady.status);
+  }
+
+
+
+  bool
+  TransientRun::advance(const Watch &watch)
+  {
+    unsigned int n_since = 0;
+    double       begin   = thread_seconds();
+    while (kept.n_steps < n_steps)
+      {
+        const ContactReport report = motion.advance();
+        ++kept.n_steps;
+        kept.n_iterations += report.iterations;
+        kept.n_sweeps += report.sweeps;
+        kept.worst_residual = std::max(kept.worst_residual, report.residual);
+        const auto &now     = motion.status();
+        for (std::size_t j = 0; j < now.size(); ++j)
+          if (now[j] != status[j])
+            kept.changes.push_back({motion.time(), j, now[j]});
+        status               = now;
+        linear_since_sample  = linear_since_sample && status == steady.status;
+        const unsigned int n = static_cast<unsigned int>(kept.n_steps);
+        if (n > n_steps / 2)
+          take_node_shares();
+        if (n % stride == 0)
+          {
+            take_sample(linear_since_sample);
+            linear_since_sample = true;
+          }
+        last_motion = motion.motion();
+        if (++n_since == steps_between_watches && watch)
+          {
+            kept.cpu_seconds += thread_seconds() - begin;
+            const bool stop = watch(n_since);
+            begin           = thread_seconds();
+            n_since         = 0;
+            if (stop)
+              return false;
+          }
+      }
+    kept.cpu_seconds += thread_seconds() - begin;
+    kept.n_inversions = motion.n_inversions();
+    if (watch && n_since > 0)
+      watch(n_since);
+    return true;
+  }
+
+
+
+  void
+  TransientRun::take_node_shares()
+  {
+    const double           speed  = pressed.speed();
+    const Eigen::VectorXd &u      = motion.motion();
+    const Eigen::VectorXd &lambda = motion.forces();
+    const double           way    = settings.time_step * speed *
+                       (1. + (settings.final_speed_ratio - 1.) * motion.time() /
+                               settings.end_time);
+    for (std::size_t j = 0; j < status.size(); ++j)
+      {
+        NodeShares &node = kept.nodes[j];
+        (status[j] == ContactStatus::open    ? node.open
+         : status[j] == ContactStatus::stick ? node.stick
+                                             : node.slip) += 1.;
+        const double along = u[3 * j + 1] - last_motion[3 * j + 1] +
+                             way * pressed.model().speed_ratio[j],
+                     across = u[3 * j + 2] - last_motion[3 * j + 2];
+        node.fastest_slip =
+          std::max(node.fastest_slip,
+                   std::hypot(along, across) / (settings.time_step * speed));
+        node.peak_pressure = std::max(
+          node.peak_pressure, lambda[3 * j] / pressed.geometry().areas[j]);
+      }
+  }
+
+
+
+  void
+  TransientRun::take_sample(const bool is_linear)
+  {
+    const auto            &g      = pressed.geometry();
+    const Eigen::VectorXd &lambda = motion.forces();
+    const Eigen::VectorXd &u      = motion.motion();
+    const auto             q      = tractions(g, lambda);
+    TransientSample        s;
+    s.time            = motion.time();
+    s.is_linear       = is_linear;
+    double edge_force = 0.;
+    for (std::size_t j = 0; j < status.size(); ++j)
+      {
+        s.radial += q[2 * j] * g.areas[j];
+        s.tangential += q[2 * j + 1] * g.areas[j];
+        s.normal += lambda[3 * j];
+        edge_force += edge[j] ? lambda[3 * j] : 0.;
+        s.n_open += status[j] == ContactStatus::open;
+        s.n_stick += status[j] == ContactStatus::stick;
+      }
+    s.leading_edge =
+      s.normal > 0. ? edge_force / edge_area * area / s.normal : 0.;
+    const auto           &observed = pressed.model().observed;
+    const Eigen::VectorXd x =
+      observed.evaluate(motion.coordinates(), motion.load_share(), lambda);
+    const Eigen::VectorXd a = observed.modes * motion.accelerations();
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        s.position[c]     = x[PressedModel::centre_x + c];
+        s.acceleration[c] = a[PressedModel::centre_x + c];
+      }
+    const EnergyLedger e = motion.ledger();
+    s.kinetic            = e.kinetic;
+    s.elastic            = e.elastic;
+    s.damping            = e.damping;
+    s.friction           = e.friction;
+    s.driving            = e.driving;
+    s.load               = e.load;
+    s.numerical          = e.numerical;
+    s.imbalance          = e.imbalance();
+    kept.samples.push_back(s);
+    if (!branches.empty())
+      {
+        const Eigen::VectorXcd all = linear.amplitudes(
+          steady, motion.coordinates(), motion.velocities(), lambda);
+        for (const unsigned int k : branches)
+          kept.amplitudes.push_back(all[k]);
+      }
+    if (s.time < settings.history_start - 1e-9)
+      return;
+    auto &h = kept.history;
+    h.time.push_back(s.time);
+    const double step = motion.time() > 0. ? settings.time_step : 1.;
+    for (std::size_t j = 0; j < status.size(); ++j)
+      {
+        const auto [tx, ty] = g.slip_direction[j];
+        const double way =
+          pressed.speed() * pressed.model().speed_ratio[j] *
+          (1. + (settings.final_speed_ratio - 1.) * s.time / settings.end_time);
+        const double along =
+                       (u[3 * j + 1] - last_motion[3 * j + 1]) / step + way,
+                     across = (u[3 * j + 2] - last_motion[3 * j + 2]) / step;
+        h.pressure.push_back(lambda[3 * j] / g.areas[j]);
+        h.traction.push_back(q[2 * j]);
+        h.traction.push_back(q[2 * j + 1]);
+        h.slip_rate.push_back(tx * along + ty * across);
+        h.slip_rate.push_back(ty * along - tx * across);
+        h.gap.push_back(
+          std::max(0., pressed.model().initial_gap[j] - u[3 * j]));
+        h.status.push_back(static_cast<double>(status[j]));
+      }
+    for (const double f : {s.radial, s.tangential, s.normal})
+      h.resultants.push_back(f);
+    for (unsigned int c = 0; c < 3; ++c)
+      h.probes.push_back(s.acceleration[c]);
+    for (const double e_now : {s.kinetic,
+                               s.elastic,
+                               s.damping,
+                               s.friction,
+                               s.driving,
+                               s.load,
+                               s.numerical})
+      h.energies.push_back(e_now);
+  }
+
+
+
+  const TransientRecord &
+  TransientRun::record() const
+  {
+    return kept;
+  }
+
+  unsigned int
+  TransientRun::n_steps_left() const
+  {
+    return n_steps - static_cast<unsigned int>(kept.n_steps);
+  }
+} // namespace squeal

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/eigen/shifted_hessenberg.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace squeal
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    Eigen::MatrixXcd
+    times(const Eigen::Ref<const Eigen::MatrixXd> &A, const Eigen::MatrixXcd &Z)
+    {
+      Eigen::MatrixXd both(Z.rows(), 2 * Z.cols());
+      both << Z.real(), Z.imag();
+      const Eigen::MatrixXd product = A * both;
+      Eigen::MatrixXcd      result(A.rows(), Z.cols());
+      result.real() = product.leftCols(Z.cols());
+      result.imag() = product.rightCols(Z.cols());
+      return result;
+    }
+  } // namespace
+
+
+
+  ShiftedHessenberg::ShiftedHessenberg(const Eigen::MatrixXd &K,
+                                       const Eigen::MatrixXd &M)
+  {
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(M);
+    if (cholesky.info() != Eigen::Success)
+      throw ComputationError("the mass matrix of a reduced model is not "
+                             "positive definite");
+    const Eigen::MatrixXd B = cholesky.matrixL().solve(K);
+    const Eigen::HessenbergDecomposition<Eigen::MatrixXd> hessenberg(
+      cholesky.matrixL().solve(B.transpose()).transpose());
+    H = hessenberg.matrixH();
+    // Q^T L^-1, the transposed of L^-T Q.
+    transform = cholesky.matrixU()
+                  .solve(Eigen::MatrixXd(hessenberg.matrixQ()))
+                  .transpose();
+  }
+
+  ShiftedHessenberg::Factor
+  ShiftedHessenberg::factor(const Complex s) const
+  {
+    return Factor(*this, s);
+  }
+
+  ShiftedHessenberg::Factor::Factor(const ShiftedHessenberg &o, const Complex s)
+    : owner(o)
+    , U(o.H.cast<Complex>())
+    , factors(Eigen::VectorXcd::Zero(o.H.rows()))
+    , exchanged(o.H.rows(), false)
+  {
+    U.diagonal().array() += s;
+    // Squares throughout: moduli would cost as much as the elimination.
+    const double least = std::numeric_limits<double>::epsilon() *
+                         std::sqrt(U.cwiseAbs2().maxCoeff());
+    const auto keep_away_from_zero = [&](Complex &pivot) {
+      if (std::norm(pivot) < least * least)
+        pivot = least;
+    };
+    for (Eigen::Index k = 0; k + 1 < U.rows(); ++k)
+      {
+        const Eigen::Index rest = U.cols() - k;
+        exchanged[k]            = std::norm(U(k + 1, k)) > std::norm(U(k, k));
+        if (exchanged[k])
+          U.row(k).tail(rest).swap(U.row(k + 1).tail(rest));
+        keep_away_from_zero(U(k, k));
+        factors[k] = U(k + 1, k) / U(k, k);
+        U.row(k + 1).tail(rest) -= factors[k] * U.row(k).tail(rest);
+      }
+    keep_away_from_zero(U(U.rows() - 1, U.cols() - 1));
+  }
+
+  Eigen::MatrixXcd
+  ShiftedHessenberg::Factor::solve(const Eigen::MatrixXcd &B) const
+  {
+    Eigen::MatrixXcd X = times(owner.transform, B);
+    for (Eigen::Index k = 0; k + 1 < U.rows(); ++k)
+      {
+        if (exchanged[k])
+          X.row(k).swap(X.row(k + 1));
+        X.row(k + 1) -= factors[k] * X.row(k);
+      }
+    U.triangularView<Eigen::Upper>().solveInPlace(X);
+    return times(owner.transform.transpose(), X);
+  }
+
+  Eigen::MatrixXcd
+  ShiftedHessenberg::Factor::solve_transposed(const Eigen::MatrixXcd &B) const
+  {
+    Eigen::MatrixXcd X = times(owner.transform, B);
+    U.transpose().triangularView<Eigen::Lower>().solveInPlace(X);
+    for (Eigen::Index k = U.rows() - 2; k >= 0; --k)
+      {
+        X.row(k) -= factors[k] * X.row(k + 1);
+        if (exchanged[k])
+          X.row(k).swap(X.row(k + 1));
+      }
+    return times(owner.transform.transpose(), X);
+  }
+} // namespace squeal

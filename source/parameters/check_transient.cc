@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      using Analysis = Parameters::Analysis;
+      using Kind     = SupportParameters::Kind;
+      using State    = ContactParameters::State;
+
+      /** What steady sliding needs of a scene. */
+      void
+      check_pressed_scene(const Parameters &p)
+      {
+        const SceneParameters &scene = p.scene;
+        if (scene.kind != SceneParameters::Kind::bodies)
+          refuse_entry("Scene", "Kind", "= matrices has no steady sliding");
+        if (scene.contacts.size() != 1)
+          refuse_entry("Scene",
+                       "Contacts",
+                       "has " + std::to_string(scene.contacts.size()) +
+                         " pairs: steady sliding and transients are computed "
+                         "for one");
+        const ContactParameters &c       = scene.contacts[0];
+        const std::string        section = "Scene/Contact " + c.name;
+        if (c.target_body == "ground")
+          refuse_entry(section,
+                       "Target body",
+                       "= ground: steady sliding needs meshed bodies");
+        if (c.formulation == ContactParameters::Formulation::springs &&
+            c.layout == ContactParameters::SpringLayout::quadrature)
+          refuse_entry(section,
+                       "Layout",
+                       "= quadrature: steady sliding is computed for grids of "
+                       "springs and for mortar contacts");
+        if (c.friction_slope != 0.)
+          refuse_entry(section,
+                       "Friction slope",
+                       "must be 0: the contact law of steady sliding and "
+                       "transients has a constant coefficient");
+        if (scene.loads.empty())
+          refuse_entry("Scene",
+                       "Loads",
+                       "is empty: name the force that presses the bodies "
+                       "together and add its section 'Load <name>'");
+      }
+
+      void
+      check_stiffness(const Parameters &p)
+      {
+        const PreloadParameters &l = p.preload;
+        if (l.stiffness_entry.empty() != l.stiffness_values.empty())
+          refuse_entry("Preload",
+                       "Stiffness values",
+                       "and 'Stiffness entry' belong together: give both or "
+                       "none");
+        if (l.stiffness_entry.empty())
+          return;
+        if (!starts_with(l.stiffness_entry, "Scene/"))
+          refuse_entry("Preload",
+                       "Stiffness entry",
+                       "= " + quoted(l.stiffness_entry) +
+                         ": only numbers of the scene can be changed");
+        try
+          {
+            get_number(p, l.stiffness_entry);
+          }
+        catch (const InputError &e)
+          {
+            refuse_entry(
+              "Preload", "Stiffness entry", std::string(": ") + e.what());
+          }
+      }
+
+      void
+      check_times(const Parameters &p)
+      {
+        const TransientParameters &t = p.transient;
+        if (!(t.time_step < t.end_time))
+          refuse_entry("Transient",
+                       "Time step",
+                       "= " + format_number(t.time_step) +
+                         " s must be below 'End time' = " +
+                         format_number(t.end_time) + " s");
+        if (t.sample_interval < t.time_step)
+          refuse_entry("Transient",
+                       "Sample interval",
+                       "= " + format_number(t.sample_interval) +
+                         " s is below the time step");
+        if (!(t.sample_interval * p.eigen.highest_frequency <= 0.4))
+          refuse_entry("Transient",
+                       "Sample interval",
+                       "= " + format_number(t.sample_interval) +
+                         " s is too long for 'Eigenvalues/Highest frequency' "
+                         "= " +
+                         format_number(p.eigen.highest_frequency) +
+                         " Hz: at most 0.4 of its period");
+        if (t.cut_off < p.eigen.highest_frequency)
+          refuse_entry("Transient",
+                       "Cut-off",
+                       "must not be below 'Eigenvalues/Highest frequency'");
+        if (t.history_start > t.end_time)
+          refuse_entry("Transient", "History start", "is after 'End time'");
+        if (!(p.scene.contacts[0].sliding_speed > 0.))
+          refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
+                       "Sliding speed",
+                       "must be greater than 0 for a transient; let it fall by "
+                       "'Transient/Final speed ratio'");
+      }
+
+      void
+      check_tops(const Parameters &p)
+      {
+        const TransientParameters &t        = p.transient;
+        const auto                &supports = p.scene.supports;
+        const bool                 has_top =
+          std::any_of(supports.begin(), supports.end(), [&](const auto &s) {
+            return s.name == t.top_support;
+          });
+        if (!t.tops.empty() && !has_top)
+          refuse_entry("Transient",
+                       "Top support",
+                       "= " + quoted(t.top_support) +
+                         " is not one of 'Scene/Supports'");
+        const bool is_held =
+          std::find(t.tops.begin(), t.tops.end(), "held") != t.tops.end() ||
+          std::any_of(supports.begin(), supports.end(), [](const auto &s) {
+            return s.kind == Kind::held;
+          });
+        if (is_held && t.start == TransientParameters::Start::ramp)
+          refuse_entry("Transient",
+                       "Start",
+                       "= ramp: a held support is kept where the loads have "
+                       "moved it; start from steady sliding");
+        if (t.start == TransientParameters::Start::ramp && t.compare_with_cea)
+          refuse_entry(
+            "Transient", "Compare with CEA", "needs 'Start = steady sliding'");
+      }
+    } // namespace
+
+
+
+    void
+    check_transient(const Parameters &p)
+    {
+      const bool has_preload_state =
+        std::any_of(p.scene.contacts.begin(),
+                    p.scene.contacts.end(),
+                    [](const auto &c) { return c.state == State::preload; });
+      if (has_preload_state && (p.analysis == Analysis::sweep ||
+                                p.analysis == Analysis::work_precision))
+        refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
+                     "Contact state",
+                     "= preload holds for one scene on one mesh: it is not "
+                     "available in sweeps and ladders");
+      const bool is_pressed =
+        p.analysis == Analysis::preload || p.analysis == Analysis::transient;
+      if ((is_pressed || has_preload_state) &&
+          p.discretization.refinement ==
+            DiscretizationParameters::Refinement::eigenvalue_error)
+        refuse_entry("Discretization",
+                     "Refinement",
+                     "= eigenvalue error: steady sliding and transients stay "
+                     "on one mesh; use none or uniform");
+      if (is_pressed || has_preload_state)
+        check_pressed_scene(p);
+      if (p.analysis == Analysis::preload)
+        check_stiffness(p);
+      if (p.analysis == Analysis::transient)
+        {
+          check_times(p);
+          check_tops(p);
+        }
+    }
+  } // namespace prm
+} // namespace squeal

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/declarations.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    namespace
+    {
+      void
+      declare_triggers(Schema &schema, TransientParameters &t)
+      {
+        schema.add("Friction impulse",
+                   t.friction_impulse,
+                   Allowed::number(-5., 5.),
+                   "What is added to the friction coefficient for a while, as "
+                   "a half sine: a trigger.");
+        schema.add("Friction impulse time",
+                   t.friction_impulse_time,
+                   Allowed::number(0.),
+                   "When it starts.",
+                   "s");
+        schema.add("Friction impulse duration",
+                   t.friction_impulse_duration,
+                   Allowed::positive(),
+                   "How long it lasts.",
+                   "s");
+        schema.enter_section("Hammer",
+                             "A short force on a face, as a half sine: a "
+                             "trigger.");
+        schema.add("Body",
+                   t.hammer.body,
+                   Allowed::text(),
+                   "Body that is struck; empty: none.");
+        schema.add("Face", t.hammer.face, Allowed::text(), "Its face.");
+        schema.add("Force",
+                   t.hammer.force,
+                   Allowed::vector(),
+                   "Largest force, spread evenly over the face.",
+                   "N");
+        schema.add(
+          "Time", t.hammer.time, Allowed::number(0.), "When it starts.", "s");
+        schema.add("Duration",
+                   t.hammer.duration,
+                   Allowed::positive(),
+                   "How long it lasts.",
+                   "s");
+        schema.leave_section();
+      }
+
+
+
+      void
+      declare_campaign(Schema &schema, TransientParameters &t)
+      {
+        schema.add(
+          "Tops",
+          t.tops,
+          Allowed::list(Allowed::one_of({"free", "guided", "held"}), 0, 3),
+          "Kinds of the support 'Top support' that are gone through, "
+          "beside the axes of 'Sweep'; empty: that of the scene.");
+        schema.add("Top support",
+                   t.top_support,
+                   Allowed::text(),
+                   "Support that 'Tops' is about.");
+        schema.add("Compare with CEA",
+                   t.compare_with_cea,
+                   "Solve the eigenvalue problem of the whole model about the "
+                   "same steady sliding and set its growth rates and "
+                   "frequencies beside those of the motion.");
+        schema.add("Campaign table",
+                   t.campaign_table,
+                   Allowed::text(),
+                   "Name of the table with one row for each point of the axes "
+                   "of 'Sweep' and each top.");
+        schema.add("Threads",
+                   t.threads,
+                   Allowed::integer(1, 256),
+                   "Runs of a campaign at a time.");
+      }
+    } // namespace
+
+
+
+    void
+    declare_preload(Schema &schema, PreloadParameters &p)
+    {
+      schema.enter_section("Preload",
+                           "Steady sliding under the loads, of 'Analysis = "
+                           "preload'.");
+      schema.add("Load steps",
+                 p.load_steps,
+                 Allowed::integer(1, 10000),
+                 "Equal shares of the load at which the contact is solved: "
+                 "the contact stiffness over the load; at 'Sliding speed = 0' "
+                 "the way on which nodes stick or slip.");
+      schema.add("Tolerance",
+                 p.tolerance,
+                 Allowed::positive(1e-2),
+                 "Largest violation of the contact law, relative to the mean "
+                 "force of a contact node.");
+      schema.add("Stiffness entry",
+                 p.stiffness_entry,
+                 Allowed::text(),
+                 "A number of the scene, such as 'Scene/Body pad/Young "
+                 "modulus', over which the contact stiffness is computed; "
+                 "empty: none.");
+      schema.add("Stiffness values",
+                 p.stiffness_values,
+                 Allowed::list(Allowed::number()),
+                 "Its values.",
+                 "those of the entry");
+      schema.leave_section();
+    }
+
+
+
+    void
+    declare_transient(Schema &schema, TransientParameters &t)
+    {
+      schema.enter_section("Transient",
+                           "Motion in time, of 'Analysis = transient'. With "
+                           "axes in 'Sweep' one run for each of their points.");
+      schema.add("Start",
+                 t.start,
+                 "Steady sliding under the full loads with a small "
+                 "disturbance, or rest, the loads growing by their 'Ramp "
+                 "time'.");
+      schema.add("Disturbance",
+                 t.disturbance,
+                 Allowed::number(0.),
+                 "Kinetic energy at the start, shared by all modes alike.",
+                 "J");
+      schema.add("Cut-off",
+                 t.cut_off,
+                 Allowed::positive(),
+                 "Modes of the bodies up to this frequency move; those above "
+                 "follow without inertia.",
+                 "Hz");
+      schema.add(
+        "Time step", t.time_step, Allowed::positive(), "Time step.", "s");
+      schema.add(
+        "End time", t.end_time, Allowed::positive(), "Simulated time.", "s");
+      schema.add("Tolerance",
+                 t.tolerance,
+                 Allowed::positive(1e-2),
+                 "Largest violation of the contact law in a step, relative to "
+                 "the mean force of a contact node.");
+      schema.add("Sample interval",
+                 t.sample_interval,
+                 Allowed::positive(),
+                 "Time between two samples of the results, rounded to whole "
+                 "steps.",
+                 "s");
+      schema.add("History start",
+                 t.history_start,
+                 Allowed::number(0.),
+                 "Time from which the fields of the contact nodes are kept in "
+                 "contact_history.h5.",
+                 "s");
+      schema.add("Final speed ratio",
+                 t.final_speed_ratio,
+                 Allowed::number(),
+                 "Sliding speed at the end over that at the start; linear in "
+                 "time, negative values reverse it.");
+      schema.add("Checkpoint file",
+                 t.checkpoint_file,
+                 Allowed::text(),
+                 "HDF5 file that a stopped run continues from, relative to the "
+                 "working directory; empty: the name of the output directory "
+                 "and '_checkpoint.h5'.");
+      schema.add("Checkpoint interval",
+                 t.checkpoint_interval,
+                 Allowed::number(0.),
+                 "Time between two checkpoints; 0: only when the run is "
+                 "stopped by SIGTERM or SIGINT.",
+                 "s of wall time");
+      schema.add("Resume",
+                 t.resume,
+                 "Continue from the checkpoint file if it belongs to the same "
+                 "parameters; a campaign leaves out the runs it has finished.");
+      declare_campaign(schema, t);
+      declare_triggers(schema, t);
+      schema.leave_section();
+    }
+  } // namespace prm
+} // namespace squeal

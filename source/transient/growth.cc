@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/transient/growth.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr std::size_t n_parts = 8, fewest_samples = 64;
+    /** Two-sided 95 % of Student's t with seven degrees of freedom. */
+    constexpr double student = 2.365;
+
+    double
+    slope(const std::vector<double> &x,
+          const std::vector<double> &y,
+          const std::size_t          first,
+          const std::size_t          last)
+    {
+      const double n  = static_cast<double>(last - first);
+      double       mx = 0., my = 0., xx = 0., xy = 0.;
+      for (std::size_t i = first; i < last; ++i)
+        {
+          mx += x[i] / n;
+          my += y[i] / n;
+        }
+      for (std::size_t i = first; i < last; ++i)
+        {
+          xx += (x[i] - mx) * (x[i] - mx);
+          xy += (x[i] - mx) * (y[i] - my);
+        }
+      return xy / xx;
+    }
+
+    /** Slope over all and the half width of its interval by those of parts. */
+    std::pair<double, double>
+    slope_with_interval(const std::vector<double> &x,
+                        const std::vector<double> &y)
+    {
+      double mean = 0., square = 0.;
+      for (std::size_t k = 0; k < n_parts; ++k)
+        {
+          const double s =
+            slope(x, y, k * x.size() / n_parts, (k + 1) * x.size() / n_parts);
+          mean += s / n_parts;
+          square += s * s / n_parts;
+        }
+      const double variance = std::max(0., square - mean * mean);
+      return {slope(x, y, 0, x.size()),
+              student * std::sqrt(variance / (n_parts - 1.))};
+    }
+  } // namespace
+
+
+
+  double
+  GrowthFit::e_foldings() const
+  {
+    return std::abs(rate) * (end - start);
+  }
+
+
+
+  GrowthFit
+  fit_growth(const std::vector<double>               &times,
+             const std::vector<std::complex<double>> &amplitudes,
+             const std::size_t                        first,
+             const std::size_t                        last)
+  {
+    GrowthFit fit;
+    if (last < first + fewest_samples)
+      return fit;
+    std::vector<double> t, logs, phases;
+    for (std::size_t i = first; i < last; ++i)
+      {
+        const double size = std::abs(amplitudes[i]);
+        if (!(size > 0.))
+          return fit;
+        t.push_back(times[i]);
+        logs.push_back(std::log(size));
+        const double phase = std::arg(amplitudes[i]);
+        phases.push_back(
+          phases.empty()
+            ? phase
+            : phases.back() + std::remainder(phase - phases.back(), 2. * M_PI));
+      }
+    std::tie(fit.rate, fit.rate_ci) = slope_with_interval(t, logs);
+    const auto turning              = slope_with_interval(t, phases);
+    fit.frequency                   = turning.first / (2. * M_PI);
+    fit.frequency_ci                = turning.second / (2. * M_PI);
+    fit.start                       = t.front();
+    fit.end                         = t.back();
+    fit.is_valid                    = true;
+    return fit;
+  }
+
+
+
+  std::pair<std::size_t, std::size_t>
+  fit_window(const std::vector<std::complex<double>> &amplitudes,
+             const std::size_t                        first,
+             const std::size_t                        last,
+             const bool                               decays)
+  {
+    if (!decays)
+      return {first + (last - first) / 3, last};
+    std::size_t end = first;
+    while (end < last &&
+           std::abs(amplitudes[end]) > 1e-3 * std::abs(amplitudes[first]))
+      ++end;
+    return {first, end};
+  }
+} // namespace squeal

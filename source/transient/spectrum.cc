@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/transient/spectrum.h>
+
+#include <unsupported/Eigen/FFT>
+
+#include <cmath>
+#include <complex>
+
+namespace squeal
+{
+  double
+  Spectrum::peak(const double lowest, const double highest) const
+  {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k + 1 < density.size(); ++k)
+      if (frequency[k] >= lowest && frequency[k] <= highest &&
+          (best == 0 || density[k] > density[best]))
+        best = k;
+    if (best == 0 || !(density[best] > 0.))
+      return 0.;
+    const double a         = std::log(std::max(density[best - 1], 1e-300)),
+                 b         = std::log(density[best]),
+                 c         = std::log(std::max(density[best + 1], 1e-300));
+    const double curvature = a - 2. * b + c;
+    const double shift     = curvature < 0. ? 0.5 * (a - c) / curvature : 0.;
+    return frequency[best] + shift * (frequency[1] - frequency[0]);
+  }
+
+
+
+  double
+  Spectrum::line_rms(const double centre, const double relative_width) const
+  {
+    double sum = 0.;
+    for (std::size_t k = 1; k < density.size(); ++k)
+      if (std::abs(frequency[k] - centre) <= relative_width * centre)
+        sum += density[k] * (frequency[1] - frequency[0]);
+    return std::sqrt(sum);
+  }
+
+
+
+  Spectrum
+  power_spectrum(const std::vector<double> &signal,
+                 const double               interval,
+                 const unsigned int         n_parts)
+  {
+    Spectrum          result;
+    const std::size_t length = 2 * signal.size() / (n_parts + 1) / 2 * 2;
+    if (length < 8)
+      return result;
+    double mean = 0.;
+    for (const double x : signal)
+      mean += x / signal.size();
+    std::vector<double> window(length);
+    double              power = 0.;
+    for (std::size_t i = 0; i < length; ++i)
+      {
+        window[i] = 0.5 * (1. - std::cos(2. * M_PI * i / length));
+        power += window[i] * window[i];
+      }
+    result.density.assign(length / 2 + 1, 0.);
+    Eigen::FFT<double>                fft;
+    std::vector<std::complex<double>> transformed;
+    for (unsigned int part = 0; part < n_parts; ++part)
+      {
+        std::vector<double> x(length);
+        const std::size_t   first = part * (length / 2);
+        for (std::size_t i = 0; i < length; ++i)
+          x[i] = window[i] * (signal[first + i] - mean);
+        fft.fwd(transformed, x);
+        for (std::size_t k = 0; k < result.density.size(); ++k)
+          result.density[k] +=
+            2. * std::norm(transformed[k]) * interval / power / n_parts;
+      }
+    for (std::size_t k = 0; k < result.density.size(); ++k)
+      result.frequency.push_back(k / (length * interval));
+    return result;
+  }
+
+
+
+  double
+  phase_difference(const std::vector<double> &a,
+                   const std::vector<double> &b,
+                   const double               interval,
+                   const double               frequency)
+  {
+    std::complex<double> A = 0., B = 0.;
+    double               mean_a = 0., mean_b = 0.;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        mean_a += a[i] / a.size();
+        mean_b += b[i] / b.size();
+      }
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        const double window =
+          0.5 * (1. - std::cos(2. * M_PI * (i + 0.5) / a.size()));
+        const auto turn =
+          window * std::polar(1., -2. * M_PI * frequency * interval * i);
+        A += (a[i] - mean_a) * turn;
+        B += (b[i] - mean_b) * turn;
+      }
+    return std::arg(B * std::conj(A)) * 180. / M_PI;
+  }
+} // namespace squeal

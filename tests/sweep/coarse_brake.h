@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef tests_sweep_coarse_brake_h
+#define tests_sweep_coarse_brake_h
+
+#include <squeal/contact/contact_terms.h>
+#include <squeal/eigen/direct_solver.h>
+#include <squeal/sweep/basis_builder.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  namespace testing
+  {
+    /** A TriboBrake of few cells over the box of the shipped stability map. */
+    struct CoarseBrake
+    {
+      explicit CoarseBrake(const std::vector<std::string> &settings = {})
+        : parameters(read(settings))
+        , discretization(parameters.scene,
+                         parameters.discretization,
+                         2,
+                         MPI_COMM_SELF)
+        , linearized(
+            linearized_system(discretization, assemble_bodies(discretization)))
+        , grid(parameters)
+        , system(linearized.system, grid)
+      {
+        options.band                = {2000., 6000.};
+        options.frequency_tolerance = parameters.sweep.frequency_tolerance;
+        options.sigma_tolerance     = parameters.sweep.sigma_tolerance;
+      }
+
+      ComplexPairs
+      solve(const ReducedModel &model, const SweepPoint &point) const
+      {
+        return solve_point(
+          model, point, system.coefficients(point), options.band);
+      }
+
+      /** Without a basis, pairs about the middle of the band. */
+      ComplexPairs
+      direct(const SceneParameters &scene) const
+      {
+        const Pencil       pencil(system.merged(), scene);
+        const DirectSolver solver(pencil, {0., 2. * M_PI * 4000.});
+        return solver.solve(26);
+      }
+
+      Parameters       parameters;
+      Discretization   discretization;
+      LinearizedSystem linearized;
+      SweepGrid        grid;
+      ParametricSystem system;
+      BasisOptions     options;
+
+    private:
+      static Parameters
+      read(std::vector<std::string> settings)
+      {
+        settings.insert(settings.end(),
+                        {"Scene/Body disc/Cells = 16, 3, 1",
+                         "Scene/Body pad/Cells = 2, 2, 2",
+                         "Scene/Body support/Cells = 2, 2, 6"});
+        return read_parameters(
+          SQUEAL_SOURCE_DIR "/prm/tribobrake/stability_map.prm", settings);
+      }
+    };
+  } // namespace testing
+} // namespace squeal
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Growth rates of complex amplitudes and spectra of signals that are known.
+
+#include "check.h"
+
+#include <squeal/transient/growth.h>
+#include <squeal/transient/spectrum.h>
+
+#include <cmath>
+#include <random>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  void
+  rates()
+  {
+    std::minstd_rand                 generator(3);
+    std::normal_distribution<double> noise(0., 1e-3);
+    for (const double rate : {-80., 5., 400.})
+      {
+        std::vector<double>  times;
+        std::vector<Complex> a;
+        for (unsigned int i = 0; i < 2000; ++i)
+          {
+            times.push_back(2e-5 * i);
+            a.push_back(
+              std::exp(Complex(rate, 2. * M_PI * 3430.) * times.back()) *
+              (1. + Complex(noise(generator), noise(generator))));
+          }
+        const auto      window = fit_window(a, 0, a.size(), rate < 0.);
+        const GrowthFit fit = fit_growth(times, a, window.first, window.second);
+        check(fit.is_valid, "a fit");
+        check(std::abs(fit.rate - rate) <= 2. * fit.rate_ci,
+              "the rate lies within twice its interval");
+        check(fit.rate_ci < 0.1 + 0.01 * std::abs(rate), "which is narrow");
+        check(std::abs(fit.frequency - 3430.) < 0.05, "frequency");
+        check(std::abs(fit.e_foldings() -
+                       std::abs(fit.rate) * (times[window.second - 1] -
+                                             times[window.first])) < 1e-9,
+              "e-foldings of the window");
+      }
+    check(!fit_growth({0., 1.}, {1., 1.}, 0, 2).is_valid,
+          "two samples are no window");
+  }
+
+  void
+  spectra()
+  {
+    const double        dt = 1e-5, f = 3433.7;
+    std::vector<double> x, y;
+    for (unsigned int i = 0; i < 8000; ++i)
+      {
+        const double phase = 2. * M_PI * f * dt * i;
+        x.push_back(100. + 3. * std::cos(phase) + 0.5 * std::cos(2. * phase));
+        y.push_back(50. + 2. * std::cos(phase - 1.));
+      }
+    const Spectrum s = power_spectrum(x, dt);
+    check(std::abs(s.peak(900., 40e3) - f) < 0.5, "the largest line");
+    check(std::abs(s.line_rms(f, 0.02) - 3. / std::sqrt(2.)) < 0.01,
+          "rms of the line");
+    check(std::abs(s.line_rms(2. * f, 0.01) - 0.5 / std::sqrt(2.)) < 0.01,
+          "rms of its second harmonic");
+    check(std::abs(phase_difference(x, y, dt, f) + 180. / M_PI) < 0.5,
+          "the second signal lags by 1 rad");
+    double       sum   = 0.;
+    const auto   parts = power_spectrum(x, dt, 5);
+    const double df    = parts.frequency[1];
+    for (const double density : parts.density)
+      sum += density * df;
+    check(std::abs(sum - (9. + 0.25) / 2.) < 0.05,
+          "the density adds up to the variance");
+  }
+} // namespace
+
+int
+main()
+{
+  rates();
+  spectra();
+}

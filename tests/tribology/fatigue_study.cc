@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The chain from histories to a verdict, with the program. Cracks that follow
+// the damage are found to do so, cracks that do not are not; a verdict on made
+// images says so. Arguments: the program, the folder of the parameter files.
+#include "../driver/program.h"
+
+#include <squeal/results/table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+using namespace squeal;
+using namespace squeal::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+  std::string program;
+
+  void
+  run(const std::vector<std::string> &arguments)
+  {
+    std::vector<std::string> line = {program};
+    line.insert(line.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run_program(line);
+    check(outcome.code == 0, arguments.back() + ": " + outcome.errors);
+  }
+
+
+
+  /** Verdict on crack density against damage of the pads. */
+  std::map<int, std::string>
+  verdicts(const std::string &directory)
+  {
+    const auto json =
+      nlohmann::json::parse(text_of(directory + "/correlation.json"));
+    check(json.at("synthetic").get<bool>(), "the result is marked synthetic");
+    std::map<int, std::string> result;
+    for (const auto &link : json.at("links"))
+      {
+        const std::string verdict = link.at("verdict");
+        check(verdict.rfind("synthetic: ", 0) == 0, "a verdict says synthetic");
+        if (link.at("index") == "damage_m3_per_s" &&
+            link.at("feature") == "crack_density_per_m")
+          result[link.at("pad")] = verdict;
+      }
+    for (const auto &group : json.at("groups"))
+      check(group.at("verdict") == "synthetic: undecided",
+            "one pad for a group decides nothing");
+    return result;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 3, "two arguments");
+  program              = argv[1];
+  const fs::path study = argv[2];
+  // The results of the shipped files are relative to the working directory,
+  // what they read to the files.
+  fs::remove_all("study");
+  fs::create_directories("study/prm/tribobrake/fatigue_study");
+  std::vector<std::string> files;
+  for (const auto &entry : fs::directory_iterator(study))
+    files.push_back(entry.path().filename());
+  std::sort(files.begin(), files.end());
+  for (const std::string &file : files)
+    fs::copy_file(study / file, "study/prm/tribobrake/fatigue_study/" + file);
+  fs::current_path("study");
+  for (const std::string &file : files)
+    run({"prm/tribobrake/fatigue_study/" + file});
+  const std::string results = "output/tribobrake/fatigue_study/";
+  auto              found   = verdicts(results + "correlation");
+  check(found.at(1) == "synthetic: supported",
+        "cracks that follow the damage: " + found.at(1));
+  check(found.at(2) != "synthetic: supported",
+        "the silent pad shows no link: " + found.at(2));
+  const std::string report = text_of(results + "correlation/report.html");
+  for (const char *text : {"In short",
+                           "What was done",
+                           "data:image/png",
+                           "made, not photographed"})
+    check(report.find(text) != std::string::npos,
+          std::string("the report has: ") + text);
+  check(report.find("src=\"http") == std::string::npos &&
+          report.find("href=\"http") == std::string::npos,
+        "the report needs no network");
+
+  // The same chain with cracks anywhere.
+  for (const std::string &seed : {"21", "22", "23"})
+    {
+      run({"--set",
+           "Synthetic specimen/Link strength = 0",
+           "--set",
+           "Synthetic specimen/Seed = " + seed,
+           "prm/tribobrake/fatigue_study/5_squealing_images.prm"});
+      run({"--set",
+           "Images = " + fs::absolute(results + "squealing_images/specimen_00" +
+                                      seed + ".png")
+                           .string(),
+           "prm/tribobrake/fatigue_study/7_squealing_segmentation.prm"});
+      run({"prm/tribobrake/fatigue_study/9_correlation.prm"});
+      found = verdicts(results + "correlation");
+      check(found.at(1) != "synthetic: supported",
+            "no link, seed " + seed + ": " + found.at(1));
+    }
+  return 0;
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/text.h>
+#include <squeal/results/table.h>
+#include <squeal/tribology/driver/study_report.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    constexpr int picture_width = 820; // pixels
+
+    const std::map<std::string, std::string> &
+    meanings()
+    {
+      static const std::map<std::string, std::string> texts = {
+        {"recorded history",
+         "contact pressure, traction and slip of every node over time, from a "
+         "documented generator or a measured table"},
+        {"transient", "computed contact history of the turning disc"},
+        {"damage",
+         "load cycles of every node counted and added up; stresses below the "
+         "face; friction power and impacts"},
+        {"synthetic specimen",
+         "made images with known cracks, not photographs of a pad"},
+        {"segmentation", "cracks, exfoliations and plateaus found in images"},
+        {"correlation", "maps of damage against maps of features"}};
+      return texts;
+    }
+
+
+
+    std::string
+    figures_text(const RunRecord &record)
+    {
+      std::string text;
+      for (const auto &[name, value] : record.figures)
+        text += (text.empty() ? "" : "; ") + name + ": " + value;
+      return text;
+    }
+
+
+
+    std::string
+    interval_text(const LinkTest &test)
+    {
+      if (!std::isfinite(test.r))
+        return "one of the maps is the same everywhere";
+      return "r = " + rounded_text(test.r, 2) + ", between " +
+             rounded_text(test.interval[0], 2) + " and " +
+             rounded_text(test.interval[1], 2);
+    }
+
+
+
+    /** A smaller copy of a picture; empty where there is none. */
+    std::string
+    reduced(const std::string &from, const std::string &to)
+    {
+      const cv::Mat image = cv::imread(from, cv::IMREAD_COLOR);
+      if (image.empty())
+        return "";
+      const double scale = std::min(1., double(picture_width) / image.cols);
+      cv::Mat      small;
+      cv::resize(image, small, cv::Size(), scale, scale, cv::INTER_AREA);
+      cv::imwrite(to, small);
+      return to;
+    }
+  } // namespace
+
+
+
+  StudyRuns::StudyRuns(const std::vector<std::string> &directories)
+  {
+    for (const std::string &directory : directories)
+      runs.push_back({directory, read_run_record(directory + "/run.json")});
+  }
+
+
+
+  void
+  StudyRuns::add_steps(HtmlReport &report) const
+  {
+    std::vector<std::string> steps;
+    for (const Run &run : runs)
+      {
+        const auto        it      = meanings().find(run.record.analysis);
+        const std::string figures = figures_text(run.record);
+        steps.push_back("Step " + std::to_string(steps.size() + 1) + ", " +
+                        run.record.scene + " (" + run.record.analysis + ")" +
+                        (it == meanings().end() ? "" : ": " + it->second) +
+                        "." +
+                        (figures.empty() ? "" : " Result: " + figures + "."));
+      }
+    report.list(steps);
+  }
+
+
+
+  void
+  StudyRuns::add_damage(HtmlReport &report) const
+  {
+    report.paragraph(
+      "Where no constants of the material were given damage is an index: the "
+      "sum of (amplitude over a reference stress) to the power m over all load "
+      "cycles. It ranks places and runs and says nothing about life; several "
+      "slopes m stand side by side because nobody has published one for brake "
+      "pads.");
+    for (const Run &run : runs)
+      {
+        if (run.record.analysis != "damage")
+          continue;
+        const std::string plots  = run.directory + "/plots/";
+        const Table       totals = read_csv(run.directory + "/totals.csv");
+        // One row alone compares nothing; the steps above have its figures.
+        if (totals.n_rows() > 1)
+          report.table(
+            totals, "Over the whole face: " + run.record.scene, {}, {}, false);
+        report.figure(plots + "damage_maps.png",
+                      "Damage of " + run.record.scene +
+                        ", seen from the disc; the leading edge is below.");
+        report.figure(plots + "ratio_maps.png",
+                      "Squealing over silent run, node by node.");
+        report.figure(plots + "depths.png",
+                      "Largest value of each criterion against depth.",
+                      true);
+      }
+  }
+
+
+
+  void
+  StudyRuns::add_images(HtmlReport &report, Context &context) const
+  {
+    report.paragraph(
+      "Each image lies on the pad by its stage position and is cut into the "
+      "nodal cells of the damage map. y points down in images: the leading "
+      "edge of the pad is above, in maps below.");
+    for (const bool pictures : {false, true})
+      for (const Run &run : runs)
+        {
+          if (run.record.analysis != "segmentation")
+            continue;
+          const Table table = read_csv(run.directory + "/segmentation.csv");
+          if (pictures)
+            add_overlays(report, context, run, table);
+          else
+            report.table(table, "Images of " + run.record.scene);
+        }
+  }
+
+
+
+  void
+  StudyRuns::add_overlays(HtmlReport  &report,
+                          Context     &context,
+                          const Run   &run,
+                          const Table &table)
+  {
+    constexpr std::size_t n_shown = 2;
+    const std::string     name    = fs::path(run.directory).filename();
+    for (std::size_t i = 0; i < std::min(n_shown, table.n_rows()); ++i)
+      {
+        const std::string stem = table.text(i, "image");
+        report.figure(
+          reduced(run.directory + "/" + stem + "_overlay.png",
+                  context.output.file("plots/" + name + "_" + stem + ".png")),
+          run.record.scene + ", " + stem +
+            ": cracks in red, outlines of exfoliations in purple, of contact "
+            "plateaus in blue.",
+          true);
+      }
+  }
+
+
+
+  void
+  StudyRuns::add_commands(HtmlReport &report) const
+  {
+    std::string text;
+    for (const Run &run : runs)
+      text += "./squeal run " + run.record.parameter_file + "\n";
+    report.code(text);
+  }
+
+
+
+  std::vector<std::string>
+  in_plain_words(const std::vector<PadLink>     &links,
+                 const std::vector<GroupResult> &groups,
+                 const CorrelationParameters    &p)
+  {
+    std::vector<std::string> sentences;
+    if (p.is_synthetic)
+      sentences.push_back(
+        "The images are made, not photographed: what follows tests the "
+        "method and says nothing about a brake.");
+    std::size_t n_pads = 0;
+    for (const PadLink &l : links)
+      n_pads = std::max(n_pads, l.pad + 1);
+    for (std::size_t pad = 0; pad < n_pads; ++pad)
+      {
+        std::vector<std::string> found[3];
+        for (const PadLink &l : links)
+          if (l.pad == pad)
+            found[static_cast<int>(l.test.verdict)].push_back(
+              l.index + " with " + l.feature + " (" + interval_text(l.test) +
+              ")");
+        std::string text = "Pad " + std::to_string(pad + 1);
+        if (pad < p.groups.size())
+          text += " (" + p.groups[pad] + ")";
+        const char *const words[3] = {
+          "damage and features lie at the same places: ",
+          "a link worth having is not there: ",
+          "these images cannot tell: "};
+        const Verdict kinds[3] = {
+          Verdict::supported, Verdict::contradicted, Verdict::undecided};
+        for (int k = 0; k < 3; ++k)
+          if (const auto &list = found[static_cast<int>(kinds[k])];
+              !list.empty())
+            sentences.push_back(text + ", " +
+                                verdict_text(kinds[k], p.is_synthetic) + ": " +
+                                words[k] + prm::join(list, "; ") + ".");
+      }
+    for (const GroupResult &g : groups)
+      sentences.push_back("Squealing against silent pads, " + g.feature + ": " +
+                          verdict_text(g.verdict, p.is_synthetic) + ". " +
+                          g.reason);
+    return sentences;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/path_evidence.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr int    n_directions = OrientedContrast::n_directions;
+    constexpr int    n_headings   = 2 * n_directions;
+    constexpr int    n_steps      = 6; // samples in each half
+    constexpr int    step         = 3; // pixels
+    constexpr double turn_cost    = 0.5;
+    constexpr float  weaker_half  = 0.5F;
+    constexpr float  own_weight   = 6.F; // of the pixel, for sharp crests
+    constexpr int    halo         = n_steps * step + 1; // pixels
+    constexpr int    tile         = 160;                // pixels, fits a cache
+
+    cv::Point
+    step_along(const int heading)
+    {
+      const double a = CV_PI * heading / n_directions;
+      return {cvRound(step * std::cos(a)), cvRound(step * std::sin(a))};
+    }
+
+
+
+    /** The part of the image around one tile. */
+    class Tile
+    {
+    public:
+      Tile(const OrientedContrast &contrast, const cv::Rect &inside)
+        : inside(inside)
+      {
+        const cv::Size size   = contrast.planes[0].size();
+        const cv::Rect window = cv::Rect(inside.x - halo,
+                                         inside.y - halo,
+                                         inside.width + 2 * halo,
+                                         inside.height + 2 * halo) &
+                                cv::Rect({0, 0}, size);
+        const int top  = halo - (inside.y - window.y),
+                  left = halo - (inside.x - window.x);
+        const int rows = inside.height + 2 * halo,
+                  cols = inside.width + 2 * halo;
+        for (int t = 0; t < n_directions; ++t)
+          // Nothing is known outside of the image.
+          cv::copyMakeBorder(contrast.planes[t](window),
+                             local[t],
+                             top,
+                             rows - window.height - top,
+                             left,
+                             cols - window.width - left,
+                             cv::BORDER_CONSTANT,
+                             cv::Scalar(0));
+        for (int h = 0; h < n_headings; ++h)
+          {
+            ahead[h] = cv::Mat::zeros(rows, cols, CV_16S);
+            whole[h].create(rows, cols, CV_16S);
+          }
+      }
+
+      void
+      run(PathEvidence &evidence)
+      {
+        for (int k = 1; k <= n_steps; ++k)
+          advance(k);
+        const float unit        = 1.F / OrientedContrast::per_unit;
+        const float scale       = unit / (2 * n_steps + 1),
+                    sharp_scale = unit / (2 * n_steps + own_weight);
+        for (int y = 0; y < inside.height; ++y)
+          {
+            float *mean = evidence.mean.ptr<float>(y + inside.y) + inside.x;
+            uchar *direction =
+              evidence.direction.ptr<uchar>(y + inside.y) + inside.x;
+            float *own   = evidence.local.ptr<float>(y + inside.y) + inside.x;
+            float *sharp = evidence.sharp.ptr<float>(y + inside.y) + inside.x;
+            std::fill(sharp, sharp + inside.width, -1e9F);
+            std::fill(mean, mean + inside.width, -1e9F);
+            for (int t = 0; t < n_directions; ++t)
+              {
+                const auto row = [&](const cv::Mat &m) {
+                  return m.ptr<std::int16_t>(y + halo) + halo;
+                };
+                const std::int16_t *r = row(local[t]), *a = row(ahead[t]),
+                                   *b = row(ahead[t + n_directions]);
+                for (int x = 0; x < inside.width; ++x)
+                  {
+                    const float sum  = float(a[x]) + float(b[x]);
+                    const float less = float(std::min(a[x], b[x]));
+                    const float halves =
+                      weaker_half * 2.F * less + (1.F - weaker_half) * sum;
+                    const float v = sharp_scale * (own_weight * r[x] + halves);
+                    direction[x]  = v > sharp[x] ? uchar(t) : direction[x];
+                    own[x]        = v > sharp[x] ? unit * r[x] : own[x];
+                    sharp[x]      = std::max(v, sharp[x]);
+                    mean[x]       = std::max(scale * (r[x] + halves), mean[x]);
+                  }
+              }
+          }
+      }
+
+    private:
+      /** One more sample in front of each heading. */
+      void
+      advance(const int k)
+      {
+        for (int h = 0; h < n_headings; ++h)
+          cv::add(local[h % n_directions], ahead[h], whole[h]);
+        const auto cost = std::int16_t(turn_cost * OrientedContrast::per_unit);
+        // What lies farther out than the remaining steps does not matter.
+        const int border = k * step;
+        for (int h = 0; h < n_headings; ++h)
+          {
+            const int left     = (h + n_headings - 1) % n_headings,
+                      right    = (h + 1) % n_headings;
+            const cv::Point d0 = step_along(h), d1 = step_along(left),
+                            d2 = step_along(right);
+            for (int y = border; y < ahead[h].rows - border; ++y)
+              {
+                const auto at = [&](const cv::Mat &m, const cv::Point &d) {
+                  return m.ptr<std::int16_t>(y + d.y) + d.x;
+                };
+                const std::int16_t *s = at(whole[h], d0),
+                                   *a = at(whole[left], d1),
+                                   *b = at(whole[right], d2);
+                std::int16_t *out     = ahead[h].ptr<std::int16_t>(y);
+                for (int x = border; x < ahead[h].cols - border; ++x)
+                  out[x] = std::max<std::int16_t>(
+                    s[x], std::int16_t(std::max(a[x], b[x]) - cost));
+              }
+          }
+      }
+
+      cv::Rect                          inside;
+      std::array<cv::Mat, n_directions> local;
+      std::array<cv::Mat, n_headings>   ahead, whole;
+    };
+  } // namespace
+
+
+
+  PathEvidence
+  integrate_paths(const OrientedContrast &contrast)
+  {
+    const cv::Size size = contrast.planes[0].size();
+    PathEvidence   evidence;
+    evidence.mean.create(size, CV_32F);
+    evidence.local.create(size, CV_32F);
+    evidence.sharp.create(size, CV_32F);
+    evidence.direction = cv::Mat::zeros(size, CV_8U);
+    for (int y = 0; y < size.height; y += tile)
+      for (int x = 0; x < size.width; x += tile)
+        Tile(contrast, cv::Rect(x, y, tile, tile) & cv::Rect({0, 0}, size))
+          .run(evidence);
+    return evidence;
+  }
+} // namespace squeal::tribology
