@@ -121,6 +121,7 @@ set(SQUEAL_SOURCES_SWEEP
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/contact_solver.cc
     source/transient/growth.cc
+    source/transient/kept_inverse.cc
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
     source/transient/spectrum.cc
@@ -155,6 +156,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/vtk_xml.cc)
 
 set(SQUEAL_SOURCES_DRIVER
+    source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
     source/driver/command_line.cc

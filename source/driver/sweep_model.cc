@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/memory.h>
@@ -19,18 +20,6 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
-
-    Eigen::MatrixXcd
-    times(const Eigen::MatrixXd &A, const Eigen::MatrixXcd &Z)
-    {
-      Eigen::MatrixXd both(Z.rows(), 2 * Z.cols());
-      both << Z.real(), Z.imag();
-      const Eigen::MatrixXd product = A * both;
-      Eigen::MatrixXcd      result(A.rows(), Z.cols());
-      result.real() = product.leftCols(Z.cols());
-      result.imag() = product.rightCols(Z.cols());
-      return result;
-    }
 
     /** FNV-1a, 64 bits. */
     std::string

@@ -2,6 +2,7 @@
 
 // eigenvalues.csv, unstable_ranges.csv and exceptional_points.csv of a sweep.
 
+#include <squeal/base/dense_products.h>
 #include <squeal/driver/cea_quantities.h>
 #include <squeal/driver/sweep_solution.h>
 
@@ -15,15 +16,6 @@ namespace squeal
   {
     using Complex = std::complex<double>;
     using Type    = Table::Type;
-
-    Eigen::MatrixXcd
-    times(const Eigen::MatrixXd &A, const Eigen::MatrixXcd &Z)
-    {
-      Eigen::MatrixXcd result(A.rows(), Z.cols());
-      result.real() = A * Z.real();
-      result.imag() = A * Z.imag();
-      return result;
-    }
 
     /** -2 pi Im(x^H K_f x) over |lambda|^2 x^H M x, with x^H M x = 1. */
     std::vector<double>

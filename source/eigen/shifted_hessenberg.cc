@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/eigen/shifted_hessenberg.h>
 
@@ -14,18 +15,6 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
-
-    Eigen::MatrixXcd
-    times(const Eigen::Ref<const Eigen::MatrixXd> &A, const Eigen::MatrixXcd &Z)
-    {
-      Eigen::MatrixXd both(Z.rows(), 2 * Z.cols());
-      both << Z.real(), Z.imag();
-      const Eigen::MatrixXd product = A * both;
-      Eigen::MatrixXcd      result(A.rows(), Z.cols());
-      result.real() = product.leftCols(Z.cols());
-      result.imag() = product.rightCols(Z.cols());
-      return result;
-    }
   } // namespace
 
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/hdf5_handle.h>
 #include <squeal/results/hdf5_file.h>
-
-#include <hdf5.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,41 +12,6 @@ namespace squeal
 {
   namespace
   {
-    /** Closes what HDF5 has opened. */
-    class Handle
-    {
-    public:
-      Handle(const hid_t id, herr_t (*close)(hid_t))
-        : id(id)
-        , close(close)
-      {
-      }
-      ~Handle()
-      {
-        if (id >= 0)
-          close(id);
-      }
-      Handle(const Handle &)            = delete;
-      Handle &operator=(const Handle &) = delete;
-
-      operator hid_t() const
-      {
-        return id;
-      }
-
-      bool
-      is_valid() const
-      {
-        return id >= 0;
-      }
-
-    private:
-      hid_t id;
-      herr_t (*close)(hid_t);
-    };
-
-
-
     hid_t
     type_of(const Hdf5File::Kind kind)
     {
@@ -85,7 +49,7 @@ namespace squeal
 
 
 
-    Handle
+    Hdf5Handle
     text_type(const std::size_t length)
     {
       const hid_t type = H5Tcopy(H5T_C_S1);
@@ -95,7 +59,7 @@ namespace squeal
 
 
 
-    Handle
+    Hdf5Handle
     intermediate_groups()
     {
       const hid_t list = H5Pcreate(H5P_LINK_CREATE);
@@ -175,8 +139,8 @@ namespace squeal
   void
   Hdf5File::write_attribute(const std::string &name, const double value)
   {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle attribute(
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle attribute(
       H5Acreate2(
         id, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose);
@@ -190,9 +154,9 @@ namespace squeal
   void
   Hdf5File::write_attribute(const std::string &name, const std::string &text)
   {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle type = text_type(text.size());
-    const Handle attribute(
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle type = text_type(text.size());
+    const Hdf5Handle attribute(
       H5Acreate2(id, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose);
     if (!attribute.is_valid() || H5Awrite(attribute, type, text.c_str()) < 0)
@@ -212,8 +176,9 @@ namespace squeal
   double
   Hdf5File::number_attribute(const std::string &name) const
   {
-    const Handle attribute(H5Aopen(id, name.c_str(), H5P_DEFAULT), H5Aclose);
-    double       value = 0.;
+    const Hdf5Handle attribute(H5Aopen(id, name.c_str(), H5P_DEFAULT),
+                               H5Aclose);
+    double           value = 0.;
     if (!attribute.is_valid() ||
         H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0)
       fail("has no number '" + name + "'");
@@ -225,10 +190,11 @@ namespace squeal
   std::string
   Hdf5File::text_attribute(const std::string &name) const
   {
-    const Handle attribute(H5Aopen(id, name.c_str(), H5P_DEFAULT), H5Aclose);
+    const Hdf5Handle attribute(H5Aopen(id, name.c_str(), H5P_DEFAULT),
+                               H5Aclose);
     if (!attribute.is_valid())
       fail("has no text '" + name + "'");
-    const Handle in_file(H5Aget_type(attribute), H5Tclose);
+    const Hdf5Handle in_file(H5Aget_type(attribute), H5Tclose);
     if (H5Tget_class(in_file) != H5T_STRING || H5Tis_variable_str(in_file) != 0)
       fail("has no text of fixed length '" + name + "'");
     std::string text(H5Tget_size(in_file), '\0');
@@ -246,18 +212,18 @@ namespace squeal
                   const Kind                 kind)
   {
     const std::vector<hsize_t> extent = sizes(dimensions);
-    const Handle               space(
+    const Hdf5Handle           space(
       H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
       H5Sclose);
-    const Handle groups = intermediate_groups();
-    const Handle data(H5Dcreate2(id,
-                                 name.c_str(),
-                                 type_of(kind),
-                                 space,
-                                 groups,
-                                 H5P_DEFAULT,
-                                 H5P_DEFAULT),
-                      H5Dclose);
+    const Hdf5Handle groups = intermediate_groups();
+    const Hdf5Handle data(H5Dcreate2(id,
+                                     name.c_str(),
+                                     type_of(kind),
+                                     space,
+                                     groups,
+                                     H5P_DEFAULT,
+                                     H5P_DEFAULT),
+                          H5Dclose);
     if (!data.is_valid() || (!values.empty() && H5Dwrite(data,
                                                          H5T_NATIVE_DOUBLE,
                                                          H5S_ALL,
@@ -279,11 +245,11 @@ namespace squeal
     std::string block;
     for (const std::string &text : texts)
       block += text + std::string(length - text.size(), '\0');
-    const hsize_t n = texts.size();
-    const Handle  space(H5Screate_simple(1, &n, nullptr), H5Sclose);
-    const Handle  type   = text_type(length);
-    const Handle  groups = intermediate_groups();
-    const Handle  data(
+    const hsize_t    n = texts.size();
+    const Hdf5Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose);
+    const Hdf5Handle type   = text_type(length);
+    const Hdf5Handle groups = intermediate_groups();
+    const Hdf5Handle data(
       H5Dcreate2(
         id, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose);
@@ -306,14 +272,14 @@ namespace squeal
     extent.insert(extent.begin(), 0);
     most.insert(most.begin(), H5S_UNLIMITED);
     chunk.insert(chunk.begin(), n_chunk);
-    const Handle space(H5Screate_simple(static_cast<int>(extent.size()),
-                                        extent.data(),
-                                        most.data()),
-                       H5Sclose);
-    const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Hdf5Handle space(H5Screate_simple(static_cast<int>(extent.size()),
+                                            extent.data(),
+                                            most.data()),
+                           H5Sclose);
+    const Hdf5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data());
-    const Handle groups = intermediate_groups();
-    const Handle data(
+    const Hdf5Handle groups = intermediate_groups();
+    const Hdf5Handle data(
       H5Dcreate2(
         id, name.c_str(), type_of(kind), space, groups, list, H5P_DEFAULT),
       H5Dclose);
@@ -335,11 +301,11 @@ namespace squeal
     extent[0] += count[0];
     if (count[0] == 0)
       return;
-    const Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!data.is_valid() || H5Dset_extent(data, extent.data()) < 0)
       fail("cannot be written (dataset " + name + ")");
-    const Handle space(H5Dget_space(data), H5Sclose);
-    const Handle memory(
+    const Hdf5Handle space(H5Dget_space(data), H5Sclose);
+    const Hdf5Handle memory(
       H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
       H5Sclose);
     H5Sselect_hyperslab(
@@ -369,10 +335,10 @@ namespace squeal
   {
     if (!has(name))
       fail("has no dataset '" + name + "'");
-    const Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!data.is_valid())
       fail("has no readable dataset '" + name + "'");
-    const Handle         space(H5Dget_space(data), H5Sclose);
+    const Hdf5Handle     space(H5Dget_space(data), H5Sclose);
     std::vector<hsize_t> extent(std::max(0, H5Sget_simple_extent_ndims(space)));
     H5Sget_simple_extent_dims(space, extent.data(), nullptr);
     return {extent.begin(), extent.end()};
@@ -395,9 +361,9 @@ namespace squeal
     values.resize(size_of(Dimensions(count.begin(), count.end())));
     if (values.empty())
       return;
-    const Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
-    const Handle space(H5Dget_space(data), H5Sclose);
-    const Handle memory(
+    const Hdf5Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5Handle space(H5Dget_space(data), H5Sclose);
+    const Hdf5Handle memory(
       H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
       H5Sclose);
     H5Sselect_hyperslab(
@@ -425,8 +391,8 @@ namespace squeal
   Hdf5File::read_texts(const std::string &name) const
   {
     const Dimensions extent = dimensions(name);
-    const Handle     data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
-    const Handle     type(H5Dget_type(data), H5Tclose);
+    const Hdf5Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5Handle type(H5Dget_type(data), H5Tclose);
     if (extent.size() != 1 || H5Tget_class(type) != H5T_STRING ||
         H5Tis_variable_str(type) != 0)
       fail("holds no texts of fixed length (dataset " + name + ")");

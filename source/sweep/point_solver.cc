@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/dense_products.h>
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/sweep/point_solver.h>
@@ -14,19 +15,6 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** A Z with A real. */
-    Eigen::MatrixXcd
-    times(const Eigen::Ref<const Eigen::MatrixXd> &A, const Eigen::MatrixXcd &Z)
-    {
-      Eigen::MatrixXd both(Z.rows(), 2 * Z.cols());
-      both << Z.real(), Z.imag();
-      const Eigen::MatrixXd product = A * both;
-      Eigen::MatrixXcd      result(A.rows(), Z.cols());
-      result.real() = product.leftCols(Z.cols());
-      result.imag() = product.rightCols(Z.cols());
-      return result;
-    }
 
     DensePairs
     dense_pairs(const PointMatrices &p, const unsigned int n)

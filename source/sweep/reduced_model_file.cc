@@ -4,9 +4,8 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/base/hdf5_handle.h>
 #include <squeal/sweep/reduced_model.h>
-
-#include <hdf5.h>
 
 #include <filesystem>
 
@@ -15,48 +14,6 @@ namespace squeal
   namespace
   {
     constexpr int format_version = 1;
-
-    /** An HDF5 object that is closed at the end of its life. */
-    class Handle
-    {
-    public:
-      Handle(const hid_t i, herr_t (*c)(hid_t))
-        : id(i)
-        , close(c)
-      {
-      }
-      ~Handle()
-      {
-        if (id >= 0)
-          close(id);
-      }
-      Handle(const Handle &)            = delete;
-      Handle &operator=(const Handle &) = delete;
-              operator hid_t() const
-      {
-        return id;
-      }
-
-    private:
-      hid_t id;
-      herr_t (*close)(hid_t);
-    };
-
-    /** Keeps HDF5 from printing what the exceptions say. */
-    struct Silence
-    {
-      Silence()
-      {
-        H5Eget_auto2(H5E_DEFAULT, &function, &data);
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-      }
-      ~Silence()
-      {
-        H5Eset_auto2(H5E_DEFAULT, function, data);
-      }
-      H5E_auto2_t function;
-      void       *data;
-    };
 
     void
     require(const bool ok, const std::string &file, const std::string &what)
@@ -73,17 +30,17 @@ namespace squeal
                  const std::string     &file)
     {
       // Column by column: the file's rows are the matrix's columns.
-      const hsize_t size[2] = {static_cast<hsize_t>(A.cols()),
-                               static_cast<hsize_t>(A.rows())};
-      const Handle  space(H5Screate_simple(2, size, nullptr), H5Sclose);
-      const Handle  set(H5Dcreate2(group,
-                                  name.c_str(),
-                                  H5T_IEEE_F64LE,
-                                  space,
-                                  H5P_DEFAULT,
-                                  H5P_DEFAULT,
-                                  H5P_DEFAULT),
-                       H5Dclose);
+      const hsize_t    size[2] = {static_cast<hsize_t>(A.cols()),
+                                  static_cast<hsize_t>(A.rows())};
+      const Hdf5Handle space(H5Screate_simple(2, size, nullptr), H5Sclose);
+      const Hdf5Handle set(H5Dcreate2(group,
+                                      name.c_str(),
+                                      H5T_IEEE_F64LE,
+                                      space,
+                                      H5P_DEFAULT,
+                                      H5P_DEFAULT,
+                                      H5P_DEFAULT),
+                           H5Dclose);
       require(
         set >= 0 &&
           (A.size() == 0 ||
@@ -99,10 +56,11 @@ namespace squeal
                 const std::string &name,
                 const std::string &file)
     {
-      const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose);
+      const Hdf5Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT),
+                           H5Dclose);
       require(set >= 0, file, "lacks '" + name + "'");
-      const Handle space(H5Dget_space(set), H5Sclose);
-      hsize_t      size[2] = {0, 0};
+      const Hdf5Handle space(H5Dget_space(set), H5Sclose);
+      hsize_t          size[2] = {0, 0};
       require(H5Sget_simple_extent_ndims(space) == 2 &&
                 H5Sget_simple_extent_dims(space, size, nullptr) == 2,
               file,
@@ -126,7 +84,7 @@ namespace squeal
                 const Matrices    &matrices,
                 const std::string &file)
     {
-      const Handle group(
+      const Hdf5Handle group(
         H5Gcreate2(root, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
         H5Gclose);
       for (const auto &[key, A] : matrices)
@@ -138,7 +96,8 @@ namespace squeal
                const std::string &name,
                const std::string &file)
     {
-      const Handle group(H5Gopen2(root, name.c_str(), H5P_DEFAULT), H5Gclose);
+      const Hdf5Handle group(H5Gopen2(root, name.c_str(), H5P_DEFAULT),
+                             H5Gclose);
       require(group >= 0, file, "lacks '" + name + "'");
       H5G_info_t info;
       H5Gget_info(group, &info);
@@ -164,10 +123,10 @@ namespace squeal
                const std::string &name,
                const std::string &text)
     {
-      const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+      const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
       H5Tset_size(type, text.size() + 1);
-      const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-      const Handle attribute(
+      const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+      const Hdf5Handle attribute(
         H5Acreate2(root, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
         H5Aclose);
       H5Awrite(attribute, type, text.c_str());
@@ -178,11 +137,11 @@ namespace squeal
               const std::string &name,
               const std::string &file)
     {
-      const Handle attribute(H5Aopen(root, name.c_str(), H5P_DEFAULT),
-                             H5Aclose);
+      const Hdf5Handle attribute(H5Aopen(root, name.c_str(), H5P_DEFAULT),
+                                 H5Aclose);
       require(attribute >= 0, file, "is no basis of squeal");
-      const Handle type(H5Aget_type(attribute), H5Tclose);
-      std::string  text(H5Tget_size(type), '\0');
+      const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+      std::string      text(H5Tget_size(type), '\0');
       H5Aread(attribute, type, text.data());
       return text.c_str();
     }
@@ -203,14 +162,14 @@ namespace squeal
                       const std::string  &hash,
                       const std::string  &file)
   {
-    const Silence   silence;
-    const auto      folder = std::filesystem::path(file).parent_path();
-    std::error_code error;
+    const Hdf5Silence silence;
+    const auto        folder = std::filesystem::path(file).parent_path();
+    std::error_code   error;
     if (!folder.empty())
       std::filesystem::create_directories(folder, error);
     AtomicFile target(file);
     {
-      const Handle root(
+      const Hdf5Handle root(
         H5Fcreate(
           target.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
         H5Fclose);
@@ -245,9 +204,9 @@ namespace squeal
   ReducedModel
   read_reduced_model(const std::string &file, std::string &hash)
   {
-    const Silence silence;
-    const Handle  root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
-                      H5Fclose);
+    const Hdf5Silence silence;
+    const Hdf5Handle  root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+                          H5Fclose);
     require(root >= 0, file, "is no HDF5 file, or is cut off");
     const std::string version = read_text(root, "squeal_basis", file);
     require(version == std::to_string(format_version),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/dense_products.h>
 #include <squeal/eigen/shifted_hessenberg.h>
 #include <squeal/sweep/refined_pairs.h>
 
@@ -19,21 +20,6 @@ namespace squeal
 
     /** Conditions from which neighbours are refined together. */
     constexpr double close_condition = 30.;
-
-    Eigen::MatrixXcd
-    times(const Eigen::MatrixXd  &A,
-          const Eigen::MatrixXcd &Z,
-          const bool              transposed)
-    {
-      Eigen::MatrixXd both(Z.rows(), 2 * Z.cols());
-      both << Z.real(), Z.imag();
-      const Eigen::MatrixXd product =
-        transposed ? Eigen::MatrixXd(A.transpose() * both) : A * both;
-      Eigen::MatrixXcd result(A.cols(), Z.cols());
-      result.real() = product.leftCols(Z.cols());
-      result.imag() = product.rightCols(Z.cols());
-      return result;
-    }
 
     /** Q(lambda) = lambda^2 M + lambda C + K + i H of small dense matrices. */
     class Quadratic
@@ -79,7 +65,7 @@ namespace squeal
       {
         const Eigen::Index m = Z.cols();
         // About lambda, for what counts is the small difference.
-        const Eigen::MatrixXcd M = Y.transpose() * times(matrices.M, Z, false);
+        const Eigen::MatrixXcd M = Y.transpose() * times(matrices.M, Z);
         const Eigen::MatrixXcd Q = Y.transpose() * at(lambda, Z);
         const Eigen::MatrixXcd dQ =
           Y.transpose() * derivative(lambda, Z, false);
@@ -125,18 +111,18 @@ namespace squeal
       void
       normalise(Eigen::Ref<Eigen::VectorXcd> x) const
       {
-        x /= std::sqrt(x.dot(times(matrices.M, x, false).col(0)).real());
+        x /= std::sqrt(x.dot(times(matrices.M, x).col(0)).real());
       }
 
     private:
       Eigen::MatrixXcd
       at(const Complex lambda, const Eigen::MatrixXcd &Z) const
       {
-        Eigen::MatrixXcd result = times(matrices.K, Z, false) +
-                                  lambda * times(matrices.C, Z, false) +
-                                  lambda * lambda * times(matrices.M, Z, false);
+        Eigen::MatrixXcd result = times(matrices.K, Z) +
+                                  lambda * times(matrices.C, Z) +
+                                  lambda * lambda * times(matrices.M, Z);
         if (matrices.H.size() > 0)
-          result += Complex(0., 1.) * times(matrices.H, Z, false);
+          result += Complex(0., 1.) * times(matrices.H, Z);
         return result;
       }
 
@@ -145,8 +131,10 @@ namespace squeal
                  const Eigen::MatrixXcd &Z,
                  const bool              transposed) const
       {
-        return 2. * lambda * times(matrices.M, Z, transposed) +
-               times(matrices.C, Z, transposed);
+        // M is symmetric.
+        return 2. * lambda * times(matrices.M, Z) +
+               (transposed ? transpose_times(matrices.C, Z)
+                           : times(matrices.C, Z));
       }
 
       /** Q(lambda)^-1 of one lambda. */

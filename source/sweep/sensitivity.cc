@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/dense_products.h>
 #include <squeal/sweep/sensitivity.h>
 
 namespace squeal
@@ -26,15 +27,6 @@ namespace squeal
         result.push_back({(up[i].mass - down[i].mass) / (2. * step),
                           (up[i].damping - down[i].damping) / (2. * step),
                           (up[i].stiffness - down[i].stiffness) / (2. * step)});
-      return result;
-    }
-
-    Eigen::VectorXcd
-    times(const Eigen::MatrixXd &A, const Eigen::VectorXcd &x)
-    {
-      Eigen::VectorXcd result(A.rows());
-      result.real() = A * x.real();
-      result.imag() = A * x.imag();
       return result;
     }
 

@@ -204,24 +204,36 @@ namespace squeal
     step.duration = 0.;
     step.speed    = 0.;
     std::vector<SteadySliding> states;
+    SteadySliding              now = contact.untouched();
     for (unsigned int k = 1; k <= n_steps; ++k)
       {
-        SteadySliding next =
-          states.empty() ? contact.untouched() : states.back();
-        step.previous_motion = next.motion;
-        // The first touch is sought without friction.
-        if (k == 1)
+        // What sticks depends on the way there, so that the load is halved
+        // only where it has to be.
+        const double end = double(k) / n_steps;
+        double reached = double(k - 1) / n_steps, increment = end - reached;
+        while (reached < end)
           {
+            const double  share  = std::min(reached + increment, end);
+            SteadySliding next   = now;
+            step.previous_motion = now.motion;
+            // The first touch is sought without friction.
             step.friction = 0.;
-            if (!contact.solve(step, 1. / n_steps, next))
+            if (reached == 0. && !contact.solve(step, share, next))
               throw_none(true, 0.);
+            step.friction = friction;
+            if (contact.solve(step, share, next))
+              {
+                now     = next;
+                reached = share;
+                continue;
+              }
+            increment *= 0.5;
+            if (increment * n_steps < 1e-3)
+              throw ComputationError("the contact at rest has no solution at " +
+                                     std::to_string(100. * share) +
+                                     " % of the load");
           }
-        step.friction = friction;
-        if (!contact.solve(step, double(k) / n_steps, next))
-          throw ComputationError("the contact at rest has no solution at " +
-                                 std::to_string(100. * k / n_steps) +
-                                 " % of the load: raise Preload/Load steps");
-        states.push_back(next);
+        states.push_back(now);
       }
     return states;
   }

@@ -3,6 +3,7 @@
 #define squeal_transient_contact_solver_h
 
 #include <squeal/contact/contact_geometry.h>
+#include <squeal/transient/kept_inverse.h>
 
 #include <Eigen/Dense>
 
@@ -127,31 +128,8 @@ namespace squeal
     std::vector<NodeRows>      rows; /**< at the last evaluation */
     unsigned int               n_inverted = 0;
 
-    /** Inverse of the Jacobian of `base` and the low-rank change to that of
-     * `updated`: what rows of changed nodes differ by, the columns of the
-     * inverse that belong to them, and the small factor. */
-    template <typename Scalar>
-    struct Operator
-    {
-      using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-      Matrix                      inverse, difference, columns;
-      Matrix                      small; /**< difference times columns */
-      Eigen::PartialPivLU<Matrix> small_factor;
-
-      void invert(const Eigen::MatrixXd  &J,
-                  const std::vector<int> &closed,
-                  const std::vector<int> &open);
-      void clear();
-      /** Sets the rows at @p places among @p nodes, which may be new ones at
-       * the end. */
-      void            extend(const Eigen::MatrixXd           &changes,
-                             const std::vector<unsigned int> &places,
-                             const std::vector<unsigned int> &nodes);
-      void            factorize();
-      Eigen::VectorXd apply(const Eigen::VectorXd &v) const;
-    };
-    Operator<float>           single;
-    Operator<double>          full;
+    KeptInverse<float>        single;
+    KeptInverse<double>       full;
     const bool                is_single;
     bool                      has_inverse = false;
     std::vector<NodeRows>     base, updated;

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/driver/campaign_table.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+    using Json = nlohmann::ordered_json;
+
+    Cell
+    known(const double value)
+    {
+      return std::isfinite(value) ? Cell(value) : Cell();
+    }
+
+    /** The branch that the comparison is about: the largest sigma of the whole
+     * model. */
+    const BranchResult *
+    leading_branch(const TransientFigures &f)
+    {
+      return f.leading >= 0 ? &f.branches[f.leading] : nullptr;
+    }
+  } // namespace
+
+
+
+  Table
+  campaign_columns(const Parameters &p)
+  {
+    Table table;
+    for (const auto &axis : p.sweep.axes)
+      table.add_column({axis.name, Type::real, "", "axis of the campaign"});
+    table.add_column({"top", Type::text, "", "kind of the support"});
+    std::vector<Table::Column> columns = {
+      {"contact_state", Type::text, "", "closed and all nodes"},
+      {"integrator", Type::text, "", ""},
+      {"sigma_cea_per_s", Type::real, "1/s", "whole model"},
+      {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
+      {"growth_rate_ci_per_s", Type::real, "1/s", "95 %", 3},
+      {"frequency_cea_hz", Type::real, "Hz", "whole model", 7},
+      {"frequency_transient_hz", Type::real, "Hz", "linear phase", 7},
+      {"e_foldings", Type::real, "", "within the window", 3},
+      {"sigma_reduced_per_s", Type::real, "1/s", "reduced model"},
+      {"rate_difference",
+       Type::real,
+       "",
+       "over the larger of 2 % and 3 1/s",
+       3},
+      {"frequency_difference_rel", Type::real, "", "", 2},
+      {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
+      {"steps_per_second", Type::real, "1/s", "of one core", 4}};
+    if (!p.transient.compare_with_cea)
+      columns = {
+        {"stable", Type::text, "", "yes, no or undecided"},
+        {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
+        {"frequency_hz", Type::real, "Hz", "largest line of the force", 6},
+        {"rms_normal_n", Type::real, "N", "about the mean"},
+        {"min_normal_n", Type::real, "N", ""},
+        {"max_normal_n", Type::real, "N", ""},
+        {"separates", Type::text, "", "all nodes are open at a time"},
+        {"sigma_cea_per_s", Type::real, "1/s", "about the same contact"},
+        {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
+        {"stick_fraction", Type::real, "", "of closed node-time", 4},
+        {"rms_pad_acceleration", Type::real, "m/s2", "", 4},
+        {"frequency_cea_hz", Type::real, "Hz", "of that sigma", 6},
+        {"n_closed", Type::integer, "", "nodes in steady sliding"},
+        {"n_unstable", Type::integer, "", "pairs of the band"},
+        {"limit_cycle", Type::text, "", "the second half is steady"},
+        {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
+        {"steps_per_second", Type::real, "1/s", "of one core", 4},
+        {"unstable_pairs", Type::text, "", "Hz (1/s), about the contact"}};
+    for (const auto &column : columns)
+      table.add_column(column);
+    return table;
+  }
+
+
+
+  std::vector<Cell>
+  campaign_row(const CampaignRun       &run,
+               const PreparedTransient &prepared,
+               const TransientFigures  &f,
+               const bool               compares)
+  {
+    std::vector<Cell> row(run.shown.begin(), run.shown.end());
+    row.emplace_back(run.top);
+    const BranchResult *b   = leading_branch(f);
+    const double        nan = std::nan("");
+    const bool          fit = b && b->fit.is_valid;
+    if (compares)
+      {
+        const double sigma = b ? b->sigma_cea : nan,
+                     rate  = fit ? b->fit.rate : nan,
+                     freq  = fit ? b->fit.frequency : nan;
+        row.emplace_back(std::to_string(prepared.steady.n_closed()) + " of " +
+                         std::to_string(prepared.steady.status.size()));
+        row.emplace_back("reduced");
+        for (const double value :
+             {sigma,
+              rate,
+              fit ? b->fit.rate_ci : nan,
+              b ? b->frequency_cea : nan,
+              freq,
+              fit ? b->fit.e_foldings() : nan,
+              b ? b->sigma : nan,
+              std::abs(rate - sigma) / std::max(0.02 * std::abs(sigma), 3.),
+              b ? std::abs(freq / b->frequency_cea - 1.) : nan,
+              f.worst_imbalance,
+              f.steps_per_second})
+          row.push_back(known(value));
+        return row;
+      }
+    std::string  pairs;
+    unsigned int n_unstable = 0;
+    for (const auto &branch : f.branches)
+      if (branch.sigma > 0.)
+        {
+          ++n_unstable;
+          pairs += (pairs.empty() ? "" : "; ") +
+                   rounded_text(branch.frequency, 4) + " (" +
+                   rounded_text(branch.sigma, 3) + ")";
+        }
+    const bool is_unstable = f.verdict == "unstable";
+    row.emplace_back(is_unstable             ? "no"
+                     : f.verdict == "stable" ? "yes"
+                                             : "undecided");
+    row.push_back(known(fit ? b->fit.rate : nan));
+    row.push_back(known(is_unstable ? f.frequency : nan));
+    for (const double value : {f.rms_normal, f.min_normal, f.max_normal})
+      row.push_back(known(value));
+    row.emplace_back(f.separates ? "yes" : "no");
+    row.push_back(known(b ? b->sigma : nan));
+    for (const double value :
+         {f.max_slip_speed_ratio, f.stick_fraction, f.rms_acceleration})
+      row.push_back(known(value));
+    row.push_back(known(b ? b->frequency : nan));
+    row.emplace_back(prepared.steady.n_closed());
+    row.emplace_back(n_unstable);
+    row.emplace_back(f.has_limit_cycle ? "yes" : "no");
+    row.push_back(known(f.worst_imbalance));
+    row.push_back(known(f.steps_per_second));
+    row.emplace_back(pairs.empty() ? "none" : pairs);
+    return row;
+  }
+
+  std::vector<Cell>
+  row_without_sliding(const CampaignRun &run, const Table &table)
+  {
+    std::vector<Cell> row(run.shown.begin(), run.shown.end());
+    row.emplace_back(run.top);
+    row.emplace_back("no steady sliding");
+    row.resize(table.columns().size());
+    return row;
+  }
+
+
+
+  FinishedRuns::FinishedRuns(const std::string &path, const bool resume)
+    : path(path)
+  {
+    std::ifstream in(path);
+    if (!in || !resume)
+      return;
+    try
+      {
+        rows = Json::parse(in);
+      }
+    catch (const std::exception &)
+      {
+        throw InputError("'" + path +
+                         "' cannot be read: remove it or set "
+                         "Transient/Resume = false");
+      }
+  }
+
+
+
+  bool
+  FinishedRuns::find(const std::string &key, std::vector<Cell> &row) const
+  {
+    const auto found = rows.find(key);
+    if (found == rows.end())
+      return false;
+    row.clear();
+    for (const auto &cell : *found)
+      if (cell.is_string())
+        row.emplace_back(cell.get<std::string>());
+      else if (cell.is_number_integer())
+        row.emplace_back(cell.get<long long>());
+      else if (cell.is_number())
+        row.emplace_back(cell.get<double>());
+      else
+        row.emplace_back();
+    return true;
+  }
+
+
+
+  void
+  FinishedRuns::add(const std::string &key, const std::vector<Cell> &row)
+  {
+    Json list = Json::array();
+    for (const Cell &cell : row)
+      if (const auto *real = std::get_if<double>(&cell.value))
+        list.push_back(*real);
+      else if (const auto *whole = std::get_if<long long>(&cell.value))
+        list.push_back(*whole);
+      else if (const auto *text = std::get_if<std::string>(&cell.value))
+        list.push_back(*text);
+      else
+        list.push_back(nullptr);
+    rows[key] = list;
+    write_atomically(path, [&](std::ostream &out) { out << rows.dump(1); });
+  }
+} // namespace squeal
