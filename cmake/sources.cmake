@@ -186,6 +186,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/sweep_scatter.cc
     source/driver/sweep_sensitivity.cc
     source/driver/sweep_solution.cc
+    source/driver/sweep_suggestions.cc
     source/driver/sweep_tables.cc
     source/driver/transient_campaign.cc
     source/driver/transient_checkpoint.cc

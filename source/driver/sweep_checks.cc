@@ -20,31 +20,6 @@ namespace squeal
      * half of the 1e-4 they are asked for. */
     constexpr double beside = 5e-5;
 
-    Pencil
-    pencil_at(const SweepModel &model, const SweepPoint &point)
-    {
-      return Pencil(model.system().merged(), model.grid().scene(point));
-    }
-
-    ComplexPairs
-    direct_pairs(const SweepModel &model, const SweepPoint &point)
-    {
-      const Band         band   = model.band();
-      const double       centre = 0.5 * (band.lowest + band.highest);
-      const Pencil       pencil = pencil_at(model, point);
-      const DirectSolver solver(pencil, {0., 2. * M_PI * centre});
-      // As many as the reduced model finds out to the corners of the band, and
-      // some more.
-      const auto   modes = model.undamped(point);
-      unsigned int n     = 6;
-      for (Eigen::Index i = 0; i < modes.modes.omega_squared.size(); ++i)
-        if (std::abs(std::sqrt(std::max(0., modes.modes.omega_squared[i])) /
-                       (2. * M_PI) -
-                     centre) < 1.05 * (band.highest - centre))
-          ++n;
-      return solver.solve(n);
-    }
-
     std::vector<SweepPoint>
     check_points(const SweepModel    &model,
                  const SweepSolution &solution,
@@ -86,6 +61,29 @@ namespace squeal
 
 
 
+  ComplexPairs
+  direct_pairs(const SweepModel      &model,
+               const SweepPoint      &point,
+               const SceneParameters &scene)
+  {
+    const Band         band   = model.band();
+    const double       centre = 0.5 * (band.lowest + band.highest);
+    const Pencil       pencil(model.system().merged(), scene);
+    const DirectSolver solver(pencil, {0., 2. * M_PI * centre});
+    // As many as the reduced model finds out to the corners of the band, and
+    // some more.
+    const auto   modes = model.undamped(point);
+    unsigned int n     = 6;
+    for (Eigen::Index i = 0; i < modes.modes.omega_squared.size(); ++i)
+      if (std::abs(std::sqrt(std::max(0., modes.modes.omega_squared[i])) /
+                     (2. * M_PI) -
+                   centre) < 1.05 * (band.highest - centre))
+        ++n;
+    return solver.solve(n);
+  }
+
+
+
   Table
   direct_check_table(SweepModel          &model,
                      const SweepSolution &solution,
@@ -114,9 +112,10 @@ namespace squeal
          check_points(model, solution, context.parameters.sweep.direct_checks))
       {
         WorstError         estimated;
-        const ComplexPairs pairs  = model.solve_certified(point, estimated);
-        const ComplexPairs direct = direct_pairs(model, point);
-        ComplexPairs       copy   = pairs;
+        const ComplexPairs pairs = model.solve_certified(point, estimated);
+        const ComplexPairs direct =
+          direct_pairs(model, point, grid.scene(point));
+        ComplexPairs copy = pairs;
         estimate_errors(copy, direct.lambda);
         for (unsigned int i = 0; i < pairs.size(); ++i)
           {
@@ -192,7 +191,7 @@ namespace squeal
     const double         top    = 2. * M_PI * model.band().highest;
     const SweepPoint     centre = grid.spread(1).back();
     const double         start  = cpu_seconds();
-    const Pencil         pencil = pencil_at(model, centre);
+    const Pencil         pencil(model.system().merged(), grid.scene(centre));
     const ShiftedInverse inverse(pencil, 4. * top * top);
     const UndampedModes  modes = undamped_modes(pencil, inverse);
     LocalModel           modal;
@@ -220,7 +219,8 @@ namespace squeal
     for (std::size_t t = 0; t < timed.size(); ++t)
       {
         const double       before = cpu_seconds();
-        const ComplexPairs direct = direct_pairs(model, timed[t]);
+        const ComplexPairs direct =
+          direct_pairs(model, timed[t], grid.scene(timed[t]));
         direct_cpu += cpu_seconds() - before;
         ComplexPairs mine = model.solve(timed[t]);
         estimate_errors(mine, direct.lambda);

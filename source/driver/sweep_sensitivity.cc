@@ -13,13 +13,71 @@ namespace squeal
   namespace
   {
     using Type = Table::Type;
-
-    struct Influence
-    {
-      std::string entry;
-      double      value, sigma, frequency;
-    };
   } // namespace
+
+
+
+  std::optional<PeakPair>
+  peak_pair(const SweepModel    &model,
+            const SweepLine     &line,
+            const UnstableRange &range)
+  {
+    PeakPair result;
+    result.point    = line.start;
+    result.point[0] = range.peak_at;
+    result.pairs =
+      solve_point_refined(model.reduced(),
+                          result.point,
+                          model.system().coefficients(result.point),
+                          model.band());
+    double best = 1e300;
+    for (unsigned int i = 0; i < result.pairs.size(); ++i)
+      if (const double d = std::hypot(
+            result.pairs.sigma(i) - range.peak_sigma,
+            2. * M_PI * (result.pairs.frequency(i) - range.peak_frequency));
+          d < best)
+        {
+          best         = d;
+          result.index = i;
+        }
+    if (best == 1e300)
+      return {};
+    return result;
+  }
+
+
+
+  std::vector<Influence>
+  influences(const SweepModel               &model,
+             const PeakPair                 &peak,
+             const std::vector<std::string> &wanted)
+  {
+    const SweepGrid         &grid    = model.grid();
+    std::vector<std::string> entries = grid.entries();
+    entries.insert(
+      entries.end(), grid.other_entries().begin(), grid.other_entries().end());
+    std::vector<Influence> result;
+    for (unsigned int e = 0; e < entries.size(); ++e)
+      {
+        if (std::find(wanted.begin(), wanted.end(), entries[e]) == wanted.end())
+          continue;
+        const std::complex<double> d = sensitivities(model.reduced(),
+                                                     model.system(),
+                                                     peak.point,
+                                                     peak.pairs,
+                                                     e)[peak.index];
+        result.push_back({e,
+                          entries[e],
+                          grid.entry_value(peak.point, e),
+                          0.01 * d.real(),
+                          0.01 * d.imag() / (2. * M_PI)});
+      }
+    std::stable_sort(
+      result.begin(), result.end(), [](const auto &a, const auto &b) {
+        return std::abs(a.sigma) > std::abs(b.sigma);
+      });
+    return result;
+  }
 
 
 
@@ -58,69 +116,32 @@ namespace squeal
             "change that would bring sigma to 0 if it went on like this",
             3}})
       table.add_column(column);
-    std::vector<std::string> entries = grid.entries();
-    entries.insert(
-      entries.end(), grid.other_entries().begin(), grid.other_entries().end());
-    const auto &wanted = context.parameters.sweep.sensitivities;
     for (const auto &line : solution.lines)
       for (const auto &range : line.ranges)
         {
-          SweepPoint point = line.start;
-          point[0]         = range.peak_at;
-          const ComplexPairs pairs =
-            solve_point_refined(model.reduced(),
-                                point,
-                                model.system().coefficients(point),
-                                model.band());
-          int    pair = -1;
-          double best = 1e300;
-          for (unsigned int i = 0; i < pairs.size(); ++i)
-            if (const double d = std::hypot(
-                  pairs.sigma(i) - range.peak_sigma,
-                  2. * M_PI * (pairs.frequency(i) - range.peak_frequency));
-                d < best)
-              {
-                best = d;
-                pair = i;
-              }
-          if (pair < 0)
+          const auto peak = peak_pair(model, line, range);
+          if (!peak)
             continue;
-          std::vector<Influence> influences;
-          for (unsigned int e = 0; e < entries.size(); ++e)
-            {
-              if (std::find(wanted.begin(), wanted.end(), entries[e]) ==
-                  wanted.end())
-                continue;
-              const std::complex<double> d = sensitivities(
-                model.reduced(), model.system(), point, pairs, e)[pair];
-              influences.push_back({entries[e],
-                                    grid.entry_value(point, e),
-                                    0.01 * d.real(),
-                                    0.01 * d.imag() / (2. * M_PI)});
-            }
-          std::stable_sort(influences.begin(),
-                           influences.end(),
-                           [](const auto &a, const auto &b) {
-                             return std::abs(a.sigma) > std::abs(b.sigma);
-                           });
-          for (std::size_t k = 0; k < influences.size(); ++k)
+          const auto found =
+            influences(model, *peak, context.parameters.sweep.sensitivities);
+          for (std::size_t k = 0; k < found.size(); ++k)
             {
               std::vector<Cell> row;
               for (unsigned int a = 1; a < grid.n_axes(); ++a)
                 row.emplace_back(grid.value(a, line.start[a]));
-              const Influence &f = influences[k];
+              const Influence &f = found[k];
               row.insert(
                 row.end(),
                 {line.branch_names[range.branch],
                  range.peak_at,
-                 pairs.frequency(pair),
-                 pairs.sigma(pair),
+                 peak->frequency(),
+                 peak->sigma(),
                  k + 1,
                  f.entry,
                  f.value,
                  f.sigma,
                  f.frequency,
-                 f.sigma == 0. ? Cell() : Cell(-pairs.sigma(pair) / f.sigma)});
+                 f.sigma == 0. ? Cell() : Cell(-peak->sigma() / f.sigma)});
               table.add_row(row);
             }
         }

@@ -174,6 +174,11 @@ namespace squeal
                        " points: at most 1e7 are allowed");
       for (const auto &path : s.sensitivities)
         require_number(parameters, "Sweep", "Sensitivities", path);
+      if (s.suggestions > 0 && s.sensitivities.empty())
+        refuse_entry("Sweep",
+                     "Suggestions",
+                     "needs the numbers that may be changed: list them in "
+                     "Sensitivities");
     }
   } // namespace prm
 } // namespace squeal

@@ -120,6 +120,17 @@ namespace squeal
                  Allowed::list(Allowed::text()),
                  "Numbers of the scene whose influence on every unstable pair "
                  "is reported; empty: none.");
+      schema.add("Suggestions",
+                 s.suggestions,
+                 Allowed::integer(0, 1000),
+                 "Unstable ranges, those of the largest sigma first, for which "
+                 "the smallest change of one of the Sensitivities that leaves "
+                 "no pair unstable is sought and checked by a direct "
+                 "solution; 0: none.");
+      schema.add("Largest change",
+                 s.largest_change,
+                 Allowed::positive(0.99),
+                 "Share by which a suggestion may raise or lower a number.");
       schema.add("Scatter samples",
                  s.scatter_samples,
                  Allowed::integer(0, 100000000),

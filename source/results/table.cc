@@ -170,6 +170,29 @@ namespace squeal
 
 
   void
+  Table::put_first(const Column &column, const Cell &cell)
+  {
+    if (has_column(column.name))
+      throw std::logic_error("the column '" + column.name + "' exists");
+    column_list.insert(column_list.begin(), column);
+    for (auto &row : rows)
+      row.insert(row.begin(), fitted(cell, column));
+  }
+
+
+
+  void
+  Table::append(const Table &other)
+  {
+    if (column_list.empty())
+      column_list = other.column_list;
+    for (const auto &row : other.rows)
+      add_row(row);
+  }
+
+
+
+  void
   Table::set(const std::size_t row, const std::string &column, const Cell &cell)
   {
     const std::size_t c = column_index(column);

@@ -274,6 +274,8 @@ namespace squeal
       SQUEAL_DESCRIBE(p, sweep.direct_checks);
       SQUEAL_DESCRIBE(p, sweep.compare);
       SQUEAL_DESCRIBE(p, sweep.sensitivities);
+      SQUEAL_DESCRIBE(p, sweep.suggestions);
+      SQUEAL_DESCRIBE(p, sweep.largest_change);
       SQUEAL_DESCRIBE(p, sweep.scatter_samples);
       SQUEAL_DESCRIBE(p, sweep.scatter_seed);
       SQUEAL_DESCRIBE(p, preload.load_steps);

@@ -6,6 +6,7 @@
 #include <squeal/results/chart.h>
 #include <squeal/sweep/stability.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,58 @@ namespace squeal
   Table boundary_table(SweepModel          &model,
                        const SweepSolution &solution,
                        RunContext          &context);
+
+  /** The unstable pair at the peak of a range, with vectors good enough for
+   * derivatives. */
+  struct PeakPair
+  {
+    SweepPoint   point;
+    ComplexPairs pairs; /**< of the band */
+    unsigned int index = 0;
+
+    double
+    frequency() const
+    {
+      return pairs.frequency(index);
+    }
+    double
+    sigma() const
+    {
+      return pairs.sigma(index);
+    }
+  };
+  /** Nothing where no pair is left there. */
+  std::optional<PeakPair> peak_pair(const SweepModel    &model,
+                                    const SweepLine     &line,
+                                    const UnstableRange &range);
+
+  /** What one per cent more of one number of the scene does to a pair. */
+  struct Influence
+  {
+    unsigned int number; /**< through entries() and other_entries() */
+    std::string  entry;
+    double       value;     /**< SI units */
+    double       sigma;     /**< 1/s */
+    double       frequency; /**< Hz */
+  };
+  /** Of the entries @p wanted, the strongest on sigma first. */
+  std::vector<Influence> influences(const SweepModel               &model,
+                                    const PeakPair                 &peak,
+                                    const std::vector<std::string> &wanted);
+
+  /** suggestions.csv: for the worst unstable ranges the smallest change of
+   * each of Sweep/Sensitivities, up or down, that leaves no pair of the band
+   * unstable; the best one is checked by a direct solution. Pairs that the
+   * change tunes in are named, and warned of. */
+  Table suggestion_table(const SweepModel    &model,
+                         const SweepSolution &solution,
+                         RunContext          &context);
+
+  /** Pairs of the band and some more by the direct solver on the full matrices
+   * of @p scene, which differs from that at @p point in numbers. */
+  ComplexPairs direct_pairs(const SweepModel      &model,
+                            const SweepPoint      &point,
+                            const SceneParameters &scene);
 
   /** sensitivities.csv: derivatives of every unstable pair at its peak by the
    * numbers in Sweep/Sensitivities, the most influential first. */

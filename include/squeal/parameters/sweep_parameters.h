@@ -61,6 +61,11 @@ namespace squeal
     bool         compare            = false;
     /** Entries whose influence on unstable pairs is reported; empty: none. */
     std::vector<std::string> sensitivities;
+    /** Unstable ranges, those of the largest sigma first, for which a change
+     * that stops the squeal is sought and checked directly; 0: none. */
+    unsigned int suggestions = 0;
+    /** Share by which such a change may raise or lower a number. */
+    double largest_change = 0.5;
     /** Samples of the squeal probability; 0: none. */
     unsigned int scatter_samples = 0;
     unsigned int scatter_seed    = 1;

@@ -74,6 +74,13 @@ namespace squeal
      * column is converted; any other mismatch is a programming error. */
     void add_row(std::vector<Cell> cells);
 
+    /** Puts a column before the others, the same cell in every row. */
+    void put_first(const Column &column, const Cell &cell);
+
+    /** Adds the rows of another table with the same columns; a table without
+     * columns takes those of the other. */
+    void append(const Table &other);
+
     /** Replaces one cell. */
     void set(std::size_t row, const std::string &column, const Cell &cell);
 
