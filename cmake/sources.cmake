@@ -184,6 +184,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/sweep_model.cc
     source/driver/sweep_plots.cc
     source/driver/sweep_scatter.cc
+    source/driver/sweep_scenes.cc
     source/driver/sweep_sensitivity.cc
     source/driver/sweep_solution.cc
     source/driver/sweep_suggestions.cc

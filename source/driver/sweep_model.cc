@@ -34,27 +34,38 @@ namespace squeal
     }
 
     std::string
-    basis_file(const Parameters &p)
+    basis_file(const Parameters &p, const std::string &name)
     {
-      return p.sweep.basis_file.empty() ? p.output.directory + "_basis.h5"
-                                        : p.sweep.basis_file;
+      std::string file = p.sweep.basis_file.empty()
+                           ? p.output.directory + "_basis.h5"
+                           : p.sweep.basis_file;
+      if (name.empty())
+        return file;
+      const std::size_t dot   = file.rfind('.');
+      const std::size_t slash = file.rfind('/');
+      const bool        has_ending =
+        dot != std::string::npos && (slash == std::string::npos || dot > slash);
+      return file.insert(has_ending ? dot : file.size(), "_" + name);
     }
   } // namespace
 
 
 
-  SweepModel::SweepModel(RunContext &context)
-    : parameters(context.parameters)
-    , full(context.parameters, context.timers)
-    , sweep_grid(context.parameters)
+  SweepModel::SweepModel(RunContext        &context,
+                         const Parameters  &p,
+                         const std::string &name,
+                         Block             *vectors)
+    : parameters(p)
+    , full(p, context.timers)
+    , sweep_grid(p)
     , parts(full.linearized().system, sweep_grid)
-    , file(basis_file(context.parameters))
+    , file(basis_file(p, name))
   {
     for (const auto &term : parts.merged().terms)
       symmetric.push_back(term.matrix->is_symmetric());
     full.print_summary(context.log);
     if (!(parameters.sweep.reuse_basis && read(context)))
-      build(context);
+      build(context, vectors);
   }
 
   const Model &
@@ -134,6 +145,15 @@ namespace squeal
   {
     return worst.frequency <= factor * parameters.sweep.frequency_tolerance &&
            worst.sigma <= factor * parameters.sweep.sigma_tolerance;
+  }
+
+  bool
+  SweepModel::is_certified(const ComplexPairs &pairs,
+                           const SweepPoint   &point) const
+  {
+    WorstError own;
+    add_to_worst(pairs, point, own);
+    return is_within(own, 1.);
   }
 
   ComplexPairs
@@ -277,7 +297,7 @@ namespace squeal
 
 
   void
-  SweepModel::build(RunContext &context)
+  SweepModel::build(RunContext &context, Block *vectors)
   {
     const double start = cpu_seconds();
     BasisOptions options;
@@ -288,19 +308,24 @@ namespace squeal
     BasisBuilder builder(parts, options);
     {
       Timers::Section section(context.timers, "Solve: certified basis");
-      small = builder.build([&](const BasisRound &round) {
-        context.log.info(
-          "  basis " + std::to_string(round.basis_size) + ", " +
-          std::to_string(round.n_factors) + " factors: worst estimated error " +
-          rounded_text(round.worst.frequency, 2) + " of a frequency, " +
-          rounded_text(round.worst.sigma, 2) + " 1/s of a sigma");
-      });
+      small = builder.build(
+        [&](const BasisRound &round) {
+          context.log.info(
+            "  basis " + std::to_string(round.basis_size) + ", " +
+            std::to_string(round.n_factors) +
+            " factors: worst estimated error " +
+            rounded_text(round.worst.frequency, 2) + " of a frequency, " +
+            rounded_text(round.worst.sigma, 2) + " 1/s of a sigma");
+        },
+        vectors ? *vectors : Block());
     }
     rounds                   = builder.history();
     factors                  = builder.anchors().size();
     small.numbers["factors"] = Eigen::MatrixXd::Constant(1, 1, factors);
     add_quantities(context, builder.vectors());
     add_mesh_errors(context, builder.vectors());
+    if (vectors)
+      *vectors = builder.vectors();
     small.numbers["basis seconds"] =
       Eigen::MatrixXd::Constant(1, 1, cpu_seconds() - start);
     return_freed_memory();

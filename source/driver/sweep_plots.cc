@@ -274,22 +274,25 @@ namespace squeal
   draw_sweep(const SweepModel         &model,
              const SweepSolution      &solution,
              const std::vector<Chart> &scatter,
+             const std::string        &scene,
+             const std::string        &title,
              RunContext               &context,
              HtmlReport               &report)
   {
     if (!context.is_root)
       return;
     const Plotter plotter(context.log, true);
-    report.section("Charts");
-    const auto draw = [&](const std::string        &name,
-                          const std::string        &caption,
+    const auto    draw = [&](const std::string        &kind,
+                          const std::string        &text,
                           const std::vector<Chart> &charts) {
+      const std::string name    = kind + (scene.empty() ? "" : "_" + scene);
+      const std::string caption = text + (title.empty() ? "" : "; " + title);
       context.output.file("plots/" + name + ".png");
       context.output.file("plots/" + name + ".svg");
-      const std::string  path      = context.output.path() + "/plots/" + name;
+      const std::string  path = context.output.path() + "/plots/" + name;
       const unsigned int n_columns = charts.size() > 4   ? 3
-                                     : charts.size() > 1 ? 2
-                                                         : 1;
+                                        : charts.size() > 1 ? 2
+                                                            : 1;
       const unsigned int n_rows = (charts.size() + n_columns - 1) / n_columns;
       plotter.draw(draw_charts(charts,
                                n_columns == 1 ? 1400 : 900 * n_columns,

@@ -1,16 +1,85 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/base/exceptions.h>
+#include <squeal/base/packing.h>
 #include <squeal/driver/sweep_solution.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace squeal
 {
   namespace
   {
+    /** Calls @p function with every member, to pack or to unpack. */
+    template <typename Pairs, typename Function>
+    void
+    for_each_member(Pairs &pairs, const Function &function)
+    {
+      function(pairs.lambda);
+      function(pairs.right);
+      function(pairs.left);
+      function(pairs.residual);
+      function(pairs.left_residual);
+      function(pairs.error_estimate);
+      function(pairs.noise_floor);
+      function(pairs.condition);
+      function(pairs.pair_partner);
+    }
+
+    void
+    put(Packer &packer, const ComplexPairs &pairs)
+    {
+      for_each_member(pairs, [&](const auto &member) { packer.put(member); });
+    }
+
+    void
+    get(Unpacker &unpacker, ComplexPairs &pairs)
+    {
+      for_each_member(pairs, [&](auto &member) { unpacker.get(member); });
+    }
+
+    void
+    put(Packer &packer, const SweepLine &line)
+    {
+      packer.put(line.start);
+      packer.put(line.points.size());
+      for (const auto &point : line.points)
+        {
+          packer.put(point.coordinate);
+          packer.put(point.asked);
+          packer.put(point.branch);
+          put(packer, point.pairs);
+        }
+      packer.put(line.branch_names);
+      packer.put(line.ranges);
+      packer.put(line.exceptional);
+      packer.put(line.mesh_errors_of_edges);
+    }
+
+    void
+    get(Unpacker &unpacker, SweepLine &line)
+    {
+      unpacker.get(line.start);
+      std::size_t n;
+      unpacker.get(n);
+      line.points.resize(n);
+      for (auto &point : line.points)
+        {
+          unpacker.get(point.coordinate);
+          unpacker.get(point.asked);
+          unpacker.get(point.branch);
+          get(unpacker, point.pairs);
+        }
+      unpacker.get(line.branch_names);
+      unpacker.get(line.ranges);
+      unpacker.get(line.exceptional);
+      unpacker.get(line.mesh_errors_of_edges);
+    }
+
+
+
     /** Names from the two far ends of every branch. */
     std::vector<std::string>
     branch_names(const SweepModel &model, const SweepLine &line)
@@ -153,65 +222,170 @@ namespace squeal
 
 
 
+  namespace
+  {
+    using CertifiedPairs = std::map<double, ComplexPairs>;
+
+    /** A line whose points are solved. */
+    SweepLine
+    follow_line(SweepModel           &model,
+                const SweepPoint     &start,
+                const CertifiedPairs &certified,
+                RunContext           &context,
+                std::size_t          &n_solved)
+    {
+      const SweepGrid       &grid    = model.grid();
+      const SweepParameters &p       = context.parameters.sweep;
+      const TrackingOptions  options = tracking_options(model);
+      const double           length  = grid.upper(0) - grid.lower(0);
+      const double           tolerance =
+        p.edge_tolerance * (grid.is_logarithmic(0) ? 1. : length);
+      SweepLine line;
+      line.start        = start;
+      const auto solver = [&](const double x) {
+        SweepPoint point = line.start;
+        point[0]         = x;
+        ++n_solved;
+        return model.solve_between(point);
+      };
+      {
+        Timers::Section     section(context.timers, "Solve: points, branches");
+        std::vector<double> coordinates;
+        for (const auto &[x, pairs] : certified)
+          coordinates.push_back(x);
+        BranchTracker tracker(
+          [&](const double x) {
+            const auto known = certified.find(x);
+            return known == certified.end() ? solver(x) : known->second;
+          },
+          options);
+        line.points = tracker.track(coordinates);
+      }
+      Timers::Section     section(context.timers, "Solve: edges and peaks");
+      const LineStability stability(solver, options, tolerance);
+      line.branch_names = branch_names(model, line);
+      line.ranges       = stability.ranges(line.points);
+      if (p.exceptional_points)
+        line.exceptional = stability.exceptional_points(line.points);
+      for (const auto &range : line.ranges)
+        line.mesh_errors_of_edges.push_back(
+          mesh_error_of_edges(model, line, range));
+      return line;
+    }
+
+    /** Certified pairs of all points, each rank solving its share. Points at
+     * which a small basis has to grow come last, in order and on all ranks, so
+     * that all have the same bases. */
+    std::vector<ComplexPairs>
+    solve_points(SweepModel                    &model,
+                 const std::vector<SweepPoint> &points,
+                 WorstError                    &worst)
+    {
+      const unsigned int rank =
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+      const unsigned int n_ranks =
+        dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      std::vector<ComplexPairs> result(points.size());
+      Packer                    packer;
+      for (std::size_t i = rank; i < points.size(); i += n_ranks)
+        {
+          result[i] = model.solve(points[i]);
+          if (n_ranks > 1)
+            {
+              packer.put(i);
+              put(packer, result[i]);
+            }
+        }
+      if (n_ranks > 1)
+        for (const auto &bytes :
+             dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, packer.bytes()))
+          for (Unpacker unpacker(bytes); !unpacker.is_empty();)
+            {
+              std::size_t i;
+              unpacker.get(i);
+              get(unpacker, result[i]);
+            }
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (model.is_certified(result[i], points[i]))
+          add_to_worst(result[i], points[i], worst);
+        else
+          result[i] = model.solve_certified(points[i], worst);
+      return result;
+    }
+  } // namespace
+
+
+
   SweepLine
   solve_line(SweepModel       &model,
              const SweepPoint &start,
              RunContext       &context,
              SweepSolution    &solution)
   {
-    const SweepGrid       &grid    = model.grid();
-    const SweepParameters &p       = context.parameters.sweep;
-    const TrackingOptions  options = tracking_options(model);
-    const double           length  = grid.upper(0) - grid.lower(0);
-    const double           tolerance =
-      p.edge_tolerance * (grid.is_logarithmic(0) ? 1. : length);
-    std::vector<double> coordinates = grid.coordinates(0);
-    std::sort(coordinates.begin(), coordinates.end());
-    SweepLine line;
-    line.start    = start;
-    const auto at = [&](const double x) {
-      SweepPoint point = line.start;
-      point[0]         = x;
-      ++solution.n_solved;
-      return point;
-    };
-    const auto solver = [&](const double x) {
-      return model.solve_between(at(x));
-    };
+    CertifiedPairs certified;
     {
       Timers::Section section(context.timers, "Solve: points, branches");
-      std::map<double, ComplexPairs> certified_pairs;
-      for (const double x : coordinates)
-        certified_pairs[x] = model.solve_certified(at(x), solution.worst);
-      BranchTracker tracker(
-        [&](const double x) {
-          const auto known = certified_pairs.find(x);
-          return known == certified_pairs.end() ? solver(x) : known->second;
-        },
-        options);
-      line.points = tracker.track(coordinates);
+      for (const double x : model.grid().coordinates(0))
+        {
+          SweepPoint point = start;
+          point[0]         = x;
+          certified[x]     = model.solve_certified(point, solution.worst);
+          ++solution.n_solved;
+        }
     }
-    Timers::Section     section(context.timers, "Solve: edges and peaks");
-    const LineStability stability(solver, options, tolerance);
-    line.branch_names = branch_names(model, line);
-    line.ranges       = stability.ranges(line.points);
-    if (p.exceptional_points)
-      line.exceptional = stability.exceptional_points(line.points);
-    for (const auto &range : line.ranges)
-      line.mesh_errors_of_edges.push_back(
-        mesh_error_of_edges(model, line, range));
-    return line;
+    return follow_line(model, start, certified, context, solution.n_solved);
   }
+
+
 
   SweepSolution
   solve_sweep(SweepModel &model, RunContext &context)
   {
-    const SweepGrid  &grid = model.grid();
-    const std::size_t n    = grid.coordinates(0).size();
-    SweepSolution     solution;
-    for (std::size_t first = 0; first < grid.n_points(); first += n)
-      solution.lines.push_back(
-        solve_line(model, grid.point(first), context, solution));
+    const SweepGrid        &grid = model.grid();
+    const std::size_t       n    = grid.coordinates(0).size();
+    SweepSolution           solution;
+    std::vector<SweepPoint> points;
+    for (std::size_t i = 0; i < grid.n_points(); ++i)
+      points.push_back(grid.point(i));
+    solution.n_solved = points.size();
+    std::vector<ComplexPairs> pairs;
+    {
+      Timers::Section section(context.timers, "Solve: points, branches");
+      pairs = solve_points(model, points, solution.worst);
+    }
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    solution.lines.resize(points.size() / n);
+    Packer      packer;
+    std::size_t n_solved = 0;
+    for (std::size_t l = rank; l < solution.lines.size(); l += n_ranks)
+      {
+        CertifiedPairs certified;
+        for (std::size_t i = l * n; i < (l + 1) * n; ++i)
+          certified[points[i][0]] = std::move(pairs[i]);
+        solution.lines[l] =
+          follow_line(model, points[l * n], certified, context, n_solved);
+        if (n_ranks > 1)
+          {
+            packer.put(l);
+            put(packer, solution.lines[l]);
+          }
+      }
+    if (n_ranks > 1)
+      {
+        Timers::Section section(context.timers, "Solve: exchange of lines");
+        for (const auto &bytes :
+             dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, packer.bytes()))
+          for (Unpacker unpacker(bytes); !unpacker.is_empty();)
+            {
+              std::size_t l;
+              unpacker.get(l);
+              get(unpacker, solution.lines[l]);
+            }
+      }
+    solution.n_solved += dealii::Utilities::MPI::sum(n_solved, MPI_COMM_WORLD);
     return solution;
   }
 } // namespace squeal

@@ -378,7 +378,8 @@ namespace squeal
 
 
   ReducedModel
-  BasisBuilder::build(const std::function<void(const BasisRound &)> &report)
+  BasisBuilder::build(const std::function<void(const BasisRound &)> &report,
+                      const Block                                   &start)
   {
     {
       Anchor     &first = add_anchor(system.grid().spread(1).back());
@@ -388,6 +389,8 @@ namespace squeal
         undamped_modes(first.pencil, first.inverse, mode_options);
       reduced.extend(modes.shapes);
       reduced.extend(modes.supplement);
+      if (start.rows() == modes.shapes.rows())
+        reduced.extend(start);
       update_model(reduced.size());
     }
     for (unsigned int round = 0;; ++round)

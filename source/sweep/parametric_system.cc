@@ -85,7 +85,7 @@ namespace squeal
     if (!is_affine_entry(path))
       throw InputError("'" + section + "' contains '" + path +
                        "', which changes the matrices themselves and not "
-                       "only their factors: run one analysis for each value");
+                       "only their factors");
   }
 
 

@@ -22,8 +22,14 @@ namespace squeal
   class SweepModel
   {
   public:
-    /** Assembles, and builds or reads the basis. */
-    explicit SweepModel(RunContext &context);
+    /** Assembles the scene of @p parameters, which must outlive the model, and
+     * builds or reads the basis. @p name is appended to the name of its file.
+     * If given, @p vectors are what a basis that is built starts with, see
+     * BasisBuilder, and become its common basis. */
+    SweepModel(RunContext        &context,
+               const Parameters  &parameters,
+               const std::string &name    = "",
+               Block             *vectors = nullptr);
 
     const Model            &model() const;
     const SweepGrid        &grid() const;
@@ -46,6 +52,9 @@ namespace squeal
      * they are not, throws ComputationError where that does not help. The
      * largest estimates are entered in @p worst. */
     ComplexPairs solve_certified(const SweepPoint &point, WorstError &worst);
+
+    /** Whether the estimates of pairs of solve() are within the tolerances. */
+    bool is_certified(const ComplexPairs &pairs, const SweepPoint &point) const;
 
     /** Within a hundred times the tolerances, the small basis being left alone:
      * for points that only steer, many of them next to a coalescence. */
@@ -73,7 +82,7 @@ namespace squeal
     const std::vector<bool> &symmetric_parts() const;
 
   private:
-    void        build(RunContext &context);
+    void        build(RunContext &context, Block *vectors);
     bool        read(RunContext &context);
     void        add_quantities(RunContext &context, const Block &basis);
     void        add_mesh_errors(RunContext &context, const Block &basis);

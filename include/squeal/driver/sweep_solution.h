@@ -33,8 +33,10 @@ namespace squeal
   };
 
   /** Solves all points, follows the branches, finds ranges, edges, peaks and
-   * exceptional points. Enlarges the small bases where an estimate exceeds its
-   * tolerance; throws ComputationError where that does not help. */
+   * exceptional points. Ranks share the points, then the lines, and all of them
+   * end with all results, which do not depend on their number. Enlarges the
+   * small bases where an estimate exceeds its tolerance; throws
+   * ComputationError where that does not help. */
   SweepSolution solve_sweep(SweepModel &model, RunContext &context);
 
   TrackingOptions tracking_options(const SweepModel &model);
@@ -146,10 +148,13 @@ namespace squeal
                          const SweepSolution &solution,
                          RunContext          &context);
 
-  /** Charts in plots/, those of the scatter among them. */
+  /** Charts in plots/, those of the scatter among them; @p scene is appended to
+   * the names of their files and @p title to their captions. */
   void draw_sweep(const SweepModel         &model,
                   const SweepSolution      &solution,
                   const std::vector<Chart> &scatter,
+                  const std::string        &scene,
+                  const std::string        &title,
                   RunContext               &context,
                   HtmlReport               &report);
 } // namespace squeal

@@ -66,10 +66,13 @@ namespace squeal
     BasisBuilder(const ParametricSystem &system, const BasisOptions &options);
     ~BasisBuilder();
 
-    /** Throws ComputationError where the tolerance is not met within the
-     * allowed rounds or vectors. */
+    /** Starts with the vectors @p start of a box alike, such as that of the
+     * same mesh with other dimensions, if there are as many rows. Throws
+     * ComputationError where the tolerance is not met within the allowed rounds
+     * or vectors. */
     ReducedModel build(
-      const std::function<void(const BasisRound &)> &report = {});
+      const std::function<void(const BasisRound &)> &report = {},
+      const Block                                   &start  = Block());
 
     const std::vector<BasisRound> &history() const;
 
