@@ -162,6 +162,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/command_line.cc
     source/driver/contact_output.cc
     source/driver/matrix_output.cc
+    source/driver/doublets.cc
     source/driver/measured_points.cc
     source/driver/mode_solution.cc
     source/driver/model.cc

@@ -4,6 +4,7 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/driver/analyses.h>
+#include <squeal/driver/doublets.h>
 #include <squeal/results/plots.h>
 
 #include <sstream>
@@ -56,6 +57,21 @@ namespace squeal
     report.table(table, "Modes in the band");
     if (steps.n_rows() > 0)
       report.table(steps, "Meshes");
+
+    const Table doublets = doublet_table(table);
+    if (doublets.n_rows() > 0)
+      {
+        context.write_table("doublets.csv", doublets);
+        report.section("Doublets of the disc");
+        if (p.output.plots && context.is_root)
+          {
+            context.output.file("plots/doublets.png");
+            const std::string path = context.output.path() + "/plots/doublets";
+            context.plotter.draw(draw_charts({doublet_chart(doublets)}), path);
+            report.figure(path + ".png", "What pad and support split", false);
+          }
+        report.table(doublets, "Doublets");
+      }
 
     std::string open_this;
     if (p.output.shapes == OutputParameters::Shapes::all &&

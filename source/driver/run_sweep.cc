@@ -44,10 +44,10 @@ namespace squeal
     };
 
     SweepTables
-    tables_of(SweepModel          &model,
-              const SweepSolution &solution,
-              std::vector<Chart>  &scatter_charts,
-              RunContext          &context)
+    tables_of(SweepModel              &model,
+              const SweepSolution     &solution,
+              std::vector<ChartGroup> &charts,
+              RunContext              &context)
     {
       const SweepParameters &s = context.parameters.sweep;
       SweepTables            t;
@@ -59,7 +59,12 @@ namespace squeal
       if (s.exceptional_points)
         t.coalescences = exceptional_point_table(model, solution);
       if (s.boundary_tolerance > 0.)
-        t.boundary = boundary_table(model, solution, context);
+        {
+          t.boundary = boundary_table(model, solution, context);
+          charts.push_back({"boundary",
+                            "Boundary of the unstable regions",
+                            {boundary_chart(model, t.boundary)}});
+        }
       if (!s.sensitivities.empty())
         t.influence = sensitivity_table(model, solution, context);
       if (s.suggestions > 0)
@@ -69,7 +74,9 @@ namespace squeal
           ScatterTables scatter = scatter_tables(model, context);
           t.probabilities       = scatter.probabilities;
           t.drivers             = scatter.drivers;
-          scatter_charts        = scatter.charts;
+          charts.push_back({"scatter",
+                            "Probability of squeal along every axis",
+                            scatter.charts});
         }
       if (s.direct_checks > 0)
         t.checks = direct_check_table(model, solution, context);
@@ -206,14 +213,14 @@ namespace squeal
         add(model, solution, totals);
         context.record.n_dofs = std::max<std::size_t>(
           context.record.n_dofs, model.model().n_unknowns());
-        std::vector<Chart> scatter;
-        SweepTables        own = tables_of(model, solution, scatter, context);
+        std::vector<ChartGroup> charts;
+        SweepTables own = tables_of(model, solution, charts, context);
         if (p.output.plots)
           {
             Timers::Section section(context.timers, "Write: charts");
             draw_sweep(model,
                        solution,
-                       scatter,
+                       charts,
                        scene.name,
                        scene.title(),
                        context,

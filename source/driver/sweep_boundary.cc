@@ -3,6 +3,7 @@
 // The boundary of the unstable regions of two parameters.
 
 #include <squeal/driver/sweep_solution.h>
+#include <squeal/results/chart.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,5 +127,54 @@ namespace squeal
       " lines, " + std::to_string(added.n_solved) +
       " solutions beside those of the grid");
     return table;
+  }
+
+
+  Chart
+  boundary_chart(const SweepModel &model, const Table &boundary)
+  {
+    const SweepGrid &grid   = model.grid();
+    static const Ink inks[] = {Ink::vermillion,
+                               Ink::blue,
+                               Ink::green,
+                               Ink::orange,
+                               Ink::purple,
+                               Ink::sky};
+    Chart            chart;
+    chart.title   = "Boundary of the unstable regions";
+    chart.x.label = (grid.is_logarithmic(0) ? "log10 of " : "") +
+                    grid.axis(0).entries[0].substr(6);
+    chart.y.label = grid.axis(1).entries[0].substr(6);
+    chart.x.lower = grid.lower(0);
+    chart.x.upper = grid.upper(0);
+    std::vector<double> frequencies;
+    for (std::size_t i = 0; i < boundary.n_rows(); ++i)
+      {
+        // Ranges of one kind have nearly one frequency.
+        const double f = boundary.real(i, "frequency_hz");
+        std::size_t  k = 0;
+        while (k < frequencies.size() &&
+               std::abs(f - frequencies[k]) > 0.06 * frequencies[k])
+          ++k;
+        if (k == frequencies.size())
+          {
+            frequencies.push_back(f);
+            ChartSeries next;
+            next.label       = "near " + rounded_text(f, 2) + " Hz";
+            next.ink         = inks[k % 6];
+            next.marker      = static_cast<ChartSeries::Marker>(k % 4);
+            next.marker_size = 0.8;
+            chart.series.push_back(next);
+          }
+        frequencies[k] = f;
+        for (const std::string edge : {"lower", "upper"})
+          if (boundary.integer(i, "at_" + edge + "_limit") == 0)
+            {
+              chart.series[k].x.push_back(
+                boundary.real(i, edge + "_coordinate"));
+              chart.series[k].y.push_back(boundary.real(i, grid.axis(1).name));
+            }
+      }
+    return chart;
   }
 } // namespace squeal

@@ -241,43 +241,52 @@ namespace squeal
       return chart;
     }
 
-    Chart
-    basis_chart(const std::vector<BasisRound> &rounds, const SweepParameters &p)
+    /** Over the number of vectors, and over CPU seconds. */
+    std::vector<Chart>
+    basis_charts(const std::vector<BasisRound> &rounds,
+                 const SweepParameters         &p)
     {
-      Chart chart;
-      chart.title   = "Greedy basis";
-      chart.x.label = "vectors";
-      chart.y.label = "worst estimated error in the box";
-      chart.y.scale = AxisSettings::Scale::logarithmic;
-      ChartSeries f =
-        series("frequency, relative", Ink::blue, Style::lines_points);
-      ChartSeries s = series(
-        "sigma, 1/s", Ink::vermillion, Style::lines_points, Marker::square);
-      for (const auto &round : rounds)
+      std::vector<Chart> charts(2);
+      charts[0].title   = "Greedy basis";
+      charts[0].x.label = "vectors";
+      charts[1].title   = "Error against work";
+      charts[1].x.label = "CPU seconds of the basis";
+      for (Chart &chart : charts)
         {
-          f.x.push_back(round.basis_size);
-          f.y.push_back(round.worst.frequency);
-          s.x.push_back(round.basis_size);
-          s.y.push_back(round.worst.sigma);
+          const bool  is_work = &chart == &charts[1];
+          ChartSeries f =
+            series("frequency, relative", Ink::blue, Style::lines_points);
+          ChartSeries s = series(
+            "sigma, 1/s", Ink::vermillion, Style::lines_points, Marker::square);
+          for (const auto &round : rounds)
+            {
+              const double x = is_work ? round.cpu_seconds : round.basis_size;
+              f.x.push_back(x);
+              f.y.push_back(round.worst.frequency);
+              s.x.push_back(x);
+              s.y.push_back(round.worst.sigma);
+            }
+          chart.y.label = "worst estimated error in the box";
+          chart.y.scale = AxisSettings::Scale::logarithmic;
+          chart.series  = {f, s};
+          chart.lines   = {
+              {false, p.frequency_tolerance, "tolerance of frequency", Ink::blue},
+              {false, p.sigma_tolerance, "tolerance of sigma", Ink::vermillion}};
         }
-      chart.series = {f, s};
-      chart.lines  = {
-         {false, p.frequency_tolerance, "tolerance of frequency", Ink::blue},
-         {false, p.sigma_tolerance, "tolerance of sigma", Ink::vermillion}};
-      return chart;
+      return charts;
     }
   } // namespace
 
 
 
   void
-  draw_sweep(const SweepModel         &model,
-             const SweepSolution      &solution,
-             const std::vector<Chart> &scatter,
-             const std::string        &scene,
-             const std::string        &title,
-             RunContext               &context,
-             HtmlReport               &report)
+  draw_sweep(const SweepModel              &model,
+             const SweepSolution           &solution,
+             const std::vector<ChartGroup> &others,
+             const std::string             &scene,
+             const std::string             &title,
+             RunContext                    &context,
+             HtmlReport                    &report)
   {
     if (!context.is_root)
       return;
@@ -317,11 +326,12 @@ namespace squeal
       draw("locus", "Paths of the pairs that coalesce", loci);
     if (model.grid().n_axes() == 2)
       draw("stability_map", "Unstable ranges", {map_chart(model, solution)});
-    if (!scatter.empty())
-      draw("scatter", "Probability of squeal along every axis", scatter);
+    for (const ChartGroup &group : others)
+      draw(group.name, group.caption, group.charts);
     if (model.history().size() > 1)
       draw("basis",
-           "Worst estimated error of the greedy basis",
-           {basis_chart(model.history(), context.parameters.sweep)});
+           "Worst estimated error of the greedy basis over its size and over "
+           "the work",
+           basis_charts(model.history(), context.parameters.sweep));
   }
 } // namespace squeal

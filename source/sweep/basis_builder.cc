@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/timers.h>
 #include <squeal/sweep/basis_builder.h>
 
 #include <Eigen/Eigenvalues>
@@ -381,6 +382,7 @@ namespace squeal
   BasisBuilder::build(const std::function<void(const BasisRound &)> &report,
                       const Block                                   &start)
   {
+    const double start_seconds = cpu_seconds();
     {
       Anchor     &first = add_anchor(system.grid().spread(1).back());
       ModeOptions mode_options;
@@ -395,7 +397,8 @@ namespace squeal
     }
     for (unsigned int round = 0;; ++round)
       {
-        const unsigned int before = reduced.size();
+        const unsigned int before      = reduced.size();
+        const double       seconds_now = cpu_seconds() - start_seconds;
         for (const auto &point : choose_points(round))
           {
             reduced.extend(corrections(point));
@@ -404,6 +407,7 @@ namespace squeal
         check_inertia();
         update_model(before);
         evaluate_training();
+        rounds.back().cpu_seconds = seconds_now;
         // Nothing left to add: the basis is all there is.
         if (reduced.size() == before)
           break;

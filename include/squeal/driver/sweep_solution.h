@@ -148,15 +148,25 @@ namespace squeal
                          const SweepSolution &solution,
                          RunContext          &context);
 
-  /** Charts in plots/, those of the scatter among them; @p scene is appended to
-   * the names of their files and @p title to their captions. */
-  void draw_sweep(const SweepModel         &model,
-                  const SweepSolution      &solution,
-                  const std::vector<Chart> &scatter,
-                  const std::string        &scene,
-                  const std::string        &title,
-                  RunContext               &context,
-                  HtmlReport               &report);
+  /** Charts that belong together, one picture. */
+  struct ChartGroup
+  {
+    std::string        name, caption;
+    std::vector<Chart> charts;
+  };
+
+  /** Edges of boundary.csv in the plane of the two axes. */
+  Chart boundary_chart(const SweepModel &model, const Table &boundary);
+
+  /** Charts in plots/, @p others among them; @p scene is appended to the names
+   * of their files and @p title to their captions. */
+  void draw_sweep(const SweepModel              &model,
+                  const SweepSolution           &solution,
+                  const std::vector<ChartGroup> &others,
+                  const std::string             &scene,
+                  const std::string             &title,
+                  RunContext                    &context,
+                  HtmlReport                    &report);
 } // namespace squeal
 
 #endif

@@ -45,6 +45,7 @@ namespace squeal
     unsigned int basis_size; /**< before the round */
     unsigned int n_factors;
     WorstError   worst; /**< of that basis, from what the round added */
+    double       cpu_seconds = 0.; /**< until that basis was there */
   };
 
   /**
