@@ -5,6 +5,7 @@
 # after files that are missing here.
 
 set(SQUEAL_SOURCES_BASE
+    source/base/packing.cc
     source/base/assignment.cc
     source/base/base64.cc
     source/base/files.cc

@@ -297,8 +297,7 @@ namespace squeal
             }
         }
       if (n_ranks > 1)
-        for (const auto &bytes :
-             dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, packer.bytes()))
+        for (const auto &bytes : gather_on_all(MPI_COMM_WORLD, packer.bytes()))
           for (Unpacker unpacker(bytes); !unpacker.is_empty();)
             {
               std::size_t i;
@@ -376,8 +375,7 @@ namespace squeal
     if (n_ranks > 1)
       {
         Timers::Section section(context.timers, "Solve: exchange of lines");
-        for (const auto &bytes :
-             dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, packer.bytes()))
+        for (const auto &bytes : gather_on_all(MPI_COMM_WORLD, packer.bytes()))
           for (Unpacker unpacker(bytes); !unpacker.is_empty();)
             {
               std::size_t l;

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <mpi.h>
+
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -130,6 +132,10 @@ namespace squeal
     const std::vector<char> &list;
     std::size_t              position = 0;
   };
+
+  /** The bytes of every rank, on all ranks. Collective. */
+  std::vector<std::vector<char>> gather_on_all(const MPI_Comm           comm,
+                                               const std::vector<char> &own);
 } // namespace squeal
 
 #endif
