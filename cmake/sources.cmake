@@ -5,7 +5,6 @@
 # after files that are missing here.
 
 set(SQUEAL_SOURCES_BASE
-    source/base/packing.cc
     source/base/assignment.cc
     source/base/base64.cc
     source/base/files.cc
@@ -13,6 +12,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/low_rank_matrix.cc
     source/base/memory.cc
     source/base/mumps.cc
+    source/base/packing.cc
     source/base/row_space.cc
     source/base/run_log.cc
     source/base/sparse_matrix.cc
