@@ -23,7 +23,7 @@ namespace squeal
     unsigned int maximum_rounds      = 40;
     unsigned int points_per_round    = 8;
     /** Decades by which a coefficient may differ from the nearest factor. */
-    double anchor_spacing = 0.45;
+    double anchor_spacing = 0.7;
     /** The same from one end of a cell to the other. */
     double cell_size = 0.15;
     /** Share of the tolerance that the bases of cells are chosen for. */
