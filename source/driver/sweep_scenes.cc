@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/driver/sweep_scenes.h>
+#include <squeal/parameters/number_access.h>
 #include <squeal/sweep/parametric_system.h>
 
 #include <algorithm>
@@ -60,10 +61,7 @@ namespace squeal
         const SweepPoint          point  = grid.point(i);
         const std::vector<double> values = grid.values(point);
         SweepScene                scene;
-        scene.parameters = p;
-        for (std::size_t e = 0; e < entries.size(); ++e)
-          scene.parameters =
-            with_value(scene.parameters, entries[e], values[e]);
+        scene.parameters            = with_values(p, entries, values);
         scene.parameters.sweep.axes = inner.sweep.axes;
         for (unsigned int a = 0; a < grid.n_axes(); ++a)
           {

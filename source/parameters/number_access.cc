@@ -3,12 +3,13 @@
 
 #include <squeal/parameters/declarations.h>
 #include <squeal/parameters/names.h>
+#include <squeal/parameters/number_access.h>
 #include <squeal/parameters/numbers.h>
-#include <squeal/parameters/parameters.h>
 #include <squeal/parameters/prm_tree.h>
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
+#include <map>
 
 namespace squeal
 {
@@ -111,28 +112,42 @@ namespace squeal
 
 
   Parameters
-  with_value(const Parameters  &parameters,
-             const std::string &path,
-             const double       value)
+  with_values(const Parameters               &parameters,
+              const std::vector<std::string> &paths,
+              const std::vector<double>      &values)
   {
-    NumberEntry entry             = find_number(parameters, path);
-    entry.values[entry.component] = prm::format_number(value);
-
-    prm::PrmTree tree;
-    for (const auto &used : parameters.used)
+    // Components of one list change one after the other.
+    std::map<std::string, std::vector<std::string>> changed_values;
+    for (std::size_t i = 0; i < paths.size(); ++i)
       {
-        const bool is_changed = used.first == entry.path;
-        tree.entries.push_back(
-          {used.first,
-           is_changed ? prm::join(entry.values, ", ") : used.second,
-           {is_changed ? parameters.file + ", changed value" : parameters.file,
-            0},
-           ""});
+        const NumberEntry entry = find_number(parameters, paths[i]);
+        changed_values.emplace(entry.path, entry.values)
+          .first->second[entry.component] = prm::format_number(values.at(i));
+      }
+    prm::PrmTree tree;
+    for (const auto &[path, text] : parameters.used)
+      {
+        const auto changed = changed_values.find(path);
+        if (changed == changed_values.end())
+          tree.entries.push_back({path, text, {parameters.file, 0}, ""});
+        else
+          tree.entries.push_back({path,
+                                  prm::join(changed->second, ", "),
+                                  {parameters.file + ", changed value", 0},
+                                  ""});
       }
     Parameters changed = prm::parse_tree(std::move(tree), parameters.file);
     changed.notes      = parameters.notes;
     changed.check();
     return changed;
+  }
+
+  Parameters
+  with_value(const Parameters  &parameters,
+             const std::string &path,
+             const double       value)
+  {
+    return with_values(parameters, {path}, {value});
   }
 
 
