@@ -45,7 +45,11 @@ namespace
                  ? entry.allowed.choices().back()
                  : entry.allowed.choices().front();
       case Kind::integer:
-        return text.empty() || text == "1" ? "2" : "1";
+        // Some start at 2.
+        return text.empty() || text == "1" ? "2"
+               : entry.allowed.matches("1")
+                 ? "1"
+                 : std::to_string(std::stoi(text) + 1);
       case Kind::number:
         return text.empty() || text == "0"
                  ? "0.5"
