@@ -32,6 +32,7 @@ namespace squeal::tribology
     constexpr int    shortest_bridge = 5;
     constexpr int    border          = 3;
     constexpr double flank           = 4.;
+    constexpr double far_ahead = 70., ahead = 35.;
     // Straight lines of this length are scratches, grooves or edges.
     constexpr double strong_contrast = 3.25;
     constexpr double strong_scratch = 110., weak_scratch = 80.;
@@ -209,7 +210,9 @@ namespace squeal::tribology
     cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255, 2 * border - 1);
     cv::Mat free = ridges.local.clone();
     free.setTo(0., closed);
-    cracks = CrackGrowth(ridges, free, cracks).grow(cracks);
+    cracks = CrackGrowth(ridges, free, cracks, far_ahead).grow(cracks);
+    const CrackGrowth near(ridges, free, cracks, ahead);
+    cracks = near.finish_ends(near.grow(cracks));
     remove_spurs(cracks, longest_spur);
     remove_straight_edges(cracks, graph.crests);
     return cracks;

@@ -12,7 +12,6 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double reach           = 35.; // pixels ahead
     constexpr double half_sector     = 0.5; // cosine
     constexpr double least_strength  = 2.;
     constexpr double crest_strength  = 2.;
@@ -21,16 +20,8 @@ namespace squeal::tribology
     constexpr double straight_within = 0.45; // pixels
     constexpr int    n_trials        = 400;
     constexpr int    n_rounds        = 12;
-
-    double
-    median(std::vector<double> values)
-    {
-      const auto middle = values.begin() + values.size() / 2;
-      std::nth_element(values.begin(), middle, values.end());
-      return *middle;
-    }
-
-
+    constexpr double n_deviations    = 3.;
+    constexpr double one_below       = 0.1587; // quantile of a deviation below
 
     /** A groove that the crack meets. */
     bool
@@ -46,9 +37,11 @@ namespace squeal::tribology
 
   CrackGrowth::CrackGrowth(const RidgeField &ridges,
                            const cv::Mat    &contrast,
-                           const cv::Mat    &centre_line)
+                           const cv::Mat    &centre_line,
+                           const double      reach)
     : ridges(ridges)
     , contrast(contrast)
+    , reach(reach)
   {
     cv::max(contrast, 0., cost);
     cost += 0.3;
@@ -86,10 +79,11 @@ namespace squeal::tribology
       }
     if (found.size() < 20)
       return;
-    const double middle = median(found);
-    for (double &x : found)
-      x = std::abs(x - middle);
-    threshold = std::max(least_strength, middle + 2. * 1.4826 * median(found));
+    std::sort(found.begin(), found.end());
+    const double middle = found[found.size() / 2];
+    const double below  = found[std::size_t(one_below * double(found.size()))];
+    threshold =
+      std::max(least_strength, middle + n_deviations * (middle - below));
   }
 
 
@@ -165,10 +159,10 @@ namespace squeal::tribology
 
 
 
-  void
-  CrackGrowth::finish_ends(cv::Mat &network) const
+  cv::Mat
+  CrackGrowth::finish_ends(const cv::Mat &before) const
   {
-    const cv::Mat before = network.clone();
+    cv::Mat network = before.clone();
     for (const LineEnd &end : line_ends(before))
       {
         const PixelPath way = extend(end, before).way;
@@ -187,7 +181,7 @@ namespace squeal::tribology
         for (std::size_t i = way.size() - n; i < way.size(); ++i)
           network.at<uchar>(way[i]) = 255;
       }
-    network = thin(network);
+    return thin(network);
   }
 
 
@@ -214,7 +208,6 @@ namespace squeal::tribology
           break;
         network = thin(network);
       }
-    finish_ends(network);
     return network;
   }
 } // namespace squeal::tribology

@@ -99,6 +99,38 @@ namespace squeal::tribology
 
 
 
+    /** What takes places of features to those of the nodes. Images are known
+     * from the centre of the pad on; a transient's nodes stand where the pad
+     * stands on the disc. Zero where all features lie on the face as they are.
+     */
+    std::array<double, 2>
+    pad_centre(const std::vector<std::array<double, 3>> &points,
+               const Table                              &features,
+               const std::vector<std::size_t>           &rows)
+    {
+      std::array<double, 2> centre{{0., 0.}};
+      bool                  is_beside = false;
+      for (const int axis : {0, 1})
+        {
+          const auto [lower, upper] = std::minmax_element(
+            points.begin(), points.end(), [axis](const auto &a, const auto &b) {
+              return a[axis] < b[axis];
+            });
+          const double low = (*lower)[axis], high = (*upper)[axis];
+          // Half a cell lies beyond the outermost nodes.
+          const double border = 0.1 * (high - low);
+          for (const std::size_t row : rows)
+            {
+              const double at = features.real(row, axis == 0 ? "x_m" : "y_m");
+              is_beside = is_beside || at < low - border || at > high + border;
+            }
+          centre[axis] = 0.5 * (low + high);
+        }
+      return is_beside ? centre : std::array<double, 2>{{0., 0.}};
+    }
+
+
+
     /** A feature on the cells: the mean of the rows in a cell, by their
      * coverage if the table has it. */
     GridMap
@@ -167,11 +199,12 @@ namespace squeal::tribology
         }
       const std::vector<std::size_t> rows = rows_of_pad(features);
       std::vector<std::size_t>       nodes;
+      const auto centre = pad_centre(points, features, rows);
       for (const std::size_t row : rows)
         nodes.push_back(
           node_at(*pad.grid,
-                  features.real(row, "x_m"),
-                  features.real(row, "y_m"),
+                  features.real(row, "x_m") + centre[0],
+                  features.real(row, "y_m") + centre[1],
                   feature_file + ":" + std::to_string(row + 2) + ": "));
       for (const std::string &name : feature_columns(features, p.features))
         {

@@ -24,9 +24,10 @@ namespace squeal::tribology
    * than both flanks. Connected edges are a crack when their strong ones add up
    * to enough contrast over their length. Edges on long straight lines are
    * scratches, grooves or edges of the specimen. From the ends of cracks the
-   * cheapest way over 35 pixels ahead is added as long as its mean contrast
-   * exceeds what the same search finds from crests of the background (median
-   * and two robust deviations), else the part of it that is contrasty itself.
+   * cheapest way over 70, then 35 pixels ahead is added as long as its mean
+   * contrast exceeds what the same search finds from crests of the background
+   * (median and three deviations), else the part of it that is contrasty
+   * itself.
    *
    * Nothing depends on quantiles of the evidence: an image without cracks
    * gives none. @p grey is CV_32F.

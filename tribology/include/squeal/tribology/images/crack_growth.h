@@ -8,15 +8,20 @@
 namespace squeal::tribology
 {
   /** Extends the ends of a skeleton along crests that are stronger than the
-   * same search finds in the background; see find_centre_lines(). */
+   * same search finds in the background; see find_centre_lines(). A longer
+   * search finds fainter cracks, because chance averages out along it; a
+   * shorter one finds short rests. */
   class CrackGrowth
   {
   public:
     /** @p contrast is that of @p ridges at each pixel, without what must not
-     * lead on. The background is what lies away from @p centre_line. */
+     * lead on. The background is what lies away from @p centre_line; of its
+     * spread only the lower half counts, since cracks that have not been found
+     * yet make the upper one. @p reach: pixels that are searched ahead. */
     CrackGrowth(const RidgeField &ridges,
                 const cv::Mat    &contrast,
-                const cv::Mat    &centre_line);
+                const cv::Mat    &centre_line,
+                double            reach);
 
     /** Mean strength that an extension needs. */
     double
@@ -28,6 +33,10 @@ namespace squeal::tribology
     /** The skeleton with its extensions, thinned. */
     cv::Mat grow(const cv::Mat &centre_line) const;
 
+    /** The skeleton with the contrasty beginnings of extensions that are too
+     * weak as a whole, thinned. */
+    cv::Mat finish_ends(const cv::Mat &centre_line) const;
+
   private:
     struct Extension
     {
@@ -37,10 +46,10 @@ namespace squeal::tribology
     };
     Extension extend(const LineEnd &end, const cv::Mat &network) const;
     void      calibrate(const cv::Mat &centre_line);
-    void      finish_ends(cv::Mat &network) const;
 
     const RidgeField &ridges;
     const cv::Mat     contrast;
+    const double      reach;
     cv::Mat           cost;
     double            threshold = 0.;
   };
