@@ -45,13 +45,17 @@ namespace squeal
   {
     K_u = stiffness_times(u);
     M_v = mass_times(v);
+    // Forces of open nodes are zero to the tolerance of a solution only.
+    touching.setZero(model.n_nodes());
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      touching[j] = lambda[3 * j] > 1e-6 * lambda.cwiseAbs().maxCoeff();
     set_stored_energy();
   }
 
   std::vector<Eigen::VectorXd *>
   ImplicitTransient::further_state()
   {
-    return {&K_u, &M_v};
+    return {&K_u, &M_v, &touching};
   }
 
   void
@@ -73,7 +77,7 @@ namespace squeal
       {
         const double gap =
           model.initial_gap[j] - nodes_motion[3 * j] - 0.5 * dt * rate[3 * j];
-        const bool may_touch = lambda[3 * j] > 0. || gap <= 0.;
+        const bool may_touch = touching[j] > 0. || gap <= 0.;
         motion[3 * j] =
           model.initial_gap[j] + (may_touch ? motion[3 * j] : -far_away);
       }
@@ -109,6 +113,8 @@ namespace squeal
     enter_contact_work(step, next, dt * relative(v_h));
     K_u += dt * K_vh;
     M_v = M_v1;
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      touching[j] = solver->status()[j] != ContactStatus::open;
     finish_step(u + dt * v_h, next);
     set_stored_energy();
     return report;

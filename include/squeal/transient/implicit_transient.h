@@ -46,6 +46,7 @@ namespace squeal
     std::unique_ptr<ShiftedInverse> inverse;   /**< stiffness_factor A^-1 */
     Block                           responses; /**< A^-1 B^T */
     Eigen::VectorXd                 K_u, M_v;
+    Eigen::VectorXd                 touching; /**< 1 for closed nodes */
   };
 } // namespace squeal
 
