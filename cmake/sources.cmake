@@ -121,10 +121,14 @@ set(SQUEAL_SOURCES_SWEEP
 
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/contact_solver.cc
+    source/transient/explicit_transient.cc
+    source/transient/full_transient.cc
     source/transient/growth.cc
+    source/transient/implicit_transient.cc
     source/transient/kept_inverse.cc
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
+    source/transient/reduction_basis.cc
     source/transient/spectrum.cc
     source/transient/steady_sliding.cc)
 

@@ -185,7 +185,8 @@ namespace squeal
     assemble_meshed_body(const Discretization &d, const unsigned int body)
     {
       const auto     &p = d.scene().bodies[body];
-      ElementMatrices element(d.dof_handler(), d.mapping());
+      ElementMatrices element(
+        d.dof_handler(), d.mapping(), d.has_lumped_mass());
       std::vector<Discretization::CellIterator> cells;
       std::vector<CellRows>                     rows;
       for (const auto &cell : d.dof_handler().active_cell_iterators())

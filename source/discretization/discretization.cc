@@ -150,6 +150,12 @@ namespace squeal
     return mesh != nullptr;
   }
 
+  bool
+  Discretization::has_lumped_mass() const
+  {
+    return parameters.mass == DiscretizationParameters::Mass::lumped;
+  }
+
   unsigned int
   Discretization::degree() const
   {

@@ -45,7 +45,8 @@ namespace squeal
 
 
   ElementMatrices::ElementMatrices(const dealii::DoFHandler<3> &dofs,
-                                   const dealii::Mapping<3, 3> &mapping)
+                                   const dealii::Mapping<3, 3> &mapping,
+                                   const bool                   lumped_mass)
     : fe(dofs.get_fe().degree)
     , quadrature(dofs.get_fe().degree + 1)
     , fe_values(mapping,
@@ -54,6 +55,12 @@ namespace squeal
                 dealii::update_values | dealii::update_gradients |
                   dealii::update_quadrature_points | dealii::update_JxW_values)
   {
+    if (lumped_mass)
+      at_nodes = std::make_unique<dealii::FEValues<3>>(
+        mapping,
+        fe,
+        dealii::QGaussLobatto<3>(fe.degree + 1),
+        dealii::update_JxW_values);
     const auto        &system = dofs.get_fe();
     const unsigned int n      = fe.n_dofs_per_cell();
     component_of.resize(3 * n);
@@ -74,9 +81,9 @@ namespace squeal
   ElementMatrices::reinit(
     const dealii::DoFHandler<3>::active_cell_iterator &cell)
   {
-    fe_values.reinit(
-      static_cast<const dealii::Triangulation<3>::active_cell_iterator &>(
-        cell));
+    const auto &mesh_cell =
+      static_cast<const dealii::Triangulation<3>::active_cell_iterator &>(cell);
+    fe_values.reinit(mesh_cell);
     const unsigned int n = fe.n_dofs_per_cell(), n_q = quadrature.size();
     values.resize(n_q, n);
     weighted_values.resize(n_q, n);
@@ -105,7 +112,24 @@ namespace squeal
           if (l > k)
             H[l][k] = H[k][l].transpose();
         }
-    scalar_mass.noalias() = values.transpose() * weighted_values;
+    if (at_nodes)
+      lump_mass(mesh_cell);
+    else
+      scalar_mass.noalias() = values.transpose() * weighted_values;
+  }
+
+
+
+  void
+  ElementMatrices::lump_mass(
+    const dealii::Triangulation<3>::active_cell_iterator &cell)
+  {
+    at_nodes->reinit(cell);
+    const auto        &node = fe.get_poly_space_numbering_inverse();
+    const unsigned int n    = fe.n_dofs_per_cell();
+    scalar_mass.setZero(n, n);
+    for (unsigned int q = 0; q < n; ++q)
+      scalar_mass(node[q], node[q]) = at_nodes->JxW(q);
   }
 
 

@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/driver/campaign_table.h>
+#include <squeal/parameters/choices.h>
 
 #include <cmath>
 #include <fstream>
@@ -74,7 +75,8 @@ namespace squeal
         {"limit_cycle", Type::text, "", "the second half is steady"},
         {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
         {"steps_per_second", Type::real, "1/s", "of one core", 4},
-        {"unstable_pairs", Type::text, "", "Hz (1/s), about the contact"}};
+        {"unstable_pairs", Type::text, "", "Hz (1/s), about the contact"},
+        {"integrator", Type::text, "", ""}};
     for (const auto &column : columns)
       table.add_column(column);
     return table;
@@ -100,7 +102,7 @@ namespace squeal
                      freq  = fit ? b->fit.frequency : nan;
         row.emplace_back(std::to_string(prepared.steady.n_closed()) + " of " +
                          std::to_string(prepared.steady.status.size()));
-        row.emplace_back("reduced");
+        row.emplace_back(choice_name(run.parameters.transient.integrator));
         for (const double value :
              {sigma,
               rate,
@@ -146,6 +148,7 @@ namespace squeal
     row.push_back(known(f.worst_imbalance));
     row.push_back(known(f.steps_per_second));
     row.emplace_back(pairs.empty() ? "none" : pairs);
+    row.emplace_back(choice_name(run.parameters.transient.integrator));
     return row;
   }
 

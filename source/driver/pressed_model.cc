@@ -91,11 +91,13 @@ namespace squeal
                              const Discretization            &d,
                              const std::vector<BodyMatrices> &bodies,
                              const double                     highest,
-                             Timers                          &timers)
+                             Timers                          &timers,
+                             const double                     interface)
     : parameters(p)
     , scene(p.scene)
     , discretization(d)
     , cut_off(highest)
+    , interface_cut_off(interface)
     , mu(std::abs(p.scene.contacts[0].friction_coefficient))
   {
     {
@@ -107,22 +109,21 @@ namespace squeal
     }
     {
       Timers::Section section(timers, "Solve: modes of the bodies");
-      modes = undamped_modes(
+      UndampedModes   modes = undamped_modes(
         *pencil, ShiftedInverse(*pencil, std::pow(2. * M_PI * cut_off, 2)));
       modes.release_start();
+      basis = std::make_shared<const ReductionBasis>(reduction_basis(
+        *pencil, modes, separated.contacts[0], interface_cut_off));
     }
     Timers::Section      section(timers, "Solve: contact flexibility");
     const PointEvaluator evaluator(d);
-    Block                load = Block::Zero(d.space()->n_owned(), 1);
+    Block                nodal = Block::Zero(d.space()->n_owned(), 1);
     for (const auto &l : scene.loads)
-      load += load_vector(d, evaluator, l);
-    reduced =
-      reduce_contact_model(*pencil,
-                           modes,
-                           cut_off,
-                           separated.contacts[0],
-                           separated.restrict_forces(load),
-                           separated.restrict_forces(observers(bodies)));
+      nodal += load_vector(d, evaluator, l);
+    load     = separated.restrict_forces(nodal);
+    observed = separated.restrict_forces(observers(bodies));
+    reduced  = reduce_contact_model(
+      *pencil, *basis, cut_off, separated.contacts[0], load, observed);
     add_springs(scene.contacts[0], reduced);
   }
 
@@ -212,7 +213,7 @@ namespace squeal
   {
     return modal_forces(
              *pencil,
-             modes,
+             *basis,
              separated.contacts[0],
              separated.restrict_forces(load_vector(
                discretization, PointEvaluator(discretization), load)))
@@ -246,7 +247,8 @@ namespace squeal
                                          *moving->space,
                                          assemble_bodies(*moving->space),
                                          cut_off,
-                                         timers);
+                                         timers,
+                                         interface_cut_off);
       }
     moving->pressed->set_friction(mu);
     SteadySliding steady = moving->pressed->steady(tolerance, timers);
@@ -262,6 +264,28 @@ namespace squeal
       steady.motion - (reduced.participation * steady.coordinates -
                        reduced.flexibility * steady.forces);
     return steady;
+  }
+
+
+
+  FullContactModel
+  PressedModel::full_model(const SteadySliding &steady) const
+  {
+    FullContactModel full;
+    full.pencil          = pencil;
+    full.basis           = basis;
+    full.relative_motion = std::make_shared<const Functionals>(
+      relative_motion(separated.contacts[0]));
+    full.load          = load.col(0);
+    full.observers     = observed;
+    full.initial_gap   = reduced.initial_gap;
+    full.speed_ratio   = reduced.speed_ratio;
+    full.motion_offset = Eigen::VectorXd::Zero(steady.motion.size());
+    if (has_held_support(scene))
+      full.motion_offset =
+        steady.motion - full.relative_motion->apply(Block(static_motion(
+                          full, steady.coordinates, 1., steady.forces)));
+    return full;
   }
 
 

@@ -153,19 +153,22 @@ namespace squeal
   run_transient(RunContext &context)
   {
     if (!context.parameters.sweep.axes.empty() ||
-        !context.parameters.transient.tops.empty())
+        !context.parameters.transient.tops.empty() ||
+        !context.parameters.transient.integrators.empty())
       return run_campaign(context);
     Parameters p              = context.parameters;
     p.scene.contacts[0].state = ContactParameters::State::full;
     Model model(p, context.timers);
     model.print_summary(context.log);
-    const PreparedTransient prepared(PressedModel(p,
-                                                  *model.discretization(),
-                                                  model.body_matrices(),
-                                                  p.transient.cut_off,
-                                                  context.timers),
-                                     p,
-                                     context.timers);
+    const PreparedTransient prepared(
+      PressedModel(p,
+                   *model.discretization(),
+                   model.body_matrices(),
+                   p.transient.cut_off,
+                   context.timers,
+                   p.transient.interface_cut_off),
+      p,
+      context.timers);
     context.record.n_dofs = model.n_unknowns();
     context.log.key_values(
       {{"modes up to the cut-off",

@@ -10,6 +10,7 @@
 #include <squeal/parameters/choices.h>
 #include <squeal/results/chart.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <future>
@@ -109,7 +110,8 @@ namespace squeal
                   *model.discretization(),
                   model.body_matrices(),
                   parameters.transient.cut_off,
-                  c.timers)
+                  c.timers,
+                  parameters.transient.interface_cut_off)
       {
         context.record.n_dofs = model.n_unknowns();
       }
@@ -208,6 +210,35 @@ namespace squeal
       return result;
     }
 
+    /** Runs side by side: factorisations of full models stand one at a time. */
+    unsigned int
+    n_threads(const std::vector<CampaignRun> &runs, const unsigned int asked)
+    {
+      for (const auto &run : runs)
+        if (run.parameters.transient.integrator !=
+            TransientParameters::Integrator::reduced)
+          return 1;
+      return asked;
+    }
+
+    /** The same run by each integrator asked for. */
+    std::vector<CampaignRun>
+    by_integrators(const CampaignRun &run)
+    {
+      const auto &asked = run.parameters.transient.integrators;
+      if (asked.empty())
+        return {run};
+      std::vector<CampaignRun> result;
+      for (const auto &[name, integrator] :
+           choices(TransientParameters::Integrator()))
+        if (std::find(asked.begin(), asked.end(), name) != asked.end())
+          {
+            result.push_back(run);
+            result.back().parameters.transient.integrator = integrator;
+          }
+      return result;
+    }
+
     /** Runs of one group that are still to be done, a few at a time. */
     void
     run_group(const std::vector<CampaignRun> &runs,
@@ -216,7 +247,8 @@ namespace squeal
               Progress                       &progress,
               Table                          &table)
     {
-      const Parameters              &p = context.parameters;
+      const unsigned int side_by_side =
+        n_threads(runs, context.parameters.transient.threads);
       std::unique_ptr<CampaignGroup> group;
       const auto                     add = [&](const CampaignRun       &run,
                            const std::vector<Cell> &row,
@@ -226,11 +258,10 @@ namespace squeal
           finished.add(run.key, row);
         progress.advance(1, run.top);
       };
-      for (std::size_t first = 0; first < runs.size();
-           first += p.transient.threads)
+      for (std::size_t first = 0; first < runs.size(); first += side_by_side)
         {
           const std::size_t last =
-            std::min<std::size_t>(first + p.transient.threads, runs.size());
+            std::min<std::size_t>(first + side_by_side, runs.size());
           std::vector<std::unique_ptr<PreparedTransient>> prepared;
           std::vector<std::future<TransientRecord>>       records;
           std::vector<std::vector<Cell>>                  rows(last - first);
@@ -368,9 +399,12 @@ namespace squeal
               // Node fields are not kept in a campaign.
               run.parameters.transient.history_start       = 1e300;
               run.parameters.discretization.estimate_error = false;
-              run.key = key_of_motion(run.parameters);
-              groups.back().push_back(run);
-              ++n_runs;
+              for (CampaignRun &each : by_integrators(run))
+                {
+                  each.key = key_of_motion(each.parameters);
+                  groups.back().push_back(each);
+                  ++n_runs;
+                }
             }
         }
     if (p.scene.contacts[0].friction_coefficient < 0.)

@@ -85,7 +85,7 @@ namespace squeal
       file.write_attribute("format", std::string("squeal checkpoint"));
       file.write_attribute("format_version", format_version);
       file.write("key", std::vector<std::string>{key});
-      write("memory", motion.memory());
+      write("memory", motion->memory());
       write("counters", counters_of(kept));
       write("samples", numbers(kept.samples));
       write("amplitudes", numbers(kept.amplitudes));
@@ -130,7 +130,7 @@ namespace squeal
     const auto read = [&](const std::string &name) {
       return file.has(name) ? file.read(name) : std::vector<double>();
     };
-    motion.restore(read("memory"));
+    motion->restore(read("memory"));
     const std::vector<double> c = read("counters");
     kept.n_steps                = c.at(0);
     kept.n_iterations           = c.at(1);

@@ -3,6 +3,10 @@
 #include <squeal/base/timers.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/transient_run.h>
+#include <squeal/parameters/choices.h>
+#include <squeal/transient/explicit_transient.h>
+#include <squeal/transient/implicit_transient.h>
+#include <squeal/transient/reduced_transient.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +88,44 @@ namespace squeal
 
 
 
+  std::unique_ptr<TransientIntegrator>
+  make_integrator(const PressedModel  &pressed,
+                  const SteadySliding &steady,
+                  const Parameters    &p)
+  {
+    using Integrator   = TransientParameters::Integrator;
+    const auto  &t     = p.transient;
+    const auto   drive = make_drive(pressed, p);
+    const double force = steady.resultant()[0] / pressed.model().n_nodes();
+    const auto   method =
+      t.contact_method == TransientParameters::ContactMethod::newton
+          ? ContactSolver::Method::newton
+          : ContactSolver::Method::gauss_seidel;
+    switch (t.integrator)
+      {
+      case Integrator::implicit:
+        return std::make_unique<ImplicitTransient>(pressed.full_model(steady),
+                                                   t.step(),
+                                                   drive,
+                                                   force,
+                                                   t.tolerance,
+                                                   method);
+      case Integrator::explicit_:
+        return std::make_unique<ExplicitTransient>(pressed.full_model(steady),
+                                                   t.step(),
+                                                   drive,
+                                                   force,
+                                                   t.tolerance,
+                                                   method,
+                                                   t.beta_2);
+      default:
+        return std::make_unique<ReducedTransient>(
+          pressed.model(), t.step(), drive, force, t.tolerance, method);
+      }
+  }
+
+
+
   std::string
   key_of_motion(const Parameters &p)
   {
@@ -106,6 +148,7 @@ namespace squeal
              std::to_string(contact.sliding_speed) + "\n";
     for (const auto &support : p.scene.supports)
       key += std::to_string(static_cast<int>(support.kind)) + "\n";
+    key += choice_name(p.transient.integrator) + "\n";
     return key;
   }
 
@@ -143,15 +186,11 @@ namespace squeal
     , settings(p.transient)
     , key(key_of_motion(p))
     , edge(leading_edge(model.geometry()))
-    , n_steps(std::lround(settings.end_time / settings.time_step))
-    , stride(std::max<long>(
-        1,
-        std::lround(settings.sample_interval / settings.time_step)))
-    , motion(model.model(),
-             settings.time_step,
-             make_drive(model, p),
-             state.resultant()[0] / model.model().n_nodes(),
-             settings.tolerance)
+    , n_steps(std::lround(settings.end_time / settings.step()))
+    , stride(
+        std::max<long>(1,
+                       std::lround(settings.sample_interval / settings.step())))
+    , motion(make_integrator(model, state, p))
   {
     const unsigned int n = model.model().n_modes();
     kept.nodes.resize(model.model().n_nodes());
@@ -163,15 +202,15 @@ namespace squeal
     const Eigen::VectorXd v =
       Eigen::VectorXd::Constant(n, std::sqrt(2. * settings.disturbance / n));
     if (settings.start == TransientParameters::Start::ramp)
-      motion.start(Eigen::VectorXd::Zero(n),
-                   v,
-                   Eigen::VectorXd::Zero(steady.forces.size()));
+      motion->start(Eigen::VectorXd::Zero(n),
+                    v,
+                    Eigen::VectorXd::Zero(steady.forces.size()));
     else
-      motion.start(steady.coordinates, v, steady.forces);
+      motion->start(steady.coordinates, v, steady.forces);
     status      = settings.start == TransientParameters::Start::ramp
                     ? std::vector<ContactStatus>(edge.size(), ContactStatus::open)
                     : steady.status;
-    last_motion = motion.motion();
+    last_motion = motion->motion();
     take_sample(status == steady.status);
   }
 
@@ -184,15 +223,15 @@ namespace squeal
     double       begin   = thread_seconds();
     while (kept.n_steps < n_steps)
       {
-        const ContactReport report = motion.advance();
+        const ContactReport report = motion->advance();
         ++kept.n_steps;
         kept.n_iterations += report.iterations;
         kept.n_sweeps += report.sweeps;
         kept.worst_residual = std::max(kept.worst_residual, report.residual);
-        const auto &now     = motion.status();
+        const auto &now     = motion->status();
         for (std::size_t j = 0; j < now.size(); ++j)
           if (now[j] != status[j])
-            kept.changes.push_back({motion.time(), j, now[j]});
+            kept.changes.push_back({motion->time(), j, now[j]});
         status               = now;
         linear_since_sample  = linear_since_sample && status == steady.status;
         const unsigned int n = static_cast<unsigned int>(kept.n_steps);
@@ -203,7 +242,7 @@ namespace squeal
             take_sample(linear_since_sample);
             linear_since_sample = true;
           }
-        last_motion = motion.motion();
+        last_motion = motion->motion();
         if (++n_since == steps_between_watches && watch)
           {
             kept.cpu_seconds += thread_seconds() - begin;
@@ -215,7 +254,7 @@ namespace squeal
           }
       }
     kept.cpu_seconds += thread_seconds() - begin;
-    kept.n_inversions = motion.n_inversions();
+    kept.n_inversions = motion->n_inversions();
     if (watch && n_since > 0)
       watch(n_since);
     return true;
@@ -227,11 +266,11 @@ namespace squeal
   TransientRun::take_node_shares()
   {
     const double           speed  = pressed.speed();
-    const Eigen::VectorXd &u      = motion.motion();
-    const Eigen::VectorXd &lambda = motion.forces();
-    const double           way    = settings.time_step * speed *
-                       (1. + (settings.final_speed_ratio - 1.) * motion.time() /
-                               settings.end_time);
+    const Eigen::VectorXd &u      = motion->motion();
+    const Eigen::VectorXd &lambda = motion->forces();
+    const double           way    = settings.step() * speed *
+                       (1. + (settings.final_speed_ratio - 1.) *
+                               motion->time() / settings.end_time);
     for (std::size_t j = 0; j < status.size(); ++j)
       {
         NodeShares &node = kept.nodes[j];
@@ -243,7 +282,7 @@ namespace squeal
                      across = u[3 * j + 2] - last_motion[3 * j + 2];
         node.fastest_slip =
           std::max(node.fastest_slip,
-                   std::hypot(along, across) / (settings.time_step * speed));
+                   std::hypot(along, across) / (settings.step() * speed));
         node.peak_pressure = std::max(
           node.peak_pressure, lambda[3 * j] / pressed.geometry().areas[j]);
       }
@@ -255,11 +294,11 @@ namespace squeal
   TransientRun::take_sample(const bool is_linear)
   {
     const auto            &g      = pressed.geometry();
-    const Eigen::VectorXd &lambda = motion.forces();
-    const Eigen::VectorXd &u      = motion.motion();
+    const Eigen::VectorXd &lambda = motion->forces();
+    const Eigen::VectorXd &u      = motion->motion();
     const auto             q      = tractions(g, lambda);
     TransientSample        s;
-    s.time            = motion.time();
+    s.time            = motion->time();
     s.is_linear       = is_linear;
     double edge_force = 0.;
     for (std::size_t j = 0; j < status.size(); ++j)
@@ -273,16 +312,14 @@ namespace squeal
       }
     s.leading_edge =
       s.normal > 0. ? edge_force / edge_area * area / s.normal : 0.;
-    const auto           &observed = pressed.model().observed;
-    const Eigen::VectorXd x =
-      observed.evaluate(motion.coordinates(), motion.load_share(), lambda);
-    const Eigen::VectorXd a = observed.modes * motion.accelerations();
+    const Eigen::VectorXd x = motion->observed_motion(),
+                          a = motion->observed_accelerations();
     for (unsigned int c = 0; c < 3; ++c)
       {
         s.position[c]     = x[PressedModel::centre_x + c];
         s.acceleration[c] = a[PressedModel::centre_x + c];
       }
-    const EnergyLedger e = motion.ledger();
+    const EnergyLedger e = motion->ledger();
     s.kinetic            = e.kinetic;
     s.elastic            = e.elastic;
     s.damping            = e.damping;
@@ -295,7 +332,7 @@ namespace squeal
     if (!branches.empty())
       {
         const Eigen::VectorXcd all = linear.amplitudes(
-          steady, motion.coordinates(), motion.velocities(), lambda);
+          steady, motion->coordinates(), motion->velocities(), lambda);
         for (const unsigned int k : branches)
           kept.amplitudes.push_back(all[k]);
       }
@@ -303,7 +340,7 @@ namespace squeal
       return;
     auto &h = kept.history;
     h.time.push_back(s.time);
-    const double step = motion.time() > 0. ? settings.time_step : 1.;
+    const double step = motion->time() > 0. ? settings.step() : 1.;
     for (std::size_t j = 0; j < status.size(); ++j)
       {
         const auto [tx, ty] = g.slip_direction[j];

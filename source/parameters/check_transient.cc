@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 
 #include <squeal/parameters/checks.h>
+#include <squeal/parameters/choices.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
@@ -105,6 +106,10 @@ namespace squeal
                          "= " +
                          format_number(p.eigen.highest_frequency) +
                          " Hz: at most 0.4 of its period");
+        if (t.interface_cut_off > 0. && t.interface_cut_off < t.cut_off)
+          refuse_entry("Transient",
+                       "Interface cut-off",
+                       "must be 0 or not below 'Cut-off'");
         if (t.cut_off < p.eigen.highest_frequency)
           refuse_entry("Transient",
                        "Cut-off",
@@ -116,6 +121,30 @@ namespace squeal
                        "Sliding speed",
                        "must be greater than 0 for a transient; let it fall by "
                        "'Transient/Final speed ratio'");
+      }
+
+      void
+      check_integrators(const Parameters &p)
+      {
+        const TransientParameters &t     = p.transient;
+        const auto                 named = [&](const std::string &name) {
+          return t.integrators.empty() ? choice_name(t.integrator) == name
+                                                       : std::find(t.integrators.begin(),
+                                                   t.integrators.end(),
+                                                   name) != t.integrators.end();
+        };
+        if (named("explicit") &&
+            p.discretization.mass != DiscretizationParameters::Mass::lumped)
+          refuse_entry("Discretization",
+                       "Mass",
+                       "must be lumped for 'Transient/Integrator = explicit'");
+        if ((named("explicit") || named("implicit")) &&
+            p.scene.contacts[0].formulation ==
+              ContactParameters::Formulation::springs)
+          refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
+                       "Formulation",
+                       "= springs: the integrators of the finite elements "
+                       "need mortar contact");
       }
 
       void
@@ -172,6 +201,14 @@ namespace squeal
                      "Refinement",
                      "= eigenvalue error: steady sliding and transients stay "
                      "on one mesh; use none or uniform");
+      if (p.discretization.mass == DiscretizationParameters::Mass::lumped &&
+          (p.discretization.estimate_error ||
+           p.discretization.refinement ==
+             DiscretizationParameters::Refinement::eigenvalue_error))
+        refuse_entry("Discretization",
+                     "Mass",
+                     "= lumped: errors are estimated for consistent masses; "
+                     "set 'Estimate error = false' and no refinement by it");
       if (is_pressed || has_preload_state)
         check_pressed_scene(p);
       if (p.analysis == Analysis::preload)
@@ -179,6 +216,7 @@ namespace squeal
       if (p.analysis == Analysis::transient)
         {
           check_times(p);
+          check_integrators(p);
           check_tops(p);
         }
     }

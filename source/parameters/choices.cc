@@ -217,6 +217,35 @@ namespace squeal
 
 
 
+  Choices<TransientParameters::Integrator>
+  choices(const TransientParameters::Integrator)
+  {
+    using I = TransientParameters::Integrator;
+    return {{"reduced", I::reduced},
+            {"implicit", I::implicit},
+            {"explicit", I::explicit_}};
+  }
+
+
+
+  Choices<TransientParameters::ContactMethod>
+  choices(const TransientParameters::ContactMethod)
+  {
+    using M = TransientParameters::ContactMethod;
+    return {{"newton", M::newton}, {"gauss-seidel", M::gauss_seidel}};
+  }
+
+
+
+  Choices<DiscretizationParameters::Mass>
+  choices(const DiscretizationParameters::Mass)
+  {
+    using M = DiscretizationParameters::Mass;
+    return {{"consistent", M::consistent}, {"lumped", M::lumped}};
+  }
+
+
+
   Choices<FrequencyResponseParameters::Quantity>
   choices(const FrequencyResponseParameters::Quantity)
   {

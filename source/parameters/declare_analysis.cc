@@ -17,6 +17,11 @@ namespace squeal
                    Allowed::integer(1, 8),
                    "Polynomial degree of the hexahedral elements and of their "
                    "curved geometry.");
+        schema.add("Mass",
+                   d.mass,
+                   "Mass of the elements: integrated as the stiffness is, or "
+                   "lumped into a diagonal by collocation at the Gauss-Lobatto "
+                   "nodes, as the explicit integrator needs it.");
         schema.add("Refinement",
                    d.refinement,
                    "How the coarse mesh is refined: not at all, 'Refinements' "

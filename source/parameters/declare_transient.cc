@@ -51,6 +51,49 @@ namespace squeal
 
 
       void
+      declare_integrator(Schema &schema, TransientParameters &t)
+      {
+        schema.add("Integrator",
+                   t.integrator,
+                   "Of the modes of the bodies with a contact without mass "
+                   "(reduced), or of all unknowns of the finite elements: "
+                   "trapezoidal rule with contact velocities (implicit), "
+                   "beta-2 scheme with forward multipliers (explicit, needs "
+                   "'Discretization/Mass = lumped').");
+        schema.add("Cut-off",
+                   t.cut_off,
+                   Allowed::positive(),
+                   "Modes of the bodies up to this frequency move in the "
+                   "reduced integrator; those above follow without inertia.",
+                   "Hz");
+        schema.add("Interface cut-off",
+                   t.interface_cut_off,
+                   Allowed::number(0.),
+                   "The motions above 'Cut-off' that the contact excites "
+                   "itself (Ritz vectors of its flexibility) move with mass "
+                   "and damping up to this frequency; 0: none of them.",
+                   "Hz");
+        schema.add("Beta 2",
+                   t.beta_2,
+                   Allowed::number(0.5, 1.),
+                   "Of the explicit integrator; 0.5 is central differences, "
+                   "more damps high frequencies.");
+        schema.add("Explicit time step",
+                   t.explicit_step,
+                   Allowed::number(0.),
+                   "Time step of the explicit integrator where a campaign "
+                   "runs others as well; 0: 'Time step'. A step above the "
+                   "critical one is refused.",
+                   "s");
+        schema.add("Contact method",
+                   t.contact_method,
+                   "How the contact of a step is solved: Newton iterations, or "
+                   "projected Gauss-Seidel sweeps alone.");
+      }
+
+
+
+      void
       declare_campaign(Schema &schema, TransientParameters &t)
       {
         schema.add(
@@ -59,6 +102,13 @@ namespace squeal
           Allowed::list(Allowed::one_of({"free", "guided", "held"}), 0, 3),
           "Kinds of the support 'Top support' that are gone through, "
           "beside the axes of 'Sweep'; empty: that of the scene.");
+        schema.add(
+          "Integrators",
+          t.integrators,
+          Allowed::list(
+            Allowed::one_of({"reduced", "implicit", "explicit"}), 0, 3),
+          "Integrators that a campaign goes through; empty: "
+          "'Integrator'.");
         schema.add("Top support",
                    t.top_support,
                    Allowed::text(),
@@ -126,17 +176,12 @@ namespace squeal
                  "Steady sliding under the full loads with a small "
                  "disturbance, or rest, the loads growing by their 'Ramp "
                  "time'.");
+      declare_integrator(schema, t);
       schema.add("Disturbance",
                  t.disturbance,
                  Allowed::number(0.),
                  "Kinetic energy at the start, shared by all modes alike.",
                  "J");
-      schema.add("Cut-off",
-                 t.cut_off,
-                 Allowed::positive(),
-                 "Modes of the bodies up to this frequency move; those above "
-                 "follow without inertia.",
-                 "Hz");
       schema.add(
         "Time step", t.time_step, Allowed::positive(), "Time step.", "s");
       schema.add(

@@ -15,6 +15,7 @@ namespace squeal
     constexpr unsigned int maximum_iterations = 60;
     constexpr unsigned int maximum_rounds     = 60;
     constexpr unsigned int sweeps_per_round   = 20;
+    constexpr unsigned int maximum_sweeps     = 20000;
     /** An operator that contracts less than this is renewed. */
     constexpr double worth_keeping = 0.4;
     /** More changed nodes than this, as a share of all, are no low rank. */
@@ -39,7 +40,8 @@ namespace squeal
                                Eigen::VectorXd speed_ratio,
                                const double    force,
                                const double    t,
-                               const Precision precision)
+                               const Precision precision,
+                               const Method    m)
     : W(std::move(delassus))
     , gap(std::move(initial_gap))
     , ratio(std::move(speed_ratio))
@@ -51,6 +53,7 @@ namespace squeal
     , states(gap.size(), ContactStatus::open)
     , rows(gap.size())
     , is_single(precision == Precision::single)
+    , method(m)
   {
     for (Eigen::Index j = 0; j < gap.size(); ++j)
       {
@@ -337,9 +340,40 @@ namespace squeal
 
 
 
+  void
+  ContactSolver::throw_no_solution(const ContactReport &report)
+  {
+    throw ComputationError(
+      "the contact problem has no solution that iterations reach (residual " +
+      std::to_string(report.residual) +
+      "): friction wedges or sprags, or the step is too long");
+  }
+
+
+
+  ContactReport
+  ContactSolver::sweep_to_the_end(const ContactStep &step,
+                                  Eigen::VectorXd   &lambda)
+  {
+    ContactReport report;
+    for (report.residual = evaluate(step, lambda);
+         !(report.residual <= tolerance);
+         report.residual = check_law(step, lambda))
+      {
+        if (++report.sweeps > maximum_sweeps)
+          throw_no_solution(report);
+        sweep(step, lambda);
+      }
+    return report;
+  }
+
+
+
   ContactReport
   ContactSolver::solve(const ContactStep &step, Eigen::VectorXd &lambda)
   {
+    if (method == Method::gauss_seidel)
+      return sweep_to_the_end(step, lambda);
     ContactReport         report;
     const Eigen::VectorXd start = lambda;
     if (newton(step, lambda, report))
@@ -356,10 +390,7 @@ namespace squeal
           return report;
         lambda = swept;
       }
-    throw ComputationError(
-      "the contact problem has no solution that iterations reach (residual " +
-      std::to_string(report.residual) +
-      "): friction wedges or sprags, or the step is too long");
+    throw_no_solution(report);
   }
 
 

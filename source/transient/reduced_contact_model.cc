@@ -3,56 +3,8 @@
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/transient/reduced_contact_model.h>
 
-#include <cmath>
-
 namespace squeal
 {
-  namespace
-  {
-    /** Normal, tangential and transverse rows of every node, interleaved. */
-    Functionals
-    relative_motion(const ContactGeometry &geometry)
-    {
-      std::vector<Functionals::Row> rows;
-      for (std::size_t j = 0; j < geometry.points.size(); ++j)
-        for (const auto &part :
-             {geometry.normal, geometry.tangential, geometry.transverse})
-          rows.push_back(part->rows()[j]);
-      return Functionals(geometry.normal->space_pointer(), std::move(rows));
-    }
-
-    /** A motion slower than this is rigid: nothing holds it. */
-    constexpr double rigid_frequency = 0.5; // Hz
-
-    /** Responses without their share in the modes, on a factor just below
-     * zero, where rigid motions do no harm. */
-    class ResidualResponse
-    {
-    public:
-      ResidualResponse(const Pencil &pencil, const Block &shapes)
-        : space(*pencil.space())
-        , phi(shapes)
-        , M_phi(pencil.multiply_mass(shapes))
-        , inverse(pencil, -std::pow(2. * M_PI * 20., 2))
-      {
-      }
-
-      Block
-      operator()(const Block &forces) const
-      {
-        const Block rest = forces - M_phi * inner_products(space, phi, forces);
-        const Block x    = inverse.solve(rest);
-        return x - phi * inner_products(space, M_phi, x);
-      }
-
-      const RowSpace      &space;
-      const Block          phi, M_phi;
-      const ShiftedInverse inverse;
-    };
-  } // namespace
-
-
-
   Eigen::VectorXd
   ReducedContactModel::Observation::evaluate(
     const Eigen::VectorXd &coordinates,
@@ -66,7 +18,7 @@ namespace squeal
 
   ReducedContactModel
   reduce_contact_model(const Pencil          &pencil,
-                       const UndampedModes   &modes,
+                       const ReductionBasis  &basis,
                        const double           cut_off,
                        const ContactGeometry &geometry,
                        const Block           &load,
@@ -78,21 +30,16 @@ namespace squeal
       throw InputError("Scene/Damping: a transient needs Model = whole model "
                        "or none, without structural damping: damping in the "
                        "time domain is viscous");
-    const RowSpace    &space   = *pencil.space();
-    const unsigned int n_modes = modes.n_certified;
-    const Block        phi     = modes.shapes.leftCols(n_modes);
-    model.cut_off              = cut_off;
-    model.omega_squared        = modes.omega_squared.head(n_modes);
-    for (Eigen::Index k = 0; k < model.omega_squared.size(); ++k)
-      if (model.omega_squared[k] < std::pow(2. * M_PI * rigid_frequency, 2))
-        model.omega_squared[k] = 0.;
+    const RowSpace &space = *pencil.space();
+    model.cut_off         = cut_off;
+    model.omega_squared   = basis.omega_squared;
     model.damping = (alpha + beta * model.omega_squared.array()).matrix();
 
     const Functionals B = relative_motion(geometry);
-    model.participation = B.apply(phi);
-    model.load          = inner_products(space, phi, load);
+    model.participation = B.apply(basis.shapes);
+    model.load          = inner_products(space, basis.shapes, load);
 
-    const ResidualResponse residual_response(pencil, phi);
+    const ResidualResponse residual_response(pencil, basis);
     const Eigen::Index     n         = B.n_rows();
     const Block            responses = residual_response(
       B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))));
@@ -105,7 +52,7 @@ namespace squeal
     if (observers.cols() > 0)
       {
         const Block responses_of_observers = residual_response(observers);
-        model.observed.modes = inner_products(space, observers, phi);
+        model.observed.modes = inner_products(space, observers, basis.shapes);
         model.observed.load =
           inner_products(space, responses_of_observers, load);
         model.observed.contact = B.apply(responses_of_observers).transpose();
@@ -117,18 +64,18 @@ namespace squeal
 
   std::vector<ModalForce>
   modal_forces(const Pencil          &pencil,
-               const UndampedModes   &modes,
+               const ReductionBasis  &basis,
                const ContactGeometry &geometry,
                const Block           &forces)
   {
-    const Block            phi = modes.shapes.leftCols(modes.n_certified);
-    const ResidualResponse residual_response(pencil, phi);
-    const Functionals      B     = relative_motion(geometry);
-    const Eigen::MatrixXd  modal = inner_products(*pencil.space(), phi, forces);
-    const Eigen::MatrixXd  motion = B.apply(residual_response(forces));
+    const ResidualResponse residual_response(pencil, basis);
+    const Functionals      B = relative_motion(geometry);
+    const Eigen::MatrixXd  modal =
+      inner_products(*pencil.space(), basis.shapes, forces);
+    const Eigen::MatrixXd   motion = B.apply(residual_response(forces));
     std::vector<ModalForce> result;
     for (Eigen::Index i = 0; i < forces.cols(); ++i)
-      result.push_back({modal.col(i), motion.col(i)});
+      result.push_back({modal.col(i), motion.col(i), forces.col(i)});
     return result;
   }
 } // namespace squeal

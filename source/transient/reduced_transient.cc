@@ -75,11 +75,12 @@ namespace squeal
 
 
 
-  ReducedTransient::ReducedTransient(const ReducedContactModel &m,
-                                     const double               time_step,
-                                     TransientDrive             d,
-                                     const double               nodal_force,
-                                     const double               tolerance)
+  ReducedTransient::ReducedTransient(const ReducedContactModel  &m,
+                                     const double                time_step,
+                                     TransientDrive              d,
+                                     const double                nodal_force,
+                                     const double                tolerance,
+                                     const ContactSolver::Method method)
     : model(m)
     , dt(time_step)
     , drive(std::move(d))
@@ -87,7 +88,9 @@ namespace squeal
              m.initial_gap,
              m.speed_ratio,
              nodal_force,
-             tolerance)
+             tolerance,
+             ContactSolver::Precision::single,
+             method)
   {
     const Eigen::Index n = model.n_modes();
     for (auto *x : {&q_q, &q_v, &q_f0, &q_f1, &v_q, &v_v, &v_f0, &v_f1})
@@ -235,13 +238,13 @@ namespace squeal
     return dt * n_steps;
   }
 
-  const Eigen::VectorXd &
+  Eigen::VectorXd
   ReducedTransient::coordinates() const
   {
     return q;
   }
 
-  const Eigen::VectorXd &
+  Eigen::VectorXd
   ReducedTransient::velocities() const
   {
     return v;
@@ -275,10 +278,16 @@ namespace squeal
   }
 
   Eigen::VectorXd
-  ReducedTransient::accelerations() const
+  ReducedTransient::observed_motion() const
   {
-    return total_force - model.damping.cwiseProduct(v) -
-           model.omega_squared.cwiseProduct(q);
+    return model.observed.evaluate(q, drive.load(time()), lambda);
+  }
+
+  Eigen::VectorXd
+  ReducedTransient::observed_accelerations() const
+  {
+    return model.observed.modes * (total_force - model.damping.cwiseProduct(v) -
+                                   model.omega_squared.cwiseProduct(q));
   }
 
   unsigned int
@@ -286,14 +295,6 @@ namespace squeal
   {
     return solver.n_inversions();
   }
-
-  double
-  ReducedTransient::load_share() const
-  {
-    return drive.load(time());
-  }
-
-
 
   std::vector<double>
   ReducedTransient::memory() const

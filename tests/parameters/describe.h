@@ -246,6 +246,7 @@ namespace squeal
     describe_numerics(Description &description, const Parameters &p)
     {
       SQUEAL_DESCRIBE(p, discretization.degree);
+      SQUEAL_DESCRIBE(p, discretization.mass);
       SQUEAL_DESCRIBE(p, discretization.refinements);
       SQUEAL_DESCRIBE(p, discretization.refinement);
       SQUEAL_DESCRIBE(p, discretization.tolerance);
@@ -283,6 +284,12 @@ namespace squeal
       SQUEAL_DESCRIBE(p, preload.stiffness_entry);
       SQUEAL_DESCRIBE(p, preload.stiffness_values);
       SQUEAL_DESCRIBE(p, transient.start);
+      SQUEAL_DESCRIBE(p, transient.integrator);
+      SQUEAL_DESCRIBE(p, transient.integrators);
+      SQUEAL_DESCRIBE(p, transient.contact_method);
+      SQUEAL_DESCRIBE(p, transient.beta_2);
+      SQUEAL_DESCRIBE(p, transient.explicit_step);
+      SQUEAL_DESCRIBE(p, transient.interface_cut_off);
       SQUEAL_DESCRIBE(p, transient.disturbance);
       SQUEAL_DESCRIBE(p, transient.cut_off);
       SQUEAL_DESCRIBE(p, transient.time_step);

@@ -4,11 +4,9 @@
 // sliding, its linearisation beside the eigenvalue analysis of the whole model,
 // and growth in time.
 
-#include "scenes.h"
+#include "transient/pressed_brake.h"
 
-#include <squeal/discretization/load_vector.h>
 #include <squeal/transient/reduced_transient.h>
-#include <squeal/transient/steady_sliding.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -23,56 +21,6 @@ using namespace squeal::testing;
 namespace
 {
   using Complex = std::complex<double>;
-
-  constexpr double speed = 0.1126, load = 100.;
-
-  SceneParameters
-  pressed_brake(const double friction)
-  {
-    SceneParameters s      = coarse_brake(friction);
-    auto           &c      = s.contacts[0];
-    c.formulation          = ContactParameters::Formulation::mortar;
-    c.transverse_slip_term = true;
-    c.sliding_speed        = speed;
-    c.normal_force         = load;
-    LoadParameters top;
-    top.name  = "top";
-    top.body  = "support";
-    top.face  = "z_max";
-    top.force = {{0., 0., -load}};
-    s.loads   = {top};
-    return s;
-  }
-
-  /** The bodies of a brake reduced at a cut-off. */
-  struct Reduced
-  {
-    Reduced(const SceneParameters &s, const double cut_off)
-      : scene(s)
-      , discretization(scene, Model::parameters(0), 2, MPI_COMM_SELF)
-      , bodies(assemble_bodies(discretization))
-      , separated(separated_system(discretization, bodies))
-      , pencil(separated.system, scene)
-      , model(reduce_contact_model(
-          pencil,
-          undamped_modes(
-            pencil,
-            ShiftedInverse(pencil, std::pow(2. * M_PI * cut_off, 2))),
-          cut_off,
-          separated.contacts[0],
-          separated.restrict_forces(load_vector(discretization,
-                                                PointEvaluator(discretization),
-                                                scene.loads[0]))))
-    {
-    }
-
-    SceneParameters           scene;
-    Discretization            discretization;
-    std::vector<BodyMatrices> bodies;
-    LinearizedSystem          separated;
-    Pencil                    pencil;
-    ReducedContactModel       model;
-  };
 
   void
   steady()
@@ -103,24 +51,6 @@ namespace
                     few.model.n_nodes(),
                     a.report.iterations);
       }
-  }
-
-  /** Eigenvalues of the whole model about the contact state of the reduced
-   * one. */
-  Eigen::VectorXcd
-  whole_model(const Reduced &r, const SteadySliding &s)
-  {
-    ContactState state;
-    state.status = s.status;
-    for (unsigned int j = 0; j < r.model.n_nodes(); ++j)
-      state.force_share.push_back(s.forces[3 * j] / load);
-    const LinearizedSystem system =
-      linearized_system(r.discretization, r.bodies, {state});
-    const Pencil         pencil(system.system, r.scene);
-    const ShiftedInverse inverse(pencil, std::pow(2. * M_PI * 8e3, 2));
-    const UndampedModes  modes = undamped_modes(pencil, inverse);
-    CertifiedSolver      solver(pencil, inverse, modes);
-    return solver.solve(band(500., 7e3)).lambda;
   }
 
   void

@@ -64,9 +64,11 @@ namespace squeal
       const unsigned int degree) const;
 
     // -- accessors
-    const SceneParameters          &scene() const;
-    const CoarseMesh               &coarse_mesh() const;
-    bool                            has_mesh() const;
+    const SceneParameters &scene() const;
+    const CoarseMesh      &coarse_mesh() const;
+    bool                   has_mesh() const;
+    /** Whether masses are lumped at the Gauss-Lobatto nodes. */
+    bool                            has_lumped_mass() const;
     unsigned int                    degree() const;
     const Triangulation            &triangulation() const;
     const dealii::DoFHandler<3>    &dof_handler() const;

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace squeal
@@ -36,8 +37,10 @@ namespace squeal
   class ElementMatrices
   {
   public:
+    /** @p lumped_mass: collocation at the Gauss-Lobatto nodes. */
     ElementMatrices(const dealii::DoFHandler<3> &dofs,
-                    const dealii::Mapping<3, 3> &mapping);
+                    const dealii::Mapping<3, 3> &mapping,
+                    const bool                   lumped_mass = false);
 
     /** Computes H_kl and the scalar mass on @p cell. */
     void reinit(const dealii::DoFHandler<3>::active_cell_iterator &cell);
@@ -68,6 +71,9 @@ namespace squeal
     }
 
   private:
+    /** Sets the diagonal scalar mass. */
+    void lump_mass(const dealii::Triangulation<3>::active_cell_iterator &cell);
+
     /** Spreads scalar matrices over the components: out_(a i)(b j) = s_ab for
      * i = j. */
     void spread(const Eigen::MatrixXd &scalar, Eigen::MatrixXd &out) const;
@@ -75,6 +81,7 @@ namespace squeal
     dealii::FE_Q<3>                               fe;
     dealii::QGauss<3>                             quadrature;
     dealii::FEValues<3>                           fe_values;
+    std::unique_ptr<dealii::FEValues<3>>          at_nodes; /**< if lumped */
     std::vector<unsigned int>                     component_of, scalar_of;
     std::array<std::vector<unsigned int>, 3>      dof_of; /**< [comp][scalar] */
     std::array<Eigen::MatrixXd, 3>                gradients, weighted;

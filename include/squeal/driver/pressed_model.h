@@ -4,6 +4,7 @@
 
 #include <squeal/contact/contact_terms.h>
 #include <squeal/driver/model.h>
+#include <squeal/transient/full_transient.h>
 #include <squeal/transient/steady_sliding.h>
 
 #include <memory>
@@ -36,12 +37,14 @@ namespace squeal
       n_observers
     };
 
-    /** References are kept. */
+    /** References are kept. Motions of the contact itself have mass up to
+     * @p interface_cut_off, Hz; 0: none. */
     PressedModel(const Parameters                &parameters,
                  const Discretization            &discretization,
                  const std::vector<BodyMatrices> &bodies,
                  const double                     cut_off,
-                 Timers                          &timers);
+                 Timers                          &timers,
+                 const double                     interface_cut_off = 0.);
 
     const ContactGeometry     &geometry() const;
     const ReducedContactModel &model() const;
@@ -62,20 +65,24 @@ namespace squeal
      */
     SteadySliding steady(const double tolerance, Timers &timers);
 
+    /** All unknowns of the same scene, about @p steady. */
+    FullContactModel full_model(const SteadySliding &steady) const;
+
     /** The contact state that @p steady gives to linearised operators. */
     ContactState state_of(const SteadySliding &steady) const;
 
   private:
     Block observers(const std::vector<BodyMatrices> &bodies) const;
 
-    const Parameters             &parameters;
-    const SceneParameters        &scene;
-    const Discretization         &discretization;
-    LinearizedSystem              separated;
-    std::shared_ptr<const Pencil> pencil;
-    UndampedModes                 modes;
-    ReducedContactModel           reduced;
-    double                        cut_off, mu;
+    const Parameters                     &parameters;
+    const SceneParameters                &scene;
+    const Discretization                 &discretization;
+    LinearizedSystem                      separated;
+    std::shared_ptr<const Pencil>         pencil;
+    std::shared_ptr<const ReductionBasis> basis;
+    Block                                 load, observed; /**< nodal forces */
+    ReducedContactModel                   reduced;
+    double                                cut_off, interface_cut_off, mu;
     struct MovingScene;
     std::shared_ptr<MovingScene> moving; /**< of held supports */
   };

@@ -4,10 +4,11 @@
 
 #include <squeal/driver/pressed_model.h>
 #include <squeal/results/contact_history.h>
-#include <squeal/transient/reduced_transient.h>
+#include <squeal/transient/transient_integrator.h>
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,8 +59,8 @@ namespace squeal
   };
 
   /**
-   * One transient by the reduced integrator, from its start to its end, with
-   * checkpoints.
+   * One transient by the integrator of the parameters, from its start to its
+   * end, with checkpoints.
    */
   class TransientRun
   {
@@ -92,25 +93,31 @@ namespace squeal
     void take_sample(const bool is_linear);
     void take_node_shares();
 
-    const PressedModel             &pressed;
-    const SteadySliding            &steady;
-    const LinearizedMotion         &linear;
-    const std::vector<unsigned int> branches;
-    const TransientParameters      &settings;
-    const std::string               key; /**< of the parameters */
-    const std::vector<bool>         edge;
-    double                          edge_area = 0., area = 0.;
-    unsigned int                    n_steps, stride;
-    ReducedTransient                motion;
-    TransientRecord                 kept;
-    std::vector<ContactStatus>      status;
-    bool                            linear_since_sample = true;
-    Eigen::VectorXd                 last_motion;
+    const PressedModel                  &pressed;
+    const SteadySliding                 &steady;
+    const LinearizedMotion              &linear;
+    const std::vector<unsigned int>      branches;
+    const TransientParameters           &settings;
+    const std::string                    key; /**< of the parameters */
+    const std::vector<bool>              edge;
+    double                               edge_area = 0., area = 0.;
+    unsigned int                         n_steps, stride;
+    std::unique_ptr<TransientIntegrator> motion;
+    TransientRecord                      kept;
+    std::vector<ContactStatus>           status;
+    bool                                 linear_since_sample = true;
+    Eigen::VectorXd                      last_motion;
   };
 
   /** What drives a run of these parameters. */
   TransientDrive make_drive(const PressedModel &pressed,
                             const Parameters   &parameters);
+
+  /** The integrator of the parameters about @p steady. */
+  std::unique_ptr<TransientIntegrator> make_integrator(
+    const PressedModel  &pressed,
+    const SteadySliding &steady,
+    const Parameters    &parameters);
 
   /** All entries that the motion depends on, as one text. */
   std::string key_of_motion(const Parameters &parameters);

@@ -16,7 +16,13 @@ namespace squeal
       uniform,         /**< `refinements` global steps */
       eigenvalue_error /**< adaptive, driven by the modes in the band */
     };
+    enum class Mass
+    {
+      consistent,
+      lumped /**< diagonal, by collocation at the Gauss-Lobatto nodes */
+    };
     unsigned int degree      = 3;
+    Mass         mass        = Mass::consistent;
     unsigned int refinements = 0; /**< initial global refinements */
     Refinement   refinement  = Refinement::none;
     double       tolerance   = 1e-3; /**< estimated relative frequency error */

@@ -35,13 +35,19 @@ namespace squeal
   Choices<MatrixPartParameters::Format> choices(MatrixPartParameters::Format);
   Choices<DiscretizationParameters::Refinement> choices(
     DiscretizationParameters::Refinement);
+  Choices<DiscretizationParameters::Mass> choices(
+    DiscretizationParameters::Mass);
   Choices<EigenParameters::Solver>    choices(EigenParameters::Solver);
   Choices<SweepAxisParameters::Scale> choices(SweepAxisParameters::Scale);
   Choices<SweepAxisParameters::Distribution> choices(
     SweepAxisParameters::Distribution);
   Choices<WorkPrecisionParameters::Ladder> choices(
     WorkPrecisionParameters::Ladder);
-  Choices<TransientParameters::Start> choices(TransientParameters::Start);
+  Choices<TransientParameters::Start>      choices(TransientParameters::Start);
+  Choices<TransientParameters::Integrator> choices(
+    TransientParameters::Integrator);
+  Choices<TransientParameters::ContactMethod> choices(
+    TransientParameters::ContactMethod);
   Choices<FrequencyResponseParameters::Quantity> choices(
     FrequencyResponseParameters::Quantity);
   Choices<FrequencyResponseParameters::Residual> choices(

@@ -38,16 +38,33 @@ namespace squeal
       steady_sliding, /**< under the full load, slightly disturbed */
       ramp            /**< at rest, loads from zero by their ramps */
     };
-    Start  start             = Start::steady_sliding;
-    double disturbance       = 1e-18; /**< J, over all modes alike */
-    double cut_off           = 40e3;  /**< Hz, modes of the bodies */
-    double time_step         = 2e-6;  /**< s */
-    double end_time          = 0.05;  /**< s */
-    double tolerance         = 1e-8;  /**< as PreloadParameters::tolerance */
-    double sample_interval   = 2e-5;  /**< s, of all results */
-    double history_start     = 0.;    /**< s, of contact_history.h5 */
-    double final_speed_ratio = 1.;    /**< |V| at the end over that at the
-                                         start, linear in between */
+    enum class Integrator
+    {
+      reduced,  /**< modes up to the cut-off, contact nodes without mass */
+      implicit, /**< finite elements, trapezoidal rule, contact velocities */
+      explicit_ /**< finite elements, beta-2 scheme with forward multipliers */
+    };
+    enum class ContactMethod
+    {
+      newton,      /**< semi-smooth, Gauss-Seidel where it cycles */
+      gauss_seidel /**< projected sweeps alone, as in the thesis */
+    };
+    Start         start             = Start::steady_sliding;
+    Integrator    integrator        = Integrator::reduced;
+    ContactMethod contact_method    = ContactMethod::newton;
+    double        beta_2            = 0.5; /**< of the explicit scheme */
+    double        explicit_step     = 0.;  /**< s; 0: `time_step` */
+    double        interface_cut_off = 0.;  /**< Hz, of the contact's own Ritz
+                                              motions; 0: none moves */
+    double disturbance       = 1e-18;      /**< J, over all modes alike */
+    double cut_off           = 40e3;       /**< Hz, modes of the bodies */
+    double time_step         = 2e-6;       /**< s */
+    double end_time          = 0.05;       /**< s */
+    double tolerance         = 1e-8; /**< as PreloadParameters::tolerance */
+    double sample_interval   = 2e-5; /**< s, of all results */
+    double history_start     = 0.;   /**< s, of contact_history.h5 */
+    double final_speed_ratio = 1.;   /**< |V| at the end over that at the
+                                        start, linear in between */
     HammerParameters hammer;
     double           friction_impulse      = 0.; /**< added to mu for a while */
     double           friction_impulse_time = 0.; /**< s */
@@ -58,10 +75,21 @@ namespace squeal
                                                  the run is stopped */
     bool resume = true;
 
+    /** The time step of the integrator, s. */
+    double
+    step() const
+    {
+      return integrator == Integrator::explicit_ && explicit_step > 0.
+               ? explicit_step
+               : time_step;
+    }
+
     /** Kinds of the support `top_support` that a campaign goes through; empty:
      * that of the scene. */
     std::vector<std::string> tops;
     std::string              top_support = "top";
+    /** Integrators that a campaign goes through; empty: `integrator`. */
+    std::vector<std::string> integrators;
     bool compare_with_cea = false; /**< sigma and f about the same state by the
                                       eigenvalue analysis of the whole model */
     std::string  campaign_table = "campaign.csv";

@@ -58,12 +58,18 @@ namespace squeal
       single, /**< of the kept inverse, which only has to contract */
       full
     };
+    enum class Method
+    {
+      newton,
+      gauss_seidel /**< projected sweeps alone */
+    };
     ContactSolver(Eigen::MatrixXd delassus,
                   Eigen::VectorXd initial_gap,
                   Eigen::VectorXd speed_ratio,
                   const double    force,
                   const double    tolerance = 1e-8,
-                  const Precision precision = Precision::single);
+                  const Precision precision = Precision::single,
+                  const Method    method    = Method::newton);
 
     /** Starts at @p lambda and improves it. Throws ComputationError where no
      * solution is found. */
@@ -117,6 +123,10 @@ namespace squeal
     /** Makes the operator fit the states at hand. */
     void adapt(const bool renew);
     void sweep(const ContactStep &step, Eigen::VectorXd &lambda);
+    /** Sweeps until the law holds. */
+    ContactReport            sweep_to_the_end(const ContactStep &step,
+                                              Eigen::VectorXd   &lambda);
+    [[noreturn]] static void throw_no_solution(const ContactReport &report);
 
     const Eigen::MatrixXd W;
     const Eigen::VectorXd gap, ratio;
@@ -131,6 +141,7 @@ namespace squeal
     KeptInverse<float>        single;
     KeptInverse<double>       full;
     const bool                is_single;
+    const Method              method;
     bool                      has_inverse = false;
     std::vector<NodeRows>     base, updated;
     std::vector<unsigned int> changed;

@@ -2,9 +2,7 @@
 #ifndef squeal_transient_reduced_contact_model_h
 #define squeal_transient_reduced_contact_model_h
 
-#include <squeal/contact/contact_geometry.h>
-#include <squeal/discretization/affine_system.h>
-#include <squeal/eigen/undamped_modes.h>
+#include <squeal/transient/reduction_basis.h>
 
 #include <vector>
 
@@ -22,7 +20,7 @@ namespace squeal
    *   q'' + diag(damping) q' + diag(omega^2) q = phi^T f - Psi^T lambda,
    * with mass-normalised modes phi, Psi = B phi and
    *   G = B K^-1 B^T - Psi diag(omega^-2) Psi^T,
-   * so that statics are exact for any cut-off (Craig and Chang's residual
+   * so that statics are exact for any basis (Craig and Chang's residual
    * flexibility; massless contact: Khenous, Laborde, Renard 2008). The inertia
    * and damping of the residual part are left out.
    */
@@ -68,28 +66,29 @@ namespace squeal
    * @p geometry under the nodal forces @p load.
    *
    * @param pencil     symmetric, whole-model Rayleigh damping
-   * @param modes      all modes below the cut-off, mass-normalised
+   * @param basis      the motions that carry mass
    * @param cut_off    Hz
    * @param observers  columns l of motions l^T u to be observed
    * Throws InputError where the damping is not alpha M + beta K.
    */
   ReducedContactModel reduce_contact_model(const Pencil          &pencil,
-                                           const UndampedModes   &modes,
+                                           const ReductionBasis  &basis,
                                            const double           cut_off,
                                            const ContactGeometry &geometry,
                                            const Block           &load,
                                            const Block &observers = {});
 
   /** What further nodal forces @p force do: their share in the modes,
-   * phi^T f, and the motion of the nodes on the flexibility of the others. */
+   * phi^T f, the motion of the nodes on the flexibility of the others, and f
+   * itself. */
   struct ModalForce
   {
-    Eigen::VectorXd modal, motion;
+    Eigen::VectorXd modal, motion, nodal;
   };
 
   /** Columns of @p forces as modal forces of the same reduction. */
   std::vector<ModalForce> modal_forces(const Pencil          &pencil,
-                                       const UndampedModes   &modes,
+                                       const ReductionBasis  &basis,
                                        const ContactGeometry &geometry,
                                        const Block           &forces);
 } // namespace squeal

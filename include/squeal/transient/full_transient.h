@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_full_transient_h
+#define squeal_transient_full_transient_h
+
+#include <squeal/transient/transient_integrator.h>
+
+#include <memory>
+
+namespace squeal
+{
+  /**
+   * The bodies without contact in all their unknowns, M u'' + C u' + K u = f -
+   * B^T lambda with C = alpha M + beta K, and the contact nodes as in
+   * ReducedContactModel. On one rank.
+   */
+  struct FullContactModel
+  {
+    std::shared_ptr<const Pencil>         pencil;
+    std::shared_ptr<const ReductionBasis> basis; /**< of modal coordinates */
+    std::shared_ptr<const Functionals>    relative_motion; /**< B */
+    Eigen::VectorXd                       load; /**< f at full load, N */
+    Block           observers;   /**< columns l of observed motions l^T u */
+    Eigen::VectorXd initial_gap; /**< of every node, m */
+    Eigen::VectorXd speed_ratio; /**< as ReducedContactModel::speed_ratio */
+    /** Relative motion of the nodes that held supports add, m. */
+    Eigen::VectorXd motion_offset;
+
+    unsigned int
+    n_nodes() const
+    {
+      return initial_gap.size();
+    }
+  };
+
+  /** The motion of modes @p q with the static residual deformation under @p
+   * share of the load and the contact forces @p lambda. Factorises. */
+  Eigen::VectorXd static_motion(const FullContactModel &model,
+                                const Eigen::VectorXd  &q,
+                                const double            share,
+                                const Eigen::VectorXd  &lambda);
+
+  /** What the integrators of a full model have in common. */
+  class FullTransient : public TransientIntegrator
+  {
+  public:
+    void                   start(const Eigen::VectorXd &q,
+                                 const Eigen::VectorXd &velocity,
+                                 const Eigen::VectorXd &forces) override;
+    double                 time() const override;
+    Eigen::VectorXd        coordinates() const override;
+    Eigen::VectorXd        velocities() const override;
+    Eigen::VectorXd        observed_motion() const override;
+    Eigen::VectorXd        observed_accelerations() const override;
+    EnergyLedger           ledger() const override;
+    unsigned int           n_inversions() const override;
+    std::vector<double>    memory() const override;
+    void                   restore(const std::vector<double> &memory) override;
+    const Eigen::VectorXd &forces() const override;
+    const Eigen::VectorXd &motion() const override;
+    const std::vector<ContactStatus> &status() const override;
+
+  protected:
+    FullTransient(FullContactModel model,
+                  const double     time_step,
+                  TransientDrive   drive);
+
+    /** Sets what follows from positions, velocities and accelerations at the
+     * start. */
+    virtual void initialize() = 0;
+    /** Vectors that later steps depend on, beside those of this class. */
+    virtual std::vector<Eigen::VectorXd *> further_state() = 0;
+
+    Eigen::VectorXd external_force(const double time) const;
+    Eigen::VectorXd relative(const Eigen::VectorXd &x) const;
+    /** f - B^T lambda. */
+    Eigen::VectorXd applied(const double           time,
+                            const Eigen::VectorXd &contact_forces) const;
+    Eigen::VectorXd mass_times(const Eigen::VectorXd &x) const;
+    Eigen::VectorXd stiffness_times(const Eigen::VectorXd &x) const;
+    ContactStep     contact_step(const double end) const;
+    Eigen::VectorXd extrapolated_forces() const;
+    /** Keeps the forces of a step and ends it at position @p next. */
+    void finish_step(const Eigen::VectorXd &next,
+                     const Eigen::VectorXd &contact_forces);
+    /** Enters the work of @p contact_forces over a motion of the nodes. */
+    void enter_contact_work(const ContactStep     &step,
+                            const Eigen::VectorXd &contact_forces,
+                            const Eigen::VectorXd &motion_of_nodes);
+
+    const FullContactModel         model;
+    const double                   dt;
+    const TransientDrive           drive;
+    double                         alpha, beta; /**< of the damping */
+    std::unique_ptr<ContactSolver> solver;
+
+    unsigned int    n_steps = 0;
+    Eigen::VectorXd u, v, a;                    /**< of the unknowns */
+    Eigen::VectorXd lambda, lambda_1, lambda_2; /**< now and before, N */
+    Eigen::VectorXd nodes_motion;               /**< B u + motion_offset, m */
+    EnergyLedger    energies;
+
+  private:
+    std::vector<Eigen::VectorXd *> state();
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_reduction_basis_h
+#define squeal_transient_reduction_basis_h
+
+#include <squeal/contact/contact_geometry.h>
+#include <squeal/discretization/affine_system.h>
+#include <squeal/eigen/undamped_modes.h>
+
+namespace squeal
+{
+  /** Normal, tangential and transverse relative motion of every contact node,
+   * interleaved: the rows of B. */
+  Functionals relative_motion(const ContactGeometry &geometry);
+
+  /**
+   * The motions of the bodies without contact that carry mass in a reduced
+   * model, orthonormal in the mass and orthogonal in the stiffness: all modes
+   * below a cut-off, and Ritz vectors of the contact's own flexibility.
+   *
+   * The Ritz vectors come from the block Krylov space {R, A R}, R = A B^T the
+   * responses to the contact forces without their share in the modes and
+   * A v = (1 - phi phi^T M) K^-1 M v: the part of the modes above the cut-off
+   * that the contact excites, with few vectors.
+   */
+  struct ReductionBasis
+  {
+    Block           shapes, mass_shapes;
+    Eigen::VectorXd omega_squared; /**< (rad/s)^2; 0 for rigid motions */
+    unsigned int    n_modes;       /**< the first ones, Ritz vectors follow */
+  };
+
+  /** Ritz vectors up to @p interface_cut_off, Hz; none where it is 0. */
+  ReductionBasis reduction_basis(const Pencil          &pencil,
+                                 const UndampedModes   &modes,
+                                 const ContactGeometry &geometry,
+                                 const double           interface_cut_off = 0.);
+
+  /** Static responses to forces without their share in a basis, on a factor
+   * just below zero, where rigid motions do no harm. */
+  class ResidualResponse
+  {
+  public:
+    /** References are kept. Factorises. */
+    ResidualResponse(const Pencil &pencil, const ReductionBasis &basis);
+    Block operator()(const Block &forces) const;
+
+  private:
+    const RowSpace       &space;
+    const ReductionBasis &basis;
+    const ShiftedInverse  inverse;
+  };
+} // namespace squeal
+
+#endif

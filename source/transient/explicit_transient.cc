@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/transient/explicit_transient.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr unsigned int lanczos_steps     = 150;
+    constexpr double       lanczos_tolerance = 1e-3;
+
+    /** The mass of each unknown. Throws InputError. */
+    Eigen::VectorXd
+    diagonal_mass(const Pencil &pencil)
+    {
+      const Eigen::Index n = pencil.space()->n_owned();
+      Block              x = Block::Ones(n, 2);
+      for (Eigen::Index i = 0; i < n; i += 2)
+        x(i, 1) = -1.;
+      const Block           M_x  = pencil.multiply_mass(x);
+      const Eigen::VectorXd mass = M_x.col(0);
+      const double          off =
+        (M_x.col(1) - mass.cwiseProduct(x.col(1))).cwiseAbs().maxCoeff();
+      if (!(off <= 1e-10 * mass.maxCoeff()) || !(mass.minCoeff() > 0.))
+        throw InputError("Discretization/Mass: the explicit integrator needs a "
+                         "positive diagonal mass; set it to lumped, and avoid "
+                         "ties between meshes that do not match and rigid "
+                         "bodies");
+      return mass;
+    }
+  } // namespace
+
+
+
+  double
+  largest_frequency(const Pencil &pencil, const Eigen::VectorXd &mass)
+  {
+    const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
+    const Eigen::Index    n     = mass.size();
+    const unsigned int    steps =
+      static_cast<unsigned int>(std::min<Eigen::Index>(n, lanczos_steps));
+    std::mt19937                     generator(1);
+    std::normal_distribution<double> normal;
+    Block                            Q = Block::Zero(n, steps + 1);
+    Q.col(0) =
+      Eigen::VectorXd::NullaryExpr(n, [&]() { return normal(generator); });
+    Q.col(0).normalize();
+    Eigen::MatrixXd T       = Eigen::MatrixXd::Zero(steps, steps);
+    double          largest = 0.;
+    for (unsigned int k = 0; k < steps; ++k)
+      {
+        Eigen::VectorXd x =
+          scale.cwiseProduct(Eigen::VectorXd(pencil.multiply_undamped_stiffness(
+            Block(scale.cwiseProduct(Q.col(k))))));
+        T(k, k) = x.dot(Q.col(k));
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          x -= Q.leftCols(k + 1) * (Q.leftCols(k + 1).transpose() * x);
+        const double                                         size = x.norm();
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
+          T.topLeftCorner(k + 1, k + 1));
+        const double residual = size * std::abs(ritz.eigenvectors()(k, k));
+        largest               = ritz.eigenvalues()[k] + residual;
+        if (residual <= lanczos_tolerance * largest || k + 1 == steps)
+          break;
+        T(k, k + 1) = T(k + 1, k) = size;
+        Q.col(k + 1)              = x / size;
+      }
+    return std::sqrt(largest);
+  }
+
+
+
+  double
+  critical_step(const double omega,
+                const double alpha,
+                const double beta,
+                const double beta_2)
+  {
+    const double c = alpha + beta * omega * omega, k = beta_2 * omega * omega;
+    // The root of k h^2 + c h - 2 in a form without cancellation.
+    return 4. / (c + std::sqrt(c * c + 8. * k));
+  }
+
+
+
+  ExplicitTransient::ExplicitTransient(FullContactModel            m,
+                                       const double                time_step,
+                                       TransientDrive              d,
+                                       const double                nodal_force,
+                                       const double                tolerance,
+                                       const ContactSolver::Method method,
+                                       const double                b)
+    : FullTransient(std::move(m), time_step, std::move(d))
+    , beta_2(b)
+    , mass(diagonal_mass(*model.pencil))
+    , stable_step(critical_step(largest_frequency(*model.pencil, mass),
+                                alpha,
+                                beta,
+                                beta_2))
+  {
+    if (dt > stable_step)
+      {
+        std::ostringstream text;
+        text << "Transient/Time step: " << dt
+             << " s is above the largest stable step of the explicit "
+                "integrator, "
+             << stable_step << " s";
+        throw InputError(text.str());
+      }
+    const auto        &B = *model.relative_motion;
+    const Eigen::Index n = B.n_rows();
+    const Block        B_t =
+      B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)));
+    const Eigen::MatrixXd W =
+      (beta_2 + 0.5) * dt * dt *
+      B.apply(Block(mass.cwiseInverse().asDiagonal() * B_t));
+    solver = std::make_unique<ContactSolver>(
+      Eigen::MatrixXd(0.5 * (W + W.transpose())),
+      model.initial_gap,
+      model.speed_ratio,
+      nodal_force,
+      tolerance,
+      ContactSolver::Precision::single,
+      method);
+  }
+
+
+
+  void
+  ExplicitTransient::initialize()
+  {
+    const Eigen::VectorXd K_u = stiffness_times(u);
+    a = (applied(0., lambda) - K_u - beta * stiffness_times(v))
+          .cwiseQuotient(mass) -
+        alpha * v;
+    w                = v - beta_2 * dt * a;
+    energies.kinetic = 0.5 * w.dot(mass.cwiseProduct(w));
+    energies.elastic = 0.5 * K_u.dot(u - dt * w - (beta_2 - 0.5) * dt * dt * a);
+  }
+
+  std::vector<Eigen::VectorXd *>
+  ExplicitTransient::further_state()
+  {
+    return {&w};
+  }
+
+  double
+  ExplicitTransient::largest_step() const
+  {
+    return stable_step;
+  }
+
+
+
+  ContactReport
+  ExplicitTransient::advance()
+  {
+    const double t = time();
+    Block        x(u.size(), 2);
+    x << u, w;
+    const Block           K_x = model.pencil->multiply_undamped_stiffness(x);
+    const Eigen::VectorXd f   = external_force(t);
+    const Eigen::VectorXd force =
+      f - K_x.col(0) - beta * K_x.col(1) - alpha * mass.cwiseProduct(w);
+    const double    reach = (beta_2 + 0.5) * dt * dt;
+    Eigen::VectorXd a_now = force.cwiseQuotient(mass);
+    ContactStep     step  = contact_step(t + dt);
+    step.free_motion =
+      relative(u + dt * w + reach * a_now) + model.motion_offset;
+    step.previous_motion = nodes_motion;
+
+    Eigen::VectorXd     next   = extrapolated_forces();
+    const ContactReport report = solver->solve(step, next);
+    Block               pull   = Block::Zero(u.size(), 1);
+    model.relative_motion->add_transposed(Eigen::MatrixXd(next), pull);
+    a_now -= pull.col(0).cwiseQuotient(mass);
+
+    const Eigen::VectorXd way    = dt * w + 0.5 * dt * dt * a_now;
+    const Eigen::VectorXd u_next = u + dt * w + reach * a_now;
+    energies.damping +=
+      way.dot(alpha * mass.cwiseProduct(w)) + beta * way.dot(K_x.col(1));
+    energies.load += way.dot(f);
+    energies.numerical -=
+      0.5 * (beta_2 - 0.5) * dt * dt * (a_now + a).dot(K_x.col(0));
+    enter_contact_work(step, next, relative(way));
+    w += dt * a_now;
+    v                = w + beta_2 * dt * a_now;
+    a                = a_now;
+    energies.kinetic = 0.5 * w.dot(mass.cwiseProduct(w));
+    energies.elastic = 0.5 * u_next.dot(K_x.col(0));
+    finish_step(u_next, next);
+    return report;
+  }
+} // namespace squeal

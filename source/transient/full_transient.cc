@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/transient/full_transient.h>
+
+namespace squeal
+{
+  Eigen::VectorXd
+  static_motion(const FullContactModel &model,
+                const Eigen::VectorXd  &q,
+                const double            share,
+                const Eigen::VectorXd  &lambda)
+  {
+    const ResidualResponse residual_response(*model.pencil, *model.basis);
+    const Block            f =
+      share * model.load -
+      model.relative_motion->apply_transposed(Eigen::MatrixXd(lambda));
+    Block u = model.basis->shapes * q + residual_response(f);
+    // The response is one beside a shift of zero: once more for what is left.
+    const Block rest = f - model.pencil->multiply_undamped_stiffness(u);
+    u += residual_response(rest);
+    return u;
+  }
+
+
+
+  FullTransient::FullTransient(FullContactModel m,
+                               const double     time_step,
+                               TransientDrive   d)
+    : model(std::move(m))
+    , dt(time_step)
+    , drive(std::move(d))
+  {
+    if (model.pencil->space()->n_ranks() > 1)
+      throw InputError("Transient/Integrator: implicit and explicit run on one "
+                       "rank");
+    if (!model.pencil->is_rayleigh_damped(alpha, beta))
+      throw InputError("Scene/Damping: a transient needs Model = whole model "
+                       "or none, without structural damping: damping in the "
+                       "time domain is viscous");
+  }
+
+
+
+  Eigen::VectorXd
+  FullTransient::external_force(const double time) const
+  {
+    Eigen::VectorXd f = drive.load(time) * model.load;
+    for (const auto &force : drive.forces)
+      if (const double factor = force.factor(time); factor != 0.)
+        f += factor * force.force.nodal;
+    return f;
+  }
+
+  Eigen::VectorXd
+  FullTransient::relative(const Eigen::VectorXd &x) const
+  {
+    return model.relative_motion->apply(Block(x));
+  }
+
+  Eigen::VectorXd
+  FullTransient::applied(const double           time,
+                         const Eigen::VectorXd &contact_forces) const
+  {
+    Block f = external_force(time);
+    model.relative_motion->add_transposed(Eigen::MatrixXd(-contact_forces), f);
+    return f;
+  }
+
+  Eigen::VectorXd
+  FullTransient::mass_times(const Eigen::VectorXd &x) const
+  {
+    return model.pencil->multiply_mass(x);
+  }
+
+  Eigen::VectorXd
+  FullTransient::stiffness_times(const Eigen::VectorXd &x) const
+  {
+    return model.pencil->multiply_undamped_stiffness(x);
+  }
+
+
+
+  ContactStep
+  FullTransient::contact_step(const double end) const
+  {
+    ContactStep step;
+    step.duration = dt;
+    step.friction = drive.friction(end);
+    step.speed    = drive.speed(end - 0.5 * dt);
+    return step;
+  }
+
+  Eigen::VectorXd
+  FullTransient::extrapolated_forces() const
+  {
+    return 3. * (lambda - lambda_1) + lambda_2;
+  }
+
+
+
+  void
+  FullTransient::finish_step(const Eigen::VectorXd &next,
+                             const Eigen::VectorXd &contact_forces)
+  {
+    u            = next;
+    lambda_2     = lambda_1;
+    lambda_1     = lambda;
+    lambda       = contact_forces;
+    nodes_motion = relative(u) + model.motion_offset;
+    ++n_steps;
+  }
+
+
+
+  void
+  FullTransient::enter_contact_work(const ContactStep     &step,
+                                    const Eigen::VectorXd &contact_forces,
+                                    const Eigen::VectorXd &motion_of_nodes)
+  {
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      {
+        const Eigen::Vector3d force  = contact_forces.segment<3>(3 * j);
+        const Eigen::Vector3d change = motion_of_nodes.segment<3>(3 * j);
+        const double way = step.duration * step.speed * model.speed_ratio[j];
+        energies.driving += force[1] * way;
+        energies.friction +=
+          force[1] * (way + change[1]) + force[2] * change[2];
+        energies.numerical += force[0] * change[0];
+      }
+  }
+
+
+
+  void
+  FullTransient::start(const Eigen::VectorXd &q,
+                       const Eigen::VectorXd &velocity,
+                       const Eigen::VectorXd &forces)
+  {
+    n_steps = 0;
+    u       = static_motion(model, q, drive.load(0.), forces);
+    v       = model.basis->shapes * velocity;
+    a       = Eigen::VectorXd::Zero(u.size());
+    lambda = lambda_1 = lambda_2 = forces;
+    nodes_motion                 = relative(u) + model.motion_offset;
+    energies                     = {};
+    initialize();
+    energies.start = energies.kinetic + energies.elastic;
+  }
+
+
+
+  double
+  FullTransient::time() const
+  {
+    return dt * n_steps;
+  }
+
+  Eigen::VectorXd
+  FullTransient::coordinates() const
+  {
+    return model.basis->mass_shapes.transpose() * u;
+  }
+
+  Eigen::VectorXd
+  FullTransient::velocities() const
+  {
+    return model.basis->mass_shapes.transpose() * v;
+  }
+
+  Eigen::VectorXd
+  FullTransient::observed_motion() const
+  {
+    return model.observers.transpose() * u;
+  }
+
+  Eigen::VectorXd
+  FullTransient::observed_accelerations() const
+  {
+    return model.observers.transpose() * a;
+  }
+
+  EnergyLedger
+  FullTransient::ledger() const
+  {
+    return energies;
+  }
+
+  unsigned int
+  FullTransient::n_inversions() const
+  {
+    return solver->n_inversions();
+  }
+
+  const Eigen::VectorXd &
+  FullTransient::forces() const
+  {
+    return lambda;
+  }
+
+  const Eigen::VectorXd &
+  FullTransient::motion() const
+  {
+    return nodes_motion;
+  }
+
+  const std::vector<ContactStatus> &
+  FullTransient::status() const
+  {
+    return solver->status();
+  }
+
+
+
+  std::vector<Eigen::VectorXd *>
+  FullTransient::state()
+  {
+    std::vector<Eigen::VectorXd *> result = {
+      &u, &v, &a, &lambda, &lambda_1, &lambda_2, &nodes_motion};
+    for (auto *x : further_state())
+      result.push_back(x);
+    return result;
+  }
+
+  std::vector<double>
+  FullTransient::memory() const
+  {
+    std::vector<double> result = {static_cast<double>(n_steps),
+                                  energies.kinetic,
+                                  energies.elastic,
+                                  energies.damping,
+                                  energies.friction,
+                                  energies.driving,
+                                  energies.load,
+                                  energies.numerical,
+                                  energies.start};
+    for (const auto *x : const_cast<FullTransient *>(this)->state())
+      result.insert(result.end(), x->data(), x->data() + x->size());
+    const std::vector<double> more = solver->memory();
+    result.insert(result.end(), more.begin(), more.end());
+    return result;
+  }
+
+  void
+  FullTransient::restore(const std::vector<double> &memory)
+  {
+    auto next = memory.begin();
+    n_steps   = static_cast<unsigned int>(*next++);
+    for (double *x : {&energies.kinetic,
+                      &energies.elastic,
+                      &energies.damping,
+                      &energies.friction,
+                      &energies.driving,
+                      &energies.load,
+                      &energies.numerical,
+                      &energies.start})
+      *x = *next++;
+    // Sizes are those of the start, which has been set before.
+    for (auto *x : state())
+      {
+        *x = Eigen::Map<const Eigen::VectorXd>(&*next, x->size());
+        next += x->size();
+      }
+    solver->restore({next, memory.end()});
+  }
+} // namespace squeal

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/transient/implicit_transient.h>
+
+namespace squeal
+{
+  namespace
+  {
+    /** A gap that no step closes, m. */
+    constexpr double far_away = 1.;
+  } // namespace
+
+
+
+  ImplicitTransient::ImplicitTransient(FullContactModel            m,
+                                       const double                time_step,
+                                       TransientDrive              d,
+                                       const double                nodal_force,
+                                       const double                tolerance,
+                                       const ContactSolver::Method method)
+    : FullTransient(std::move(m), time_step, std::move(d))
+    , stiffness_factor(0.5 * dt * beta + 0.25 * dt * dt)
+  {
+    inverse = std::make_unique<ShiftedInverse>(
+      *model.pencil, -(1. + 0.5 * dt * alpha) / stiffness_factor);
+    const auto        &B = *model.relative_motion;
+    const Eigen::Index n = B.n_rows();
+    responses            = inverse->solve(B.apply_transposed(
+                  Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)))) /
+                stiffness_factor;
+    const Eigen::MatrixXd W = dt * dt * B.apply(responses);
+    solver                  = std::make_unique<ContactSolver>(
+      Eigen::MatrixXd(0.5 * (W + W.transpose())),
+      model.initial_gap,
+      model.speed_ratio,
+      nodal_force,
+      tolerance,
+      ContactSolver::Precision::single,
+      method);
+  }
+
+
+
+  void
+  ImplicitTransient::initialize()
+  {
+    K_u = stiffness_times(u);
+    M_v = mass_times(v);
+    // Forces of open nodes are zero to the tolerance of a solution only.
+    touching.setZero(model.n_nodes());
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      touching[j] = lambda[3 * j] > 1e-6 * lambda.cwiseAbs().maxCoeff();
+    set_stored_energy();
+  }
+
+  std::vector<Eigen::VectorXd *>
+  ImplicitTransient::further_state()
+  {
+    return {&K_u, &M_v, &touching};
+  }
+
+  void
+  ImplicitTransient::set_stored_energy()
+  {
+    energies.kinetic = 0.5 * v.dot(M_v);
+    energies.elastic = 0.5 * u.dot(K_u);
+  }
+
+
+
+  Eigen::VectorXd
+  ImplicitTransient::free_motion(const Eigen::VectorXd &right_hand_side) const
+  {
+    const Eigen::VectorXd rate = relative(v);
+    Eigen::VectorXd       motion =
+      2. * dt * (responses.transpose() * right_hand_side) - dt * rate;
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      {
+        const double gap =
+          model.initial_gap[j] - nodes_motion[3 * j] - 0.5 * dt * rate[3 * j];
+        const bool may_touch = touching[j] > 0. || gap <= 0.;
+        motion[3 * j] =
+          model.initial_gap[j] + (may_touch ? motion[3 * j] : -far_away);
+      }
+    return motion;
+  }
+
+
+
+  ContactReport
+  ImplicitTransient::advance()
+  {
+    const double          t = time();
+    const Eigen::VectorXd f =
+      0.5 * (external_force(t) + external_force(t + dt));
+    Block       rhs      = M_v + 0.5 * dt * (f - K_u);
+    ContactStep step     = contact_step(t + dt);
+    step.free_motion     = free_motion(rhs);
+    step.previous_motion = Eigen::VectorXd::Zero(step.free_motion.size());
+
+    Eigen::VectorXd     next   = extrapolated_forces();
+    const ContactReport report = solver->solve(step, next);
+    model.relative_motion->add_transposed(Eigen::MatrixXd(-0.5 * dt * next),
+                                          rhs);
+    const Eigen::VectorXd v_h  = inverse->solve(rhs) / stiffness_factor;
+    const Eigen::VectorXd K_vh = stiffness_times(v_h);
+    a                          = (2. / dt) * (v_h - v);
+    v                          = 2. * v_h - v;
+    const Eigen::VectorXd M_v1 = mass_times(v);
+
+    energies.damping +=
+      dt * (0.5 * alpha * v_h.dot(M_v + M_v1) + beta * v_h.dot(K_vh));
+    energies.load += dt * v_h.dot(f);
+    enter_contact_work(step, next, dt * relative(v_h));
+    K_u += dt * K_vh;
+    M_v = M_v1;
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      touching[j] = solver->status()[j] != ContactStatus::open;
+    finish_step(u + dt * v_h, next);
+    set_stored_energy();
+    return report;
+  }
+} // namespace squeal

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/mass_basis.h>
+#include <squeal/transient/reduction_basis.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** A motion slower than this is rigid: nothing holds it. */
+    constexpr double rigid_frequency = 0.5; // Hz
+
+    /** Directions that shrink below this share of their size are dropped. */
+    constexpr double krylov_drop = 1e-7;
+
+    /** Appends the Ritz vectors up to @p cut_off to a basis of modes. */
+    void
+    append_ritz_vectors(const Pencil      &pencil,
+                        const Functionals &B,
+                        const double       cut_off,
+                        ReductionBasis    &basis)
+    {
+      const RowSpace        &space = *pencil.space();
+      const ResidualResponse residual_response(pencil, basis);
+      const Eigen::Index     n = B.n_rows();
+      MassBasis              krylov(pencil);
+      Block                  next = residual_response(
+        B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))));
+      for (unsigned int level = 0; level < 2; ++level)
+        {
+          const Block added = krylov.extend(next, krylov_drop);
+          if (level == 0)
+            next = residual_response(pencil.multiply_mass(added));
+        }
+      const auto            Q = krylov.vectors();
+      const Eigen::MatrixXd K =
+        inner_products(space, Q, pencil.multiply_undamped_stiffness(Block(Q)));
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
+        Eigen::MatrixXd(0.5 * (K + K.transpose())));
+      const double highest = std::pow(2. * M_PI * cut_off, 2);
+      const auto   n_kept =
+        (ritz.eigenvalues().array() < highest).cast<int>().sum();
+      const Eigen::MatrixXd Z   = ritz.eigenvectors().leftCols(n_kept);
+      const Eigen::Index    old = basis.omega_squared.size();
+      basis.shapes.conservativeResize(Eigen::NoChange, old + n_kept);
+      basis.mass_shapes.conservativeResize(Eigen::NoChange, old + n_kept);
+      basis.omega_squared.conservativeResize(old + n_kept);
+      basis.shapes.rightCols(n_kept)      = Q * Z;
+      basis.mass_shapes.rightCols(n_kept) = krylov.mass_products() * Z;
+      basis.omega_squared.tail(n_kept)    = ritz.eigenvalues().head(n_kept);
+    }
+  } // namespace
+
+
+
+  Functionals
+  relative_motion(const ContactGeometry &geometry)
+  {
+    std::vector<Functionals::Row> rows;
+    for (std::size_t j = 0; j < geometry.points.size(); ++j)
+      for (const auto &part :
+           {geometry.normal, geometry.tangential, geometry.transverse})
+        rows.push_back(part->rows()[j]);
+    return Functionals(geometry.normal->space_pointer(), std::move(rows));
+  }
+
+
+
+  ReductionBasis
+  reduction_basis(const Pencil          &pencil,
+                  const UndampedModes   &modes,
+                  const ContactGeometry &geometry,
+                  const double           interface_cut_off)
+  {
+    ReductionBasis basis;
+    basis.n_modes       = modes.n_certified;
+    basis.shapes        = modes.shapes.leftCols(basis.n_modes);
+    basis.mass_shapes   = pencil.multiply_mass(basis.shapes);
+    basis.omega_squared = modes.omega_squared.head(basis.n_modes);
+    for (Eigen::Index k = 0; k < basis.omega_squared.size(); ++k)
+      if (basis.omega_squared[k] < std::pow(2. * M_PI * rigid_frequency, 2))
+        basis.omega_squared[k] = 0.;
+    if (interface_cut_off > 0.)
+      append_ritz_vectors(
+        pencil, relative_motion(geometry), interface_cut_off, basis);
+    return basis;
+  }
+
+
+
+  ResidualResponse::ResidualResponse(const Pencil         &pencil,
+                                     const ReductionBasis &b)
+    : space(*pencil.space())
+    , basis(b)
+    , inverse(pencil, -std::pow(2. * M_PI * 20., 2))
+  {
+  }
+
+
+
+  Block
+  ResidualResponse::operator()(const Block &forces) const
+  {
+    const auto phi   = basis.shapes.leftCols(basis.n_modes),
+               M_phi = basis.mass_shapes.leftCols(basis.n_modes);
+    const Block rest = forces - M_phi * inner_products(space, phi, forces);
+    Block       x    = inverse.solve(rest);
+    x -= phi * inner_products(space, M_phi, x);
+    const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
+    if (n_ritz > 0)
+      {
+        const auto ritz = basis.shapes.rightCols(n_ritz);
+        x -= ritz *
+             basis.omega_squared.tail(n_ritz).cwiseInverse().asDiagonal() *
+             inner_products(space, ritz, forces);
+      }
+    return x;
+  }
+} // namespace squeal

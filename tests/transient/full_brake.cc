@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The coarse brake in all its unknowns: growth in time by the implicit and the
+// explicit integrator beside the eigenvalues of the same matrices, energies,
+// and the largest stable step.
+
+#include "transient/pressed_brake.h"
+
+#include <squeal/base/exceptions.h>
+#include <squeal/transient/explicit_transient.h>
+#include <squeal/transient/growth.h>
+#include <squeal/transient/implicit_transient.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  constexpr double mu = .5;
+
+  SceneParameters
+  squealing_brake()
+  {
+    SceneParameters scene         = pressed_brake(mu);
+    scene.bodies[1].young_modulus = 1.6e10;
+    return scene;
+  }
+
+  FullContactModel
+  full_model(const Reduced &r)
+  {
+    FullContactModel full;
+    full.pencil          = std::make_shared<const Pencil>(r.pencil);
+    full.basis           = std::make_shared<const ReductionBasis>(r.basis);
+    full.relative_motion = std::make_shared<const Functionals>(
+      relative_motion(r.separated.contacts[0]));
+    full.load =
+      r.separated
+        .restrict_forces(load_vector(
+          r.discretization, PointEvaluator(r.discretization), r.scene.loads[0]))
+        .col(0);
+    full.observers     = Block::Zero(full.load.size(), 1);
+    full.initial_gap   = r.model.initial_gap;
+    full.speed_ratio   = r.model.speed_ratio;
+    full.motion_offset = Eigen::VectorXd::Zero(3 * r.model.n_nodes());
+    return full;
+  }
+
+  TransientDrive
+  drive()
+  {
+    TransientDrive d;
+    d.friction = [](double) { return mu; };
+    d.speed    = [](double) { return speed; };
+    d.load     = [](double) { return 1.; };
+    return d;
+  }
+
+  /** Grows by some e-foldings and compares. */
+  void
+  compare(const std::string   &name,
+          const Reduced       &r,
+          const SteadySliding &s,
+          TransientIntegrator &run,
+          const double         e_foldings)
+  {
+    const LinearizedMotion linear = linearize(r.model, s, mu, speed);
+    Eigen::Index           worst;
+    linear.lambda.real().maxCoeff(&worst);
+    const Eigen::VectorXcd whole = whole_model(r, s);
+    Complex                exact = whole[0];
+    for (const Complex &l : whole)
+      if (std::abs(l - linear.lambda[worst]) <
+          std::abs(exact - linear.lambda[worst]))
+        exact = l;
+    run.start(s.coordinates,
+              Eigen::VectorXd::Constant(r.model.n_modes(), 1e-9),
+              s.forces);
+    std::vector<double>  times;
+    std::vector<Complex> amplitudes;
+    unsigned int         n = 0, iterations = 0;
+    bool                 same_status = true;
+    const auto           begin       = std::chrono::steady_clock::now();
+    while (run.time() < e_foldings / exact.real())
+      {
+        iterations += run.advance().iterations;
+        ++n;
+        same_status = same_status && run.status() == s.status;
+        if (run.time() >= times.size() * 2e-5)
+          {
+            times.push_back(run.time());
+            amplitudes.push_back(linear.amplitudes(
+              s, run.coordinates(), run.velocities(), run.forces())[worst]);
+          }
+      }
+    const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+        .count();
+    const auto window = fit_window(amplitudes, 0, amplitudes.size(), false);
+    const GrowthFit fit =
+      fit_growth(times, amplitudes, window.first, window.second);
+    const double f = exact.imag() / (2 * M_PI);
+    std::printf("%s: rate %.4f +- %.4f (%.4f, reduced %.4f), f %.4f (%.4f), "
+                "imbalance %.2e, numerical %.2e of %.2e J, %.2f iterations a "
+                "step, %.0f steps/s\n",
+                name.c_str(),
+                fit.rate,
+                fit.rate_ci,
+                exact.real(),
+                linear.lambda[worst].real(),
+                fit.frequency,
+                f,
+                run.ledger().imbalance(),
+                run.ledger().numerical,
+                run.ledger().driving,
+                double(iterations) / n,
+                n / seconds);
+    check(same_status, name + ": the contact state stays");
+    check_below(std::abs(fit.rate - exact.real()),
+                std::max(.02 * exact.real(), 3.),
+                name + ": growth rate");
+    check_below(std::abs(fit.frequency / f - 1.), 2e-3, name + ": frequency");
+    // An identity of the scheme, to rounding in forces that add up for long.
+    check_below(run.ledger().imbalance(), 1e-7, name + ": the ledger closes");
+  }
+
+  void
+  implicit()
+  {
+    const Reduced       r(squealing_brake(), 24e3);
+    const SteadySliding s = steady_sliding(r.model, mu);
+    ImplicitTransient   run(
+      full_model(r), 2e-6, drive(), load / r.model.n_nodes());
+    compare("implicit", r, s, run, 7.);
+  }
+
+  void
+  explicit_scheme()
+  {
+    const Reduced       r(squealing_brake(), 24e3, 0., true);
+    const SteadySliding s    = steady_sliding(r.model, mu);
+    double              step = 0.;
+    try
+      {
+        ExplicitTransient(
+          full_model(r), 1e-5, drive(), load / r.model.n_nodes());
+        check(false, "a step above the critical one is refused");
+      }
+    catch (const InputError &e)
+      {
+        const std::string text = e.what();
+        std::printf("%s\n", text.c_str());
+        step = std::stod(text.substr(text.rfind("integrator, ") + 12));
+      }
+    ExplicitTransient run(
+      full_model(r), .95 * step, drive(), load / r.model.n_nodes());
+    compare("explicit", r, s, run, 4.5);
+  }
+
+  /** The bodies thrown apart: no contact, energy and damping alone. */
+  void
+  flight()
+  {
+    const Reduced    r(squealing_brake(), 24e3, 0., true);
+    FullContactModel full = full_model(r);
+    full.initial_gap.setConstant(1.);
+    full.load.setZero();
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(3 * r.model.n_nodes());
+    const Eigen::VectorXd q    = Eigen::VectorXd::Zero(r.model.n_modes()),
+                          v = Eigen::VectorXd::Constant(r.model.n_modes(), .1);
+    ImplicitTransient implicit_run(
+      full, 2e-6, drive(), load / r.model.n_nodes());
+    implicit_run.start(q, v, none);
+    ExplicitTransient explicit_run(full,
+                                   5e-8,
+                                   drive(),
+                                   load / r.model.n_nodes(),
+                                   1e-8,
+                                   ContactSolver::Method::newton,
+                                   .6);
+    explicit_run.start(q, v, none);
+    while (implicit_run.time() < 2e-4)
+      implicit_run.advance();
+    while (explicit_run.time() < 2e-4)
+      explicit_run.advance();
+    std::printf("implicit: %.2e, explicit: %.2e, numerical %.2e of %.2e J\n",
+                implicit_run.ledger().imbalance(),
+                explicit_run.ledger().imbalance(),
+                explicit_run.ledger().numerical,
+                explicit_run.ledger().start);
+    check_below(implicit_run.ledger().imbalance(),
+                1e-6,
+                "implicit without contact: the ledger closes");
+    check_below(explicit_run.ledger().imbalance(),
+                1e-6,
+                "explicit without contact, beta_2 = 0.6: the ledger closes");
+    check(explicit_run.ledger().numerical > 0.,
+          "beta_2 above one half takes energy");
+  }
+
+  /** The stability limit of one oscillator, on both sides. */
+  void
+  stability_limit()
+  {
+    for (const double beta_2 : {.5, .7})
+      for (const double damping : {0., 3e-1, 2.})
+        {
+          // omega = 1, c = damping.
+          const double limit = critical_step(1., damping, 0., beta_2);
+          for (const double factor : {.999, 1.001})
+            {
+              const double h = factor * limit;
+              double       u = 1., w = 0., largest = 0.;
+              for (unsigned int n = 0; n < 20000; ++n)
+                {
+                  const double a = -damping * w - u;
+                  u += h * w + (beta_2 + .5) * h * h * a;
+                  w += h * a;
+                  largest = std::max(largest, std::abs(u));
+                }
+              check((largest < 1e3) == (factor < 1.),
+                    "beta_2 " + number(beta_2) + ", damping " +
+                      number(damping) + ", " + number(factor) +
+                      " of the critical step");
+            }
+        }
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string                        which = argc > 1 ? argv[1] : "";
+  if (which == "implicit")
+    implicit();
+  else if (which == "explicit")
+    explicit_scheme();
+  else if (which == "energies")
+    {
+      stability_limit();
+      flight();
+    }
+  else
+    check(false, "an argument: implicit, explicit or energies");
+}

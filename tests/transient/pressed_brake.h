@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tests_transient_pressed_brake_h
+#define squeal_tests_transient_pressed_brake_h
+
+#include "scenes.h"
+
+#include <squeal/discretization/load_vector.h>
+#include <squeal/transient/steady_sliding.h>
+
+namespace squeal
+{
+  namespace testing
+  {
+    constexpr double speed = 0.1126, load = 100.;
+
+    inline SceneParameters
+    pressed_brake(const double friction)
+    {
+      SceneParameters s      = coarse_brake(friction);
+      auto           &c      = s.contacts[0];
+      c.formulation          = ContactParameters::Formulation::mortar;
+      c.transverse_slip_term = true;
+      c.sliding_speed        = speed;
+      c.normal_force         = load;
+      LoadParameters top;
+      top.name  = "top";
+      top.body  = "support";
+      top.face  = "z_max";
+      top.force = {{0., 0., -load}};
+      s.loads   = {top};
+      return s;
+    }
+
+    /** The bodies of a brake reduced at a cut-off. */
+    struct Reduced
+    {
+      Reduced(const SceneParameters &s,
+              const double           cut_off,
+              const double           interface_cut_off = 0.,
+              const bool             lumped            = false)
+        : scene(s)
+        , discretization(scene, parameters(lumped), 2, MPI_COMM_SELF)
+        , bodies(assemble_bodies(discretization))
+        , separated(separated_system(discretization, bodies))
+        , pencil(separated.system, scene)
+        , basis(reduction_basis(
+            pencil,
+            undamped_modes(
+              pencil,
+              ShiftedInverse(pencil, std::pow(2. * M_PI * cut_off, 2))),
+            separated.contacts[0],
+            interface_cut_off))
+        , model(reduce_contact_model(pencil,
+                                     basis,
+                                     cut_off,
+                                     separated.contacts[0],
+                                     separated.restrict_forces(load_vector(
+                                       discretization,
+                                       PointEvaluator(discretization),
+                                       scene.loads[0]))))
+      {
+      }
+
+      static DiscretizationParameters
+      parameters(const bool lumped)
+      {
+        DiscretizationParameters p = Model::parameters(0);
+        if (lumped)
+          p.mass = DiscretizationParameters::Mass::lumped;
+        return p;
+      }
+
+      SceneParameters           scene;
+      Discretization            discretization;
+      std::vector<BodyMatrices> bodies;
+      LinearizedSystem          separated;
+      Pencil                    pencil;
+      ReductionBasis            basis;
+      ReducedContactModel       model;
+    };
+
+    /** Eigenvalues of the whole model about the contact state of the reduced
+     * one. */
+    inline Eigen::VectorXcd
+    whole_model(const Reduced &r, const SteadySliding &s)
+    {
+      ContactState state;
+      state.status = s.status;
+      for (unsigned int j = 0; j < r.model.n_nodes(); ++j)
+        state.force_share.push_back(s.forces[3 * j] / load);
+      const LinearizedSystem system =
+        linearized_system(r.discretization, r.bodies, {state});
+      const Pencil         pencil(system.system, r.scene);
+      const ShiftedInverse inverse(pencil, std::pow(2. * M_PI * 8e3, 2));
+      const UndampedModes  modes = undamped_modes(pencil, inverse);
+      CertifiedSolver      solver(pencil, inverse, modes);
+      return solver.solve(band(500., 7e3)).lambda;
+    }
+  } // namespace testing
+} // namespace squeal
+
+#endif
