@@ -47,13 +47,20 @@ namespace
       case Kind::integer:
         // Some start at 2.
         return text.empty() || text == "1" ? "2"
-               : entry.allowed.matches("1")
+               : entry.allowed.is_list() || entry.allowed.matches("1")
                  ? "1"
                  : std::to_string(std::stoi(text) + 1);
       case Kind::number:
-        return text.empty() || text == "0"
-                 ? "0.5"
-                 : prm::format_number(0.5 * prm::parse_number(text).value());
+        {
+          if (text.empty() || text == "0")
+            return "0.5";
+          // Where the lower end is near, up.
+          const double      value = prm::parse_number(text).value();
+          const std::string half  = prm::format_number(0.5 * value);
+          return entry.allowed.is_list() || entry.allowed.matches(half)
+                   ? half
+                   : prm::format_number(1.25 * value);
+        }
       case Kind::text:
       case Kind::file:
         break;
