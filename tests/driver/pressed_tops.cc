@@ -9,6 +9,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/transient/reduced_transient.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -10,6 +10,7 @@
 
 #include <deal.II/fe/mapping.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,21 @@ namespace squeal
     /** A TriboBrake of few cells over the box of the shipped stability map. */
     struct CoarseBrake
     {
-      explicit CoarseBrake(const std::vector<std::string> &settings = {})
+      /** @p refine is called with the mesh before anything is assembled. */
+      explicit CoarseBrake(
+        const std::vector<std::string>              &settings = {},
+        const std::function<void(Discretization &)> &refine   = {})
         : parameters(read(settings))
         , discretization(parameters.scene,
                          parameters.discretization,
                          2,
                          MPI_COMM_SELF)
-        , linearized(
-            linearized_system(discretization, assemble_bodies(discretization)))
+        , linearized([&]() {
+          if (refine)
+            refine(discretization);
+          return linearized_system(discretization,
+                                   assemble_bodies(discretization));
+        }())
         , grid(parameters)
         , system(linearized.system, grid)
       {

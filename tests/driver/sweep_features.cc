@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Sweeps by the program on a coarse TriboBrake: the same on one and two ranks,
+// changes that stop squeal hold in the full model, a mesh for each radius.
+// Arguments: mpirun, the program.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  const std::vector<std::string> coarse = {"Scene/Body disc/Cells = 16, 3, 1",
+                                           "Scene/Body pad/Cells = 2, 2, 2",
+                                           "Scene/Body support/Cells = 2, 2, 6",
+                                           "Sweep/Axis e_pad/Number = 21",
+                                           "Output/Plots = false",
+                                           "Overwrite = true"};
+
+  Outcome
+  run(const std::vector<std::string> &command,
+      const std::string              &file,
+      const std::string              &directory,
+      std::vector<std::string>        settings)
+  {
+    std::vector<std::string> all = command;
+    settings.insert(settings.end(), coarse.begin(), coarse.end());
+    settings.push_back("Output directory = " + directory);
+    for (const auto &setting : settings)
+      {
+        all.push_back("--set");
+        all.push_back(setting);
+      }
+    all.push_back(SQUEAL_SOURCE_DIR "/prm/tribobrake/" + file);
+    const Outcome o = run_program(all);
+    check(o.code == 0, file + " ends well: " + o.errors);
+    return o;
+  }
+
+  void
+  compare(const std::string              &file,
+          const std::string              &a,
+          const std::string              &b,
+          const std::vector<std::string> &columns,
+          const double                    tolerance)
+  {
+    const Table one = read_csv(a + "/" + file), two = read_csv(b + "/" + file);
+    check(one.n_rows() > 0 && one.n_rows() == two.n_rows(),
+          file + ": " + std::to_string(one.n_rows()) + " rows in both");
+    for (const auto &column : columns)
+      {
+        double worst = 0.;
+        for (std::size_t i = 0; i < one.n_rows(); ++i)
+          worst = std::max(worst,
+                           std::abs(one.real(i, column) - two.real(i, column)) /
+                             std::max(1., std::abs(one.real(i, column))));
+        check(worst <= tolerance,
+              file + ", " + column + ": " + std::to_string(worst));
+      }
+  }
+
+  void
+  changes_hold(const std::string &directory)
+  {
+    const Table  table  = read_csv(directory + "/suggestions.csv");
+    unsigned int n_best = 0;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      if (table.text(i, "verdict") == "stable")
+        {
+          ++n_best;
+          check(table.real(i, "direct_sigma_per_s") < 0. &&
+                  table.real(i, "sigma_per_s") > 0.,
+                table.text(i, "entry") + " by " +
+                  table.text(i, "change_percent") + " %: no pair squeals");
+          check(std::abs(table.real(i, "change_percent")) <= 50.,
+                "within Largest change");
+        }
+    check(n_best > 0, "a change that holds: " + std::to_string(n_best));
+  }
+
+  /** The same radius as a value of an axis and as the scene's own. */
+  void
+  radius(const std::string &program)
+  {
+    run({program},
+        "pad_radius.prm",
+        "radii",
+        {"Sweep/Axis mu/Values = 0.5", "Sweep/Axis radius/Number = 3"});
+    run({program},
+        "pad_radius.prm",
+        "alone",
+        {"Sweep/Axes = e_pad, mu", "Sweep/Axis mu/Values = 0.5"});
+    const Table all = read_csv("radii/unstable_ranges.csv"),
+                one = read_csv("alone/unstable_ranges.csv");
+    std::size_t n   = 0;
+    for (std::size_t i = 0; i < all.n_rows(); ++i)
+      {
+        // The middle of the axis is where the scene's pad stands.
+        if (std::abs(all.real(i, "radius") - 0.1075) > 1e-9)
+          continue;
+        check(n < one.n_rows() &&
+                std::abs(all.real(i, "lower_coordinate") -
+                         one.real(n, "lower_coordinate")) < 1e-4,
+              "edge " + all.text(i, "lower_coordinate") + " as alone");
+        ++n;
+      }
+    check(n > 0 && n == one.n_rows(), "all ranges of the one radius");
+    check(all.n_rows() > n, "and ranges of the others");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 3, "arguments: mpirun, program");
+  const std::vector<std::string> settings = {"Sweep/Suggestions = 2",
+                                             "Sweep/Axis mu/Values = 0.3, 0.5"};
+  for (const std::string ranks : {"1", "2"})
+    run({argv[1], "-np", ranks, argv[2]},
+        "what_to_change.prm",
+        "ranks_" + ranks,
+        settings);
+  compare("eigenvalues.csv", "ranks_1", "ranks_2", {"frequency_hz"}, 1e-8);
+  // 1e-8 of |lambda| at 5 kHz.
+  compare("eigenvalues.csv", "ranks_1", "ranks_2", {"sigma_per_s"}, 3e-4);
+  compare("unstable_ranges.csv",
+          "ranks_1",
+          "ranks_2",
+          {"lower_coordinate", "upper_coordinate"},
+          2e-5);
+  changes_hold("ranks_1");
+  radius(argv[2]);
+}
