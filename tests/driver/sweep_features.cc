@@ -92,9 +92,11 @@ namespace
         "radii",
         {"Sweep/Axis mu/Values = 0.5", "Sweep/Axis radius/Number = 3"});
     run({program},
-        "pad_radius.prm",
+        "zones.prm",
         "alone",
-        {"Sweep/Axes = e_pad, mu", "Sweep/Axis mu/Values = 0.5"});
+        {"Sweep/Axis e_pad/From = 1e9",
+         "Sweep/Axis e_pad/To = 1e11",
+         "Sweep/Axis mu/Values = 0.5"});
     const Table all = read_csv("radii/unstable_ranges.csv"),
                 one = read_csv("alone/unstable_ranges.csv");
     std::size_t n   = 0;
