@@ -54,12 +54,13 @@ namespace
         {
           if (text.empty() || text == "0")
             return "0.5";
-          // Where the lower end is near, up.
-          const double      value = prm::parse_number(text).value();
-          const std::string half  = prm::format_number(0.5 * value);
-          return entry.allowed.is_list() || entry.allowed.matches(half)
-                   ? half
-                   : prm::format_number(1.25 * value);
+          // The ends of the range may be near.
+          const double value = prm::parse_number(text).value();
+          for (const double factor : {0.5, 1.25, 0.9})
+            if (const auto other = prm::format_number(factor * value);
+                entry.allowed.is_list() || entry.allowed.matches(other))
+              return other;
+          return "/no other value";
         }
       case Kind::text:
       case Kind::file:
