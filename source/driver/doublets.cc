@@ -2,28 +2,13 @@
 #include <squeal/driver/doublets.h>
 #include <squeal/results/chart.h>
 
-#include <algorithm>
+#include <cmath>
 #include <map>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace squeal
 {
-  namespace
-  {
-    /** Largest share of the kinetic energy that one body has. */
-    double
-    purity(const Table &modes, const std::size_t row)
-    {
-      double result = 0.;
-      for (const auto &column : modes.columns())
-        if (column.name.rfind("ke_share_", 0) == 0)
-          result = std::max(result, modes.real(row, column.name));
-      return result;
-    }
-  } // namespace
-
-
-
   Table
   doublet_table(const Table &modes)
   {
@@ -38,30 +23,33 @@ namespace squeal
         7},
        {"frequency_minus_hz", Type::real, "Hz", "with a node at the pad", 7},
        {"split_hz", Type::real, "Hz", "the first less the second", 4}});
-    // Of several modes of one name, which a support near by makes, the purest.
-    std::map<std::tuple<long long, long long, std::string>, std::size_t> best;
+    using Key = std::pair<long long, long long>;
+    std::map<Key, std::vector<std::size_t>> plus, minus;
     for (std::size_t i = 0; i < modes.n_rows(); ++i)
+      if (!modes.is_missing(i, "nodal_diameters") &&
+          modes.integer(i, "nodal_diameters") > 0)
+        (modes.text(i, "parity") == "+"
+           ? plus
+           : minus)[{modes.integer(i, "nodal_circles"),
+                     modes.integer(i, "nodal_diameters")}]
+          .push_back(i);
+    const auto frequency = [&](const std::size_t row) {
+      return modes.real(row, "frequency_hz");
+    };
+    for (const auto &[key, candidates] : plus)
       {
-        if (modes.is_missing(i, "nodal_diameters") ||
-            modes.integer(i, "nodal_diameters") == 0)
-          continue;
-        const auto key   = std::make_tuple(modes.integer(i, "nodal_circles"),
-                                         modes.integer(i, "nodal_diameters"),
-                                         modes.text(i, "parity"));
-        const auto found = best.find(key);
-        if (found == best.end() ||
-            purity(modes, i) > purity(modes, found->second))
-          best[key] = i;
-      }
-    for (const auto &[key, plus] : best)
-      {
-        const auto &[circles, diameters, parity] = key;
-        const auto minus = best.find(std::make_tuple(circles, diameters, "-"));
-        if (parity != "+" || minus == best.end())
-          continue;
-        const double f = modes.real(plus, "frequency_hz"),
-                     g = modes.real(minus->second, "frequency_hz");
-        table.add_row({circles, diameters, f, g, f - g});
+        // A support near by makes several modes of one name: the two that are
+        // closest to each other are the doublet.
+        double f = 0., g = 1e300;
+        for (const std::size_t i : candidates)
+          for (const std::size_t j : minus[key])
+            if (std::abs(frequency(i) - frequency(j)) < std::abs(f - g))
+              {
+                f = frequency(i);
+                g = frequency(j);
+              }
+        if (!minus[key].empty())
+          table.add_row({key.first, key.second, f, g, f - g});
       }
     return table;
   }
