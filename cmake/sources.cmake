@@ -129,6 +129,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc
+    source/transient/run_in.cc
     source/transient/spectrum.cc
     source/transient/steady_sliding.cc)
 
@@ -165,6 +166,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
     source/driver/command_line.cc
+    source/driver/contact_states.cc
     source/driver/contact_output.cc
     source/driver/matrix_output.cc
     source/driver/doublets.cc

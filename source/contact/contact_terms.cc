@@ -27,6 +27,24 @@ namespace squeal
                                                 : normal_stiffness(contact);
     }
 
+    using Coefficients =
+      std::function<TermCoefficients(const SceneParameters &)>;
+
+    /** @p coefficients where state @p k of @p n of a pair holds. */
+    Coefficients
+    where_state(const unsigned int  number,
+                const std::size_t   k,
+                const std::size_t   n,
+                const Coefficients &coefficients)
+    {
+      if (n == 1)
+        return coefficients;
+      return [=](const SceneParameters &s) {
+        return s.contacts[number].state_number == k ? coefficients(s)
+                                                    : TermCoefficients();
+      };
+    }
+
     Eigen::VectorXd
     selected_weights(const ContactGeometry   &geometry,
                      const ContactState      &state,
@@ -89,52 +107,74 @@ namespace squeal
 
 
 
+  namespace
+  {
+    void
+    add_springs(const Discretization  &d,
+                const unsigned int     number,
+                const ContactGeometry &geometry,
+                const ContactState    &state,
+                AffineSystem          &system)
+    {
+      const auto &contact = d.scene().contacts[number];
+      const auto  elastic = [number](const SceneParameters &s, const double k) {
+        const auto &c = s.contacts[number];
+        return elastic_coefficients(
+          s, k, c.stiffness_damping, c.structural_damping);
+      };
+      system.terms.push_back(
+        {"normal contact of " + contact.name,
+         std::make_shared<LowRankMatrix>(
+           geometry.normal,
+           selected_weights(geometry, state, contact, true, true),
+           geometry.normal),
+         [number, elastic](const SceneParameters &s) {
+           return elastic(s, normal_stiffness(s.contacts[number]));
+         }});
+
+      const Eigen::VectorXd slip =
+        selected_weights(geometry, state, contact, true, false);
+      if (!slip.isZero())
+        system.terms.push_back(
+          {"friction of " + contact.name,
+           std::make_shared<LowRankMatrix>(
+             geometry.tangential, slip, geometry.normal),
+           [number, elastic](const SceneParameters &s) {
+             const auto &c = s.contacts[number];
+             // Friction follows the whole normal force, its damping included.
+             return elastic(s, c.friction_coefficient * normal_stiffness(c));
+           }});
+
+      const Eigen::VectorXd stick =
+        selected_weights(geometry, state, contact, false, true);
+      if (!stick.isZero())
+        for (const auto &rows : {geometry.tangential, geometry.transverse})
+          system.terms.push_back(
+            {"sticking contact of " + contact.name,
+             std::make_shared<LowRankMatrix>(rows, stick, rows),
+             [number, elastic](const SceneParameters &s) {
+               return elastic(s, tangential_stiffness(s.contacts[number]));
+             }});
+      add_slip_rate_terms(d, number, geometry, state, system);
+    }
+  } // namespace
+
+
+
   void
   add_spring_contact(const Discretization  &d,
                      const unsigned int     number,
                      const ContactGeometry &geometry,
-                     const ContactState    &state,
+                     const ContactStates   &states,
                      AffineSystem          &system)
   {
-    const auto &contact = d.scene().contacts[number];
-    const auto  elastic = [number](const SceneParameters &s, const double k) {
-      const auto &c = s.contacts[number];
-      return elastic_coefficients(
-        s, k, c.stiffness_damping, c.structural_damping);
-    };
-    system.terms.push_back(
-      {"normal contact of " + contact.name,
-       std::make_shared<LowRankMatrix>(
-         geometry.normal,
-         selected_weights(geometry, state, contact, true, true),
-         geometry.normal),
-       [number, elastic](const SceneParameters &s) {
-         return elastic(s, normal_stiffness(s.contacts[number]));
-       }});
-
-    const Eigen::VectorXd slip =
-      selected_weights(geometry, state, contact, true, false);
-    if (!slip.isZero())
-      system.terms.push_back(
-        {"friction of " + contact.name,
-         std::make_shared<LowRankMatrix>(
-           geometry.tangential, slip, geometry.normal),
-         [number, elastic](const SceneParameters &s) {
-           const auto &c = s.contacts[number];
-           // Friction follows the whole normal force, its damping included.
-           return elastic(s, c.friction_coefficient * normal_stiffness(c));
-         }});
-
-    const Eigen::VectorXd stick =
-      selected_weights(geometry, state, contact, false, true);
-    if (!stick.isZero())
-      for (const auto &rows : {geometry.tangential, geometry.transverse})
-        system.terms.push_back(
-          {"sticking contact of " + contact.name,
-           std::make_shared<LowRankMatrix>(rows, stick, rows),
-           [number, elastic](const SceneParameters &s) {
-             return elastic(s, tangential_stiffness(s.contacts[number]));
-           }});
-    add_slip_rate_terms(d, number, geometry, state, system);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      {
+        const std::size_t first = system.terms.size();
+        add_springs(d, number, geometry, states[k], system);
+        for (std::size_t i = first; i < system.terms.size(); ++i)
+          system.terms[i].coefficients =
+            where_state(number, k, states.size(), system.terms[i].coefficients);
+      }
   }
 } // namespace squeal

@@ -203,13 +203,14 @@ namespace squeal
                 const PointEvaluator    &evaluator,
                 const ContactParameters &contact)
     {
-      return make_mortar_coupling(
-        d,
-        evaluator,
-        face_id(
-          d.coarse_mesh(), d.scene(), contact.source_body, contact.source_face),
-        target_of(d.scene(), contact),
-        "Scene/Contact " + contact.name);
+      const unsigned int face = face_id(
+        d.coarse_mesh(), d.scene(), contact.source_body, contact.source_face);
+      const unsigned int target = target_of(d.scene(), contact);
+      const std::string  where  = "Scene/Contact " + contact.name;
+      return contact.formulation ==
+                 ContactParameters::Formulation::node_to_surface
+               ? make_node_coupling(d, evaluator, face, target, where)
+               : make_mortar_coupling(d, evaluator, face, target, where);
     }
 
     LinearizedSystem
@@ -226,9 +227,9 @@ namespace squeal
 
 
   LinearizedSystem
-  linearized_system(const Discretization            &d,
-                    const std::vector<BodyMatrices> &bodies,
-                    const std::vector<ContactState> &given)
+  linearized_system(const Discretization             &d,
+                    const std::vector<BodyMatrices>  &bodies,
+                    const std::vector<ContactStates> &given)
   {
     const auto                &scene = d.scene();
     const PointEvaluator       evaluator(d);
@@ -243,17 +244,22 @@ namespace squeal
         if (contact.formulation == ContactParameters::Formulation::springs)
           {
             ContactGeometry g = make_contact_geometry(d, evaluator, contact);
-            ContactState    state =
-              given.empty() ? uniform_state(g, status) : given[i];
-            add_spring_contact(d, i, g, state, result.system);
+            const ContactStates states =
+              given.empty() ? ContactStates{uniform_state(g, status)}
+                            : given[i];
+            add_spring_contact(d, i, g, states, result.system);
             result.contacts.push_back(std::move(g));
-            result.states.push_back(std::move(state));
+            result.states.push_back(states.front());
             continue;
           }
         const MortarCoupling coupling = coupling_of(d, evaluator, contact);
         ContactGeometry      g        = nodal_geometry(d, contact, coupling);
-        ContactState         state =
-          given.empty() ? even_pressure(g, status) : given[i];
+        if (!given.empty() && given[i].size() > 1)
+          throw InputError("Scene/Contact " + contact.name +
+                           ": contact states that change over a sweep need "
+                           "'Formulation = springs'");
+        ContactState state =
+          given.empty() ? even_pressure(g, status) : given[i].front();
         AssertDimension(state.status.size(), g.points.size());
         const MortarContact pair =
           append_contact(coupling, g, state, i, dependent);

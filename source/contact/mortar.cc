@@ -248,4 +248,29 @@ namespace squeal
                                                 weight / result.weights[j]);
     return result;
   }
+
+
+
+  MortarCoupling
+  make_node_coupling(const Discretization &d,
+                     const PointEvaluator &evaluator,
+                     const unsigned int    source_face_id,
+                     const unsigned int    target_body,
+                     const std::string    &where)
+  {
+    MortarCoupling result =
+      make_mortar_coupling(d, evaluator, source_face_id, ground, where, 1);
+    if (target_body == ground)
+      return result;
+    const auto target =
+      evaluator.displacements(target_body, result.nodes, 1e-4);
+    for (std::size_t j = 0; j < result.nodes.size(); ++j)
+      if (!target.found[j])
+        throw InputError(where + ": the faces do not meet at (" +
+                         std::to_string(result.nodes[j][0]) + ", " +
+                         std::to_string(result.nodes[j][1]) + ", " +
+                         std::to_string(result.nodes[j][2]) + ") m");
+    result.target_rows = target.rows;
+    return result;
+  }
 } // namespace squeal

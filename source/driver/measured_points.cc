@@ -107,6 +107,19 @@ namespace squeal
     return true;
   }
 
+  MeasuredPoints::Values
+  MeasuredPoints::measured_values(const MeasuredShape &shape) const
+  {
+    Values result;
+    for (unsigned int i = 0; i < size(); ++i)
+      if (std::complex<double> value; measured_value(shape, i, value))
+        {
+          result.values.push_back(value);
+          result.places.push_back(i);
+        }
+    return result;
+  }
+
   Eigen::MatrixXd
   MeasuredPoints::mac(const std::vector<MeasuredShape> &measured,
                       const Eigen::MatrixXcd           &sampled) const
@@ -114,14 +127,7 @@ namespace squeal
     Eigen::MatrixXd result(measured.size(), sampled.cols());
     for (std::size_t m = 0; m < measured.size(); ++m)
       {
-        std::vector<std::complex<double>> a;
-        std::vector<unsigned int>         places;
-        for (unsigned int i = 0; i < size(); ++i)
-          if (std::complex<double> value; measured_value(measured[m], i, value))
-            {
-              a.push_back(value);
-              places.push_back(i);
-            }
+        const auto [a, places] = measured_values(measured[m]);
         if (places.size() < 2)
           throw InputError(
             model.parameters().measurement.shapes_file + ": shape '" +
@@ -135,6 +141,46 @@ namespace squeal
               b.push_back(sampled(i, k));
             result(m, k) = modal_assurance(a, b);
           }
+      }
+    return result;
+  }
+
+
+
+  Eigen::VectorXd
+  MeasuredPoints::comac(const std::vector<MeasuredShape> &measured,
+                        const Eigen::MatrixXcd           &sampled,
+                        const Eigen::MatrixXd            &mac) const
+  {
+    Eigen::VectorXd products  = Eigen::VectorXd::Zero(size()),
+                    squares_a = products, squares_b = products;
+    for (std::size_t m = 0; m < measured.size() && mac.cols() > 0; ++m)
+      {
+        Eigen::Index best;
+        mac.row(m).maxCoeff(&best);
+        const auto [a, places] = measured_values(measured[m]);
+        double norm_a = 0., norm_b = 0.;
+        for (std::size_t j = 0; j < places.size(); ++j)
+          {
+            norm_a += std::norm(a[j]);
+            norm_b += std::norm(sampled(places[j], best));
+          }
+        if (norm_a == 0. || norm_b == 0.)
+          continue;
+        for (std::size_t j = 0; j < places.size(); ++j)
+          {
+            const double x = std::norm(a[j]) / norm_a,
+                         y = std::norm(sampled(places[j], best)) / norm_b;
+            products[places[j]] += std::sqrt(x * y);
+            squares_a[places[j]] += x;
+            squares_b[places[j]] += y;
+          }
+      }
+    Eigen::VectorXd result(size());
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+      {
+        const double size = squares_a[i] * squares_b[i];
+        result[i] = size > 0. ? products[i] * products[i] / size : std::nan("");
       }
     return result;
   }

@@ -55,9 +55,9 @@ namespace squeal
 
 
 
-  Model::Model(const Parameters                &parameters,
-               Timers                          &timers,
-               const std::vector<ContactState> &states)
+  Model::Model(const Parameters                 &parameters,
+               Timers                           &timers,
+               const std::vector<ContactStates> &states)
     : all_parameters(parameters)
     , given_states(states)
   {
@@ -99,11 +99,12 @@ namespace squeal
       bodies = assemble_bodies(*space);
     }
     {
-      std::vector<ContactState> states = given_states;
+      std::vector<ContactStates> states = given_states;
       for (const auto &contact : all_parameters.scene.contacts)
         if (states.empty() &&
             contact.state == ContactParameters::State::preload)
-          states = preload_states(all_parameters, *space, bodies, timers);
+          states = {ContactStates{
+            preload_state(all_parameters, *space, bodies, timers)}};
       Timers::Section section(timers, "Assemble: springs and contact");
       system = linearized_system(*space, bodies, states);
     }

@@ -4,6 +4,7 @@
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/load_vector.h>
 #include <squeal/driver/pressed_model.h>
+#include <squeal/transient/run_in.h>
 
 #include <cmath>
 
@@ -228,6 +229,8 @@ namespace squeal
     if (!has_held_support(scene))
       {
         Timers::Section section(timers, "Solve: steady sliding");
+        if (parameters.preload.run_in == PreloadParameters::RunIn::archard)
+          reduced.initial_gap = worn_gap(reduced, geometry().areas, friction());
         return steady_sliding(reduced, friction(), 1., tolerance);
       }
     if (!moving)
@@ -252,6 +255,7 @@ namespace squeal
       }
     moving->pressed->set_friction(mu);
     SteadySliding steady = moving->pressed->steady(tolerance, timers);
+    reduced.initial_gap  = moving->pressed->model().initial_gap;
     if ((reduced.omega_squared.array() == 0.).any())
       throw InputError("Scene/Supports: with a held support a motion is left "
                        "that nothing holds; hold it by Scene/Springs");
@@ -304,11 +308,11 @@ namespace squeal
 
 
 
-  std::vector<ContactState>
-  preload_states(const Parameters                &parameters,
-                 const Discretization            &discretization,
-                 const std::vector<BodyMatrices> &bodies,
-                 Timers                          &timers)
+  ContactState
+  preload_state(const Parameters                &parameters,
+                const Discretization            &discretization,
+                const std::vector<BodyMatrices> &bodies,
+                Timers                          &timers)
   {
     // Statics do not depend on the cut-off.
     PressedModel pressed(parameters,
@@ -316,7 +320,7 @@ namespace squeal
                          bodies,
                          parameters.eigen.highest_frequency,
                          timers);
-    return {
-      pressed.state_of(pressed.steady(parameters.preload.tolerance, timers))};
+    return pressed.state_of(
+      pressed.steady(parameters.preload.tolerance, timers));
   }
 } // namespace squeal

@@ -179,7 +179,10 @@ namespace squeal
                                  factor * response.receptance(omega)});
       }
     if (!measured.empty())
-      result.mac = points.mac(measured, result.shapes);
+      {
+        result.mac   = points.mac(measured, result.shapes);
+        result.comac = points.comac(measured, result.shapes, result.mac);
+      }
 
     context.log.info(
       "  " + std::to_string(result.pairs.size()) + " modes up to " +

@@ -203,6 +203,30 @@ namespace squeal
 
 
   Table
+  comac_table(const Parameters &p, const std::vector<StateResponse> &states)
+  {
+    Table table({{"contact_state", Type::text, "", "of all contact pairs"},
+                 {"point", Type::text, "", "of Measurement/Points"},
+                 {"body", Type::text, "", "of the point"},
+                 {"comac",
+                  Type::real,
+                  "",
+                  "agreement there of all measured shapes with the modes most "
+                  "like them",
+                  4}});
+    for (const auto &state : states)
+      for (Eigen::Index i = 0; i < state.comac.size(); ++i)
+        if (std::isfinite(state.comac[i]))
+          table.add_row({state.state,
+                         p.measurement.points[i].name,
+                         p.measurement.points[i].body,
+                         state.comac[i]});
+    return table;
+  }
+
+
+
+  Table
   mac_table(const std::vector<MeasuredShape> &measured,
             const std::vector<StateResponse> &states)
   {

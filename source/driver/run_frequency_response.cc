@@ -166,6 +166,7 @@ namespace squeal
     const Table participation = participation_table(p, grid, states);
     const Table checks        = response_check_table(p, grid, states);
     const Table assurance     = mac_table(measured, states);
+    const Table by_point      = comac_table(p, states);
     {
       Timers::Section section(context.timers, "Write: tables");
       context.write_table("frequency_response.csv",
@@ -173,7 +174,10 @@ namespace squeal
       context.write_table("mode_participation.csv", participation);
       context.write_table("direct_check.csv", checks);
       if (!measured.empty())
-        context.write_table("mac.csv", assurance);
+        {
+          context.write_table("mac.csv", assurance);
+          context.write_table("comac.csv", by_point);
+        }
       if (context.is_root)
         {
           write_response_hdf5(
@@ -227,6 +231,7 @@ namespace squeal
       {
         report.section("Measured shapes");
         report.table(assurance, "MAC of measured and computed shapes");
+        report.table(by_point, "COMAC: agreement at every point");
       }
     report.section("Direct check");
     report.table(checks, "Superposition beside direct solutions");

@@ -6,7 +6,9 @@
 #include <squeal/base/version.h>
 #include <squeal/discretization/eigenvalue_error.h>
 #include <squeal/driver/cea_quantities.h>
+#include <squeal/driver/contact_states.h>
 #include <squeal/driver/sweep_model.h>
+#include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
@@ -56,8 +58,9 @@ namespace squeal
                          const std::string &name,
                          Block             *vectors)
     : parameters(p)
-    , full(p, context.timers)
     , sweep_grid(p)
+    , contact_states(contact_states_of(p, sweep_grid, context))
+    , full(p, context.timers, contact_states)
     , parts(full.linearized().system, sweep_grid)
     , file(basis_file(p, name))
   {
@@ -114,6 +117,34 @@ namespace squeal
   {
     return small.numbers.at("basis seconds")(0);
   }
+  bool
+  SweepModel::has_contact_states() const
+  {
+    return !contact_states.empty();
+  }
+
+  unsigned int
+  SweepModel::n_closed(const SweepPoint &point) const
+  {
+    const auto &status =
+      contact_states.at(0).at(sweep_grid.state_number(point)).status;
+    return status.size() -
+           std::count(status.begin(), status.end(), ContactStatus::open);
+  }
+
+  bool
+  SweepModel::is_at_contact_change(const SweepPoint &point) const
+  {
+    const double distance =
+      1e-4 * (sweep_grid.is_logarithmic(0)
+                ? 1.
+                : sweep_grid.upper(0) - sweep_grid.lower(0));
+    SweepPoint before = point, after = point;
+    before[0] -= distance;
+    after[0] += distance;
+    return sweep_grid.state_number(before) != sweep_grid.state_number(after);
+  }
+
   const std::vector<bool> &
   SweepModel::symmetric_parts() const
   {
@@ -207,7 +238,8 @@ namespace squeal
       {
         grams.clear();
         for (const auto &gram : small.grams)
-          grams.push_back(V.transpose() * gram * V);
+          grams.push_back(
+            gram.size() > 0 ? Eigen::MatrixXd(V.transpose() * gram * V) : gram);
       }
     const Eigen::MatrixXcd z = times(V.transpose(), pairs.right);
     // |sum of f_p A_p x|^2 for the factors of the residual, of M, C and K.
@@ -216,6 +248,8 @@ namespace squeal
     for (std::size_t p = 0; p < c.size(); ++p)
       for (std::size_t q = p; q < c.size(); ++q, ++k)
         {
+          if (c[p].is_zero() || c[q].is_zero())
+            continue;
           const Eigen::MatrixXcd g = times(grams[k], z);
           for (unsigned int j = 0; j < pairs.size(); ++j)
             {
@@ -271,6 +305,14 @@ namespace squeal
       add("box",
           std::to_string(sweep_grid.lower(a)) + " " +
             std::to_string(sweep_grid.upper(a)));
+    for (const unsigned int number : sweep_grid.states())
+      add("state", std::to_string(number));
+    for (const auto &states : contact_states)
+      for (const auto &state : states)
+        for (std::size_t j = 0; j < state.status.size(); ++j)
+          add("point",
+              std::to_string(static_cast<int>(state.status[j])) + " " +
+                prm::format_number(state.force_share[j]));
     return fingerprint(text);
   }
 

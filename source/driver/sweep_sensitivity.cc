@@ -89,9 +89,7 @@ namespace squeal
     Timers::Section  section(context.timers, "Solve: sensitivities");
     const SweepGrid &grid = model.grid();
     Table            table;
-    for (unsigned int a = 1; a < grid.n_axes(); ++a)
-      table.add_column(
-        {grid.axis(a).name, Type::real, "", grid.axis(a).entries[0], 5});
+    add_fixed_axes(table, grid);
     for (const Table::Column &column : std::vector<Table::Column>{
            {"branch", Type::text, "", "unstable branch"},
            {"coordinate", Type::real, "", "of its peak on the first axis", 6},
@@ -126,10 +124,8 @@ namespace squeal
             influences(model, *peak, context.parameters.sweep.sensitivities);
           for (std::size_t k = 0; k < found.size(); ++k)
             {
-              std::vector<Cell> row;
-              for (unsigned int a = 1; a < grid.n_axes(); ++a)
-                row.emplace_back(grid.value(a, line.start[a]));
-              const Influence &f = found[k];
+              std::vector<Cell> row = fixed_values(grid, line.start);
+              const Influence  &f   = found[k];
               row.insert(
                 row.end(),
                 {line.branch_names[range.branch],

@@ -267,6 +267,16 @@ namespace squeal
       line.ranges       = stability.ranges(line.points);
       if (p.exceptional_points)
         line.exceptional = stability.exceptional_points(line.points);
+      if (model.has_contact_states())
+        line.exceptional.erase(
+          std::remove_if(line.exceptional.begin(),
+                         line.exceptional.end(),
+                         [&](const ExceptionalPoint &e) {
+                           SweepPoint at = start;
+                           at[0]         = e.coordinate.real();
+                           return model.is_at_contact_change(at);
+                         }),
+          line.exceptional.end());
       for (const auto &range : line.ranges)
         line.mesh_errors_of_edges.push_back(
           mesh_error_of_edges(model, line, range));

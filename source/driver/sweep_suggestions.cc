@@ -238,9 +238,7 @@ namespace squeal
     empty_suggestions(const SweepGrid &grid)
     {
       Table table;
-      for (unsigned int a = 1; a < grid.n_axes(); ++a)
-        table.add_column(
-          {grid.axis(a).name, Type::real, "", grid.axis(a).entries[0], 5});
+      add_fixed_axes(table, grid);
       for (const Table::Column &column : std::vector<Table::Column>{
              {"branch", Type::text, "", "unstable branch"},
              {"coordinate", Type::real, "", "of its peak on the first axis", 6},
@@ -360,9 +358,7 @@ namespace squeal
                 is_settled = true;
                 warn(context, *peak, change);
               }
-            std::vector<Cell> row;
-            for (unsigned int a = 1; a < grid.n_axes(); ++a)
-              row.emplace_back(grid.value(a, line->start[a]));
+            std::vector<Cell> row = fixed_values(grid, line->start);
             row.insert(
               row.end(),
               {line->branch_names[range->branch],

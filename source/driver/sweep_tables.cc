@@ -26,7 +26,7 @@ namespace squeal
       std::vector<double> result(pairs.size(), 0.);
       for (std::size_t p = 0; p < coefficients.size(); ++p)
         {
-          if (model.symmetric_parts()[p])
+          if (model.symmetric_parts()[p] || coefficients[p].is_zero())
             continue;
           const Eigen::MatrixXcd F =
             times(model.reduced().parts[p], pairs.right);
@@ -162,6 +162,8 @@ namespace squeal
       return scene.contacts.empty() ? "none"
              : scene.contacts[0].state == ContactParameters::State::stick
                ? "stick"
+             : scene.contacts[0].state == ContactParameters::State::preload
+               ? "preload"
                : "full";
     }
 
@@ -230,6 +232,9 @@ namespace squeal
                             "",
                             "common logarithm",
                             7});
+      if (model.has_contact_states())
+        table.add_column(
+          {"closed_points", Type::integer, "", "of the contact, there"});
       return table;
     }
   } // namespace
@@ -294,6 +299,8 @@ namespace squeal
               for (unsigned int a = 0; a < grid.n_axes(); ++a)
                 if (grid.is_logarithmic(a))
                   row.emplace_back(point[a]);
+              if (model.has_contact_states())
+                row.emplace_back(model.n_closed(point));
               table.add_row(row);
             }
           ++count;
@@ -303,14 +310,31 @@ namespace squeal
 
 
 
+  void
+  add_fixed_axes(Table &table, const SweepGrid &grid)
+  {
+    for (unsigned int a = 1; a < grid.n_axes(); ++a)
+      table.add_column(
+        {grid.axis(a).name, Type::real, "", grid.axis(a).entries[0], 5});
+  }
+
+  std::vector<Cell>
+  fixed_values(const SweepGrid &grid, const SweepPoint &start)
+  {
+    std::vector<Cell> cells;
+    for (unsigned int a = 1; a < grid.n_axes(); ++a)
+      cells.emplace_back(grid.value(a, start[a]));
+    return cells;
+  }
+
+
+
   Table
   unstable_range_table(const SweepModel &model, const SweepSolution &solution)
   {
     const SweepGrid &grid = model.grid();
     Table            table;
-    for (unsigned int a = 1; a < grid.n_axes(); ++a)
-      table.add_column(
-        {grid.axis(a).name, Type::real, "", grid.axis(a).entries[0], 5});
+    add_fixed_axes(table, grid);
     for (const Table::Column &column : std::vector<Table::Column>{
            {"branch", Type::text, "", "names at the far ends of the branch"},
            {"parameter", Type::text, "", "that is swept"},
@@ -340,14 +364,19 @@ namespace squeal
             "of the coordinates, by the mesh",
             2}})
       table.add_column(column);
+    if (model.has_contact_states())
+      for (const char *edge : {"lower", "upper"})
+        table.add_column({std::string(edge) + "_at_contact_change",
+                          Type::integer,
+                          "",
+                          "1: the edge is where the contact state changes, "
+                          "between two points"});
     for (const auto &line : solution.lines)
       for (std::size_t i = 0; i < line.ranges.size(); ++i)
         {
-          const UnstableRange &r = line.ranges[i];
-          std::vector<Cell>    row;
-          for (unsigned int a = 1; a < grid.n_axes(); ++a)
-            row.emplace_back(grid.value(a, line.start[a]));
-          const auto error = [&](const double slope) {
+          const UnstableRange &r     = line.ranges[i];
+          std::vector<Cell>    row   = fixed_values(grid, line.start);
+          const auto           error = [&](const double slope) {
             return slope == 0. ? Cell() : Cell(r.sigma_error / std::abs(slope));
           };
           row.insert(row.end(),
@@ -366,6 +395,13 @@ namespace squeal
                       error(r.lower_slope),
                       error(r.upper_slope),
                       line.mesh_errors_of_edges[i]});
+          if (model.has_contact_states())
+            for (const double x : {r.lower, r.upper})
+              {
+                SweepPoint edge = line.start;
+                edge[0]         = x;
+                row.emplace_back(model.is_at_contact_change(edge) ? 1 : 0);
+              }
           table.add_row(row);
         }
     return table;
@@ -379,9 +415,7 @@ namespace squeal
   {
     const SweepGrid &grid = model.grid();
     Table            table;
-    for (unsigned int a = 1; a < grid.n_axes(); ++a)
-      table.add_column(
-        {grid.axis(a).name, Type::real, "", grid.axis(a).entries[0], 5});
+    add_fixed_axes(table, grid);
     for (const Table::Column &column : std::vector<Table::Column>{
            {"branch_1", Type::text, "", "of the two that coalesce"},
            {"branch_2", Type::text, "", "of the two that coalesce"},
@@ -396,9 +430,7 @@ namespace squeal
     for (const auto &line : solution.lines)
       for (const auto &e : line.exceptional)
         {
-          std::vector<Cell> row;
-          for (unsigned int a = 1; a < grid.n_axes(); ++a)
-            row.emplace_back(grid.value(a, line.start[a]));
+          std::vector<Cell> row = fixed_values(grid, line.start);
           row.insert(row.end(),
                      {line.branch_names[e.branch_1],
                       line.branch_names[e.branch_2],

@@ -242,7 +242,7 @@ namespace squeal
                     RunLog             &log,
                     Timers             &timers)
   {
-    Model        model(parameters, timers, {state});
+    Model        model(parameters, timers, {{state}});
     ModeSolution modes = solve_modes(model, log, timers);
     return solve_cea(model, modes, log, timers).pairs;
   }

@@ -283,14 +283,18 @@ namespace squeal
         std::vector<Block> own;
         for (std::size_t i = 0; i < projected.size(); ++i)
           own.push_back(
-            product_with(i, transposed, z.middleCols(first, n_chunk)));
+            coefficients[i].is_zero()
+              ? Block()
+              : product_with(i, transposed, z.middleCols(first, n_chunk)));
         for (Eigen::Index k = 0; k < n_chunk; ++k)
           {
             Eigen::VectorXcd Mx = Eigen::VectorXcd::Zero(n_rows), Cx = Mx,
                              Kx = Mx;
             for (std::size_t i = 0; i < projected.size(); ++i)
               {
-                const auto &c     = coefficients[i];
+                const auto &c = coefficients[i];
+                if (c.is_zero())
+                  continue;
                 const auto  re    = own[i].col(k);
                 const auto  im    = own[i].col(n_chunk + k);
                 const bool  other = transposed && !pencil.parts()[i].symmetric;

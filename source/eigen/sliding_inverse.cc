@@ -4,6 +4,8 @@
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/eigen/sliding_inverse.h>
 
+#include <algorithm>
+
 namespace squeal
 {
   namespace
@@ -18,16 +20,22 @@ namespace squeal
     : space(pencil.space())
     , inverse(s)
   {
-    collect(pencil);
-    if (terms.empty())
+    for (const auto &part : pencil.parts())
+      factored.push_back(part.coefficients);
+    rows                = collect(pencil, factored);
+    unsigned int n_rows = 0;
+    for (const Rows &own : rows)
+      n_rows += own.left->n_rows();
+    if (n_rows > maximum_rank)
+      rows.clear();
+    if (rows.empty())
       return;
     Block columns_of_all(space->n_owned(), 0);
-    for (const Term &term : terms)
+    for (const Rows &own : rows)
       {
-        const Functionals &left = term.friction->left_rows();
-        const Block        columns =
-          inverse.solve(left.apply_transposed(Eigen::MatrixXd(
-            Eigen::MatrixXd::Identity(left.n_rows(), left.n_rows()))));
+        const Block columns = inverse.solve(
+          own.left->apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(
+            own.left->n_rows(), own.left->n_rows()))));
         columns_of_all.conservativeResize(
           Eigen::NoChange, columns_of_all.cols() + columns.cols());
         columns_of_all.rightCols(columns.cols()) = columns;
@@ -40,17 +48,29 @@ namespace squeal
                                  const SlidingInverse &other)
     : space(other.space)
     , inverse(other.inverse)
+    , factored(other.factored)
     , responses(other.responses)
   {
-    collect(pencil);
-    bool alike = terms.size() == other.terms.size();
-    for (std::size_t i = 0; alike && i < terms.size(); ++i)
-      alike = terms[i].friction == other.terms[i].friction;
-    // Without friction, or with another one, the plain inverse remains.
-    if (!alike)
-      terms.clear();
-    if (!terms.empty())
-      factorize_capacitance();
+    if (other.rows.empty() || pencil.parts().size() != factored.size())
+      return;
+    const std::vector<Rows> own = collect(pencil, factored);
+    rows                        = other.rows;
+    for (Rows &r : rows)
+      r.terms.clear();
+    for (const Rows &r : own)
+      {
+        const auto same =
+          std::find_if(rows.begin(), rows.end(), [&](const Rows &known) {
+            return known.left == r.left;
+          });
+        if (same == rows.end())
+          {
+            rows.clear();
+            return;
+          }
+        same->terms = r.terms;
+      }
+    factorize_capacitance();
   }
 
   void
@@ -63,24 +83,38 @@ namespace squeal
 
 
 
-  void
-  SlidingInverse::collect(const Pencil &pencil)
+  std::vector<SlidingInverse::Rows>
+  SlidingInverse::collect(const Pencil                        &pencil,
+                          const std::vector<TermCoefficients> &of_factor) const
   {
-    unsigned int n_rows = 0;
-    const auto   add    = [&](const double factor, const LinearOperator *a) {
-      const auto *friction = dynamic_cast<const LowRankOperator *>(a);
-      if (friction && factor != 0.)
-        {
-          terms.push_back({factor, friction});
-          n_rows += friction->left_rows().n_rows();
-        }
+    std::vector<Rows> result;
+    const auto        add = [&](const double factor, const LinearOperator *a) {
+      const auto *low = dynamic_cast<const LowRankOperator *>(a);
+      if (!low)
+        return;
+      const Functionals *left = &low->left_rows();
+      auto               same = std::find_if(result.begin(),
+                               result.end(),
+                               [&](const Rows &r) { return r.left == left; });
+      if (same == result.end())
+        same = result.insert(result.end(), Rows{left, {}});
+      if (factor != 0.)
+        same->terms.emplace_back(factor, low);
     };
-    for (const auto &part : pencil.parts())
+    const auto strength = [&](const TermCoefficients &c) {
+      return c.stiffness.real() - inverse.shift() * c.mass;
+    };
+    for (std::size_t i = 0; i < pencil.parts().size(); ++i)
       {
-        const double factor = part.coefficients.stiffness.real() -
-                              inverse.shift() * part.coefficients.mass;
+        const auto &part   = pencil.parts()[i];
+        double      factor = strength(part.coefficients);
         if (part.symmetric)
-          continue;
+          {
+            // Only what comes and goes with the contact state.
+            if (!of_factor[i].is_zero() && !part.coefficients.is_zero())
+              continue;
+            factor -= strength(of_factor[i]);
+          }
         if (const auto *sum =
               dynamic_cast<const SumOperator *>(part.matrix.get()))
           for (const auto &[weight, summand] : sum->summands())
@@ -88,8 +122,7 @@ namespace squeal
         else
           add(factor, part.matrix.get());
       }
-    if (n_rows > maximum_rank)
-      terms.clear();
+    return result;
   }
 
 
@@ -97,19 +130,16 @@ namespace squeal
   Eigen::MatrixXd
   SlidingInverse::forces(const Block &X) const
   {
-    std::vector<Eigen::MatrixXd> parts;
-    Eigen::Index                 n = 0;
-    for (const Term &term : terms)
-      {
-        parts.push_back(term.factor * term.friction->forces(X));
-        n += parts.back().rows();
-      }
-    Eigen::MatrixXd all(n, X.cols());
+    Eigen::Index n = 0;
+    for (const Rows &own : rows)
+      n += own.left->n_rows();
+    Eigen::MatrixXd all   = Eigen::MatrixXd::Zero(n, X.cols());
     Eigen::Index    first = 0;
-    for (const auto &part : parts)
+    for (const Rows &own : rows)
       {
-        all.middleRows(first, part.rows()) = part;
-        first += part.rows();
+        for (const auto &[factor, term] : own.terms)
+          all.middleRows(first, own.left->n_rows()) += factor * term->forces(X);
+        first += own.left->n_rows();
       }
     return all;
   }
@@ -119,12 +149,12 @@ namespace squeal
   {
     Block        result = Block::Zero(responses->rows(), g.cols());
     Eigen::Index first  = 0;
-    for (const Term &term : terms)
+    for (const Rows &own : rows)
       {
-        const Eigen::Index n = term.friction->left_rows().n_rows();
-        result += term.factor * term.friction->transposed_forces(
-                                  Eigen::MatrixXd(g.middleRows(first, n)));
-        first += n;
+        const Eigen::MatrixXd part = g.middleRows(first, own.left->n_rows());
+        for (const auto &[factor, term] : own.terms)
+          result += factor * term->transposed_forces(part);
+        first += own.left->n_rows();
       }
     return result;
   }
@@ -135,7 +165,7 @@ namespace squeal
   SlidingInverse::solve(const Block &b) const
   {
     Block x = inverse.solve(b);
-    if (!terms.empty())
+    if (!rows.empty())
       x.noalias() -= *responses * capacitance.solve(forces(x));
     return x;
   }
@@ -143,7 +173,7 @@ namespace squeal
   Block
   SlidingInverse::solve_transposed(const Block &b) const
   {
-    if (terms.empty() || b.cols() == 0)
+    if (rows.empty() || b.cols() == 0)
       return inverse.solve(b);
     // L S b = (S L^T)^T b needs no solve of its own.
     const Eigen::MatrixXd g =

@@ -5,6 +5,10 @@
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/parameters/numbers.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 namespace squeal
 {
   namespace prm
@@ -80,6 +84,33 @@ namespace squeal
 
 
       void
+      check_friction_law(const ContactParameters &contact,
+                         const std::string       &section)
+      {
+        using Law = ContactParameters::FrictionLaw;
+        if (contact.friction_law == Law::exponential &&
+            contact.static_friction_coefficient <
+              std::abs(contact.friction_coefficient))
+          refuse_entry(section,
+                       "Static friction coefficient",
+                       "must not be below the 'Friction coefficient'");
+        if (contact.friction_law != Law::table)
+          return;
+        const auto &speeds = contact.friction_speeds;
+        if (speeds.empty() || speeds.front() != 0. ||
+            std::adjacent_find(speeds.begin(),
+                               speeds.end(),
+                               std::greater_equal<double>()) != speeds.end())
+          refuse_entry(section, "Friction speeds", "must ascend from 0");
+        if (contact.friction_coefficients.size() != speeds.size())
+          refuse_entry(section,
+                       "Friction coefficients",
+                       "must be as many as 'Friction speeds'");
+      }
+
+
+
+      void
       check_law(const ContactParameters &contact, const std::string &section)
       {
         if (contact.transverse_slip_term && !(contact.sliding_speed > 0.))
@@ -87,6 +118,7 @@ namespace squeal
                        "Sliding speed",
                        "must be greater than 0 with the 'Transverse slip "
                        "term', which divides by it");
+        check_friction_law(contact, section);
         if (contact.formulation != ContactParameters::Formulation::springs)
           return;
         const bool is_grid =

@@ -87,7 +87,29 @@ namespace squeal
   choices(const ContactParameters::Formulation)
   {
     using F = ContactParameters::Formulation;
-    return {{"springs", F::springs}, {"mortar", F::mortar}};
+    return {{"springs", F::springs},
+            {"mortar", F::mortar},
+            {"node to surface", F::node_to_surface}};
+  }
+
+
+
+  Choices<ContactParameters::FrictionLaw>
+  choices(const ContactParameters::FrictionLaw)
+  {
+    using L = ContactParameters::FrictionLaw;
+    return {{"constant", L::constant},
+            {"exponential", L::exponential},
+            {"table", L::table}};
+  }
+
+
+
+  Choices<PreloadParameters::RunIn>
+  choices(const PreloadParameters::RunIn)
+  {
+    using R = PreloadParameters::RunIn;
+    return {{"none", R::none}, {"archard", R::archard}};
   }
 
 

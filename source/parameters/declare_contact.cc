@@ -43,8 +43,8 @@ namespace squeal
       {
         schema.add("Formulation",
                    c.formulation,
-                   "Springs between the faces, or no penetration in the dual "
-                   "mortar sense.");
+                   "Springs between the faces, no penetration in the dual "
+                   "mortar sense, or of the source face's nodes.");
         schema.add("Spring layout",
                    c.layout,
                    "Where the springs are: a grid over the source face or "
@@ -74,7 +74,41 @@ namespace squeal
                    c.state,
                    "The whole face slips (full) or sticks (stick); 'preload': "
                    "the open, sticking and slipping parts of the steady "
-                   "sliding.");
+                   "sliding; in a sweep those of every point of the grid.");
+      }
+
+
+
+      void
+      declare_friction_law(Schema &schema, ContactParameters &c)
+      {
+        schema.add("Friction law",
+                   c.friction_law,
+                   "How the coefficient depends on the slip rate in steady "
+                   "sliding and transients; linearised analyses take the "
+                   "'Friction slope'.");
+        schema.add("Static friction coefficient",
+                   c.static_friction_coefficient,
+                   Allowed::number(0., 5.),
+                   "Exponential law: the coefficient at rest, from which it "
+                   "falls to the 'Friction coefficient'.");
+        schema.add("Decay speed",
+                   c.decay_speed,
+                   Allowed::number(0.),
+                   "Exponential law: slip rate at which the difference has "
+                   "fallen to 1/e; 0: the static coefficient holds what "
+                   "sticks, the other one all that slips.",
+                   "m/s");
+        schema.add("Friction speeds",
+                   c.friction_speeds,
+                   Allowed::list(Allowed::number(0.)),
+                   "Law by a table: slip rates, ascending from 0.",
+                   "m/s");
+        schema.add("Friction coefficients",
+                   c.friction_coefficients,
+                   Allowed::list(Allowed::number(0., 5.)),
+                   "Law by a table: the coefficient at each of them, the last "
+                   "one beyond.");
       }
     } // namespace
 
@@ -90,6 +124,7 @@ namespace squeal
                  Allowed::number(-5., 5.),
                  "Coefficient of friction; negative: the target turns "
                  "backwards.");
+      declare_friction_law(schema, c);
       schema.add("Friction direction",
                  c.friction_direction,
                  "Friction along +y everywhere, or along the local velocity "

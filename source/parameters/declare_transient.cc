@@ -149,6 +149,11 @@ namespace squeal
                  Allowed::positive(1e-2),
                  "Largest violation of the contact law, relative to the mean "
                  "force of a contact node.");
+      schema.add("Run-in",
+                 p.run_in,
+                 "Flat faces, or faces worn by Archard's law until the wear no "
+                 "longer changes the pressure: what steady sliding leaves "
+                 "open then closes.");
       schema.add("Stiffness entry",
                  p.stiffness_entry,
                  Allowed::text(),

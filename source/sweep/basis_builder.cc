@@ -136,6 +136,8 @@ namespace squeal
       symmetric.push_back(part.symmetric);
     const SweepGrid &grid = system.grid();
     training              = grid.spread(70);
+    for (const auto &point : grid.state_representatives())
+      training.push_back(point);
     training_errors.assign(training.size(), 1.);
   }
 
@@ -174,7 +176,8 @@ namespace squeal
     double result = 0.;
     for (std::size_t i = 0; i < a.size(); ++i)
       {
-        if (!symmetric[i])
+        // The inverses follow the contact states.
+        if (!symmetric[i] || system.is_switched(i))
           continue;
         const auto add = [&](const double x, const double y) {
           if (x * y > 0.)
@@ -430,7 +433,9 @@ namespace squeal
     result.parts = model.parts;
     for (std::size_t i = 0; i < result.parts.size(); ++i)
       for (std::size_t j = i; j < result.parts.size(); ++j)
-        result.grams.push_back(reduced.product_gram(i, j));
+        result.grams.push_back(system.are_together(i, j)
+                                 ? reduced.product_gram(i, j)
+                                 : Eigen::MatrixXd());
     result.cells = make_cells();
     for (auto &cell : result.cells)
       fit_cell(cell);

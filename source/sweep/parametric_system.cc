@@ -99,11 +99,19 @@ namespace squeal
         require_affine("Sweep/Axis " + grid.axis(a).name + "/Entries", path);
 
     std::vector<std::vector<TermCoefficients>> samples(system.terms.size());
+    // In every contact state, whichever holds there.
+    std::vector<unsigned int> state_of_sample;
     for (const auto &point : grid.spread(12 + (1u << grid.n_axes())))
       {
-        const SceneParameters &scene = grid.scene(point);
-        for (std::size_t i = 0; i < system.terms.size(); ++i)
-          samples[i].push_back(system.terms[i].coefficients(scene));
+        SceneParameters scene = grid.scene(point);
+        for (unsigned int k = 0; k < grid.n_states(); ++k)
+          {
+            for (auto &contact : scene.contacts)
+              contact.state_number = k;
+            state_of_sample.push_back(k);
+            for (std::size_t i = 0; i < system.terms.size(); ++i)
+              samples[i].push_back(system.terms[i].coefficients(scene));
+          }
       }
     // What is to be varied beside the axes must come apart too.
     const SweepPoint   centre = grid.spread(1).back();
@@ -147,6 +155,29 @@ namespace squeal
         {system.terms[group.first].name,
          std::make_shared<SumOperator>(std::move(group.operators)),
          system.terms[group.first].coefficients});
+    for (const auto &group : groups)
+      {
+        is_there.emplace_back(grid.n_states(), false);
+        for (std::size_t i = 0; i < state_of_sample.size(); ++i)
+          if (!group.profile.segment<4>(4 * i).isZero(0.))
+            is_there.back()[state_of_sample[i]] = true;
+      }
+  }
+
+  bool
+  ParametricSystem::is_switched(const std::size_t part) const
+  {
+    const auto &there = is_there[part];
+    return std::find(there.begin(), there.end(), false) != there.end();
+  }
+
+  bool
+  ParametricSystem::are_together(const std::size_t a, const std::size_t b) const
+  {
+    for (std::size_t i = 0; i < is_there[a].size(); ++i)
+      if (is_there[a][i] && is_there[b][i])
+        return true;
+    return false;
   }
 
   const AffineSystem &

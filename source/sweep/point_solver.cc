@@ -110,7 +110,7 @@ namespace squeal
               H = Eigen::MatrixXd::Zero(n, n);
             H += c.stiffness.imag() * A;
           }
-        if (c.mass == 0. && c.damping == 0. && c.stiffness == 0.)
+        if (c.is_zero())
           continue;
         if (c.stiffness.imag() != 0. || (c.mass != 0.) == (k != 0.))
           {

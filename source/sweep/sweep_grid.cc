@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/sweep/sweep_grid.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -170,7 +172,20 @@ namespace squeal
   {
     std::vector<double> all = values(point);
     all.insert(all.end(), other_values.begin(), other_values.end());
-    return setter->scene(all);
+    return scene(all, point);
+  }
+
+  const SceneParameters &
+  SweepGrid::scene(const std::vector<double> &all,
+                   const SweepPoint          &point) const
+  {
+    const SceneParameters &plain = setter->scene(all);
+    if (state_of.empty())
+      return plain;
+    scene_with_state = plain;
+    for (auto &contact : scene_with_state.contacts)
+      contact.state_number = state_number(point);
+    return scene_with_state;
   }
 
   const std::vector<std::string> &
@@ -196,7 +211,61 @@ namespace squeal
     std::vector<double> all = values(point);
     all.insert(all.end(), other_values.begin(), other_values.end());
     all.at(entry) *= factor;
-    return setter->scene(all);
+    return scene(all, point);
+  }
+
+
+
+  void
+  SweepGrid::set_states(std::vector<unsigned int> state_of_point)
+  {
+    AssertDimension(state_of_point.size(), n_points());
+    state_of = std::move(state_of_point);
+  }
+
+  const std::vector<unsigned int> &
+  SweepGrid::states() const
+  {
+    return state_of;
+  }
+
+  unsigned int
+  SweepGrid::n_states() const
+  {
+    return state_of.empty()
+             ? 1
+             : *std::max_element(state_of.begin(), state_of.end()) + 1;
+  }
+
+  unsigned int
+  SweepGrid::state_number(const SweepPoint &point) const
+  {
+    if (state_of.empty())
+      return 0;
+    std::size_t number = 0, stride = 1;
+    for (unsigned int a = 0; a < n_axes(); ++a)
+      {
+        const auto nearest = std::min_element(
+          grid[a].begin(), grid[a].end(), [&](const double x, const double y) {
+            return std::abs(x - point[a]) < std::abs(y - point[a]);
+          });
+        number += stride * (nearest - grid[a].begin());
+        stride *= grid[a].size();
+      }
+    return state_of[number];
+  }
+
+  std::vector<SweepPoint>
+  SweepGrid::state_representatives() const
+  {
+    std::vector<std::vector<std::size_t>> members(n_states());
+    for (std::size_t i = 0; i < state_of.size(); ++i)
+      members[state_of[i]].push_back(i);
+    std::vector<SweepPoint> result;
+    for (const auto &own : members)
+      if (!own.empty())
+        result.push_back(point(own[own.size() / 2]));
+    return result;
   }
 
 

@@ -336,12 +336,33 @@ subsection Frequency response
                     1e-4,
                     "the frequency in the file is that of the mode");
 
+    const Table by_point = read_csv("out/comac.csv");
+    check(by_point.n_rows() > 2, "every point has a COMAC");
+    for (std::size_t r = 0; r < by_point.n_rows(); ++r)
+      check(by_point.real(r, "comac") > 1. - 1e-9,
+            "at every point the shapes are like themselves");
+
     write_text("shapes.csv",
                "shape,frequency_hz,point,real,imag\n"
                "a,1000,below,1,0\na,1000,far,-1,0\na,1000,side,0.5,0\n");
     run_well(brake(), {"Measurement/Shapes file = shapes.csv"});
     check(best_mac(read_csv("out/mac.csv")).size() == 1,
           "shapes are read from CSV");
+    // Two shapes that no mode has: the point that is wrong in both is told.
+    write_text("shapes.csv",
+               "shape,frequency_hz,point,real,imag\n"
+               "a,1000,below,1,0\na,1000,far,-1,0\na,1000,side,9,0\n"
+               "b,1000,below,1,0\nb,1000,far,1,0\nb,1000,side,0,0\n");
+    run_well(brake(), {"Measurement/Shapes file = shapes.csv"});
+    const Table wrong    = read_csv("out/comac.csv");
+    double      smallest = 1.;
+    for (std::size_t r = 0; r < wrong.n_rows(); ++r)
+      {
+        const double value = wrong.real(r, "comac");
+        check(value >= 0. && value <= 1. + 1e-12, "a COMAC is a share");
+        smallest = std::min(smallest, value);
+      }
+    check(smallest < 0.99, "shapes that differ are told apart");
 
     const std::string good = text_of("own.uff");
     for (const auto &[text, part] :

@@ -149,6 +149,11 @@ namespace squeal
       SQUEAL_DESCRIBE(contact, normal_stiffness_per_area);
       SQUEAL_DESCRIBE(contact, state);
       SQUEAL_DESCRIBE(contact, friction_coefficient);
+      SQUEAL_DESCRIBE(contact, friction_law);
+      SQUEAL_DESCRIBE(contact, static_friction_coefficient);
+      SQUEAL_DESCRIBE(contact, decay_speed);
+      SQUEAL_DESCRIBE(contact, friction_speeds);
+      SQUEAL_DESCRIBE(contact, friction_coefficients);
       SQUEAL_DESCRIBE(contact, friction_direction);
       SQUEAL_DESCRIBE(contact, transverse_slip_term);
       SQUEAL_DESCRIBE(contact, sliding_speed);
@@ -279,6 +284,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, sweep.largest_change);
       SQUEAL_DESCRIBE(p, sweep.scatter_samples);
       SQUEAL_DESCRIBE(p, sweep.scatter_seed);
+      SQUEAL_DESCRIBE(p, preload.run_in);
       SQUEAL_DESCRIBE(p, preload.load_steps);
       SQUEAL_DESCRIBE(p, preload.tolerance);
       SQUEAL_DESCRIBE(p, preload.stiffness_entry);

@@ -21,22 +21,27 @@ namespace squeal
     /** A TriboBrake of few cells over the box of the shipped stability map. */
     struct CoarseBrake
     {
-      /** @p refine is called with the mesh before anything is assembled. */
+      /** @p refine is called with the mesh before anything is assembled, @p
+       * states with the grid for contact states of its points. */
       explicit CoarseBrake(
-        const std::vector<std::string>              &settings = {},
-        const std::function<void(Discretization &)> &refine   = {})
+        const std::vector<std::string>                  &settings = {},
+        const std::function<void(Discretization &)>     &refine   = {},
+        const std::function<ContactStates(SweepGrid &)> &states   = {})
         : parameters(read(settings))
         , discretization(parameters.scene,
                          parameters.discretization,
                          2,
                          MPI_COMM_SELF)
+        , grid(parameters)
         , linearized([&]() {
           if (refine)
             refine(discretization);
-          return linearized_system(discretization,
-                                   assemble_bodies(discretization));
+          std::vector<ContactStates> all;
+          if (states)
+            all.push_back(states(grid));
+          return linearized_system(
+            discretization, assemble_bodies(discretization), all);
         }())
-        , grid(parameters)
         , system(linearized.system, grid)
       {
         options.band                = {2000., 6000.};
@@ -62,8 +67,8 @@ namespace squeal
 
       Parameters       parameters;
       Discretization   discretization;
-      LinearizedSystem linearized;
       SweepGrid        grid;
+      LinearizedSystem linearized;
       ParametricSystem system;
       BasisOptions     options;
 

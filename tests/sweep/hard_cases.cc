@@ -129,6 +129,59 @@ namespace
       judge(setup, model, at(x, 0.4));
   }
 
+  /** The whole face, two thirds of it with a soft pad, one third with much
+   * friction too. */
+  void
+  contact_states()
+  {
+    const auto states = [](SweepGrid &grid) {
+      ContactStates result(3);
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int i = 0; i < 121; ++i)
+          {
+            const bool open = i % 11 >= (k == 0 ? 11u : k == 1 ? 7u : 4u);
+            result[k].status.push_back(open ? ContactStatus::open
+                                            : ContactStatus::slip);
+            result[k].force_share.push_back(1. / 121.);
+          }
+      std::vector<unsigned int> numbers;
+      for (std::size_t i = 0; i < grid.n_points(); ++i)
+        {
+          const SweepPoint point = grid.point(i);
+          numbers.push_back(point[0] > 10.35 ? 0 : point[1] < 0.4 ? 1 : 2);
+        }
+      grid.set_states(numbers);
+      return result;
+    };
+    const Setup setup({"Sweep/Axis e_pad/From = 1e10",
+                       "Sweep/Axis e_pad/To = 4e10",
+                       "Sweep/Axis e_pad/Number = 7",
+                       "Sweep/Axis mu/Values = 0.1, 0.3, 0.5"},
+                      {},
+                      states);
+    const auto  model = build(setup);
+    for (const SweepPoint &point : setup.grid.state_representatives())
+      judge(setup, model, point);
+    const auto soft  = judge(setup, model, at(10.1, 0.45)),
+               stiff = judge(setup, model, at(10.5, 0.5));
+    check(setup.grid.state_number(at(10.1, 0.45)) == 2 &&
+            setup.grid.state_number(at(10.5, 0.5)) == 0,
+          "points between those of the grid have the state of the nearest");
+    check(soft.size() > 0 && stiff.size() > 0, "both have pairs in the band");
+    // The state matters: the same numbers with the whole face closed.
+    SceneParameters scene               = setup.grid.scene(at(10.1, 0.45));
+    scene.contacts[0].state_number      = 0;
+    const ComplexPairs whole            = setup.direct(scene);
+    double             largest_distance = 0.;
+    for (unsigned int i = 0; i < soft.size(); ++i)
+      largest_distance =
+        std::max(largest_distance,
+                 (whole.lambda.array() - soft.lambda[i]).abs().minCoeff());
+    check(largest_distance > 100.,
+          "a third of the face gives another spectrum: " +
+            std::to_string(largest_distance) + " 1/s");
+  }
+
   void
   hanging_nodes()
   {
@@ -171,6 +224,10 @@ main(int argc, char **argv)
     contact();
   else if (which == "hanging_nodes")
     hanging_nodes();
+  else if (which == "contact_states")
+    contact_states();
   else
-    check(false, "an argument: friction, stiffness, contact or hanging_nodes");
+    check(false,
+          "an argument: friction, stiffness, contact, hanging_nodes or "
+          "contact_states");
 }

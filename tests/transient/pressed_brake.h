@@ -89,7 +89,7 @@ namespace squeal
       for (unsigned int j = 0; j < r.model.n_nodes(); ++j)
         state.force_share.push_back(s.forces[3 * j] / load);
       const LinearizedSystem system =
-        linearized_system(r.discretization, r.bodies, {state});
+        linearized_system(r.discretization, r.bodies, {{state}});
       const Pencil         pencil(system.system, r.scene);
       const ShiftedInverse inverse(pencil, std::pow(2. * M_PI * 8e3, 2));
       const UndampedModes  modes = undamped_modes(pencil, inverse);

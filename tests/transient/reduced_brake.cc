@@ -7,6 +7,7 @@
 #include "transient/pressed_brake.h"
 
 #include <squeal/transient/reduced_transient.h>
+#include <squeal/transient/run_in.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -51,6 +52,34 @@ namespace
                     few.model.n_nodes(),
                     a.report.iterations);
       }
+  }
+
+  void
+  run_in()
+  {
+    const double mu = .5;
+    Reduced      r(pressed_brake(mu), 15e3);
+    const auto  &areas = r.separated.contacts[0].areas;
+    check(steady_sliding(r.model, mu).n_closed() < r.model.n_nodes(),
+          "the trailing edge of a flat pad is open");
+    r.model.initial_gap      = worn_gap(r.model, areas, mu);
+    const SteadySliding worn = steady_sliding(r.model, mu);
+    check(worn.n_closed() == r.model.n_nodes(), "that of a worn one is not");
+    Eigen::VectorXd wear(r.model.n_nodes());
+    for (unsigned int j = 0; j < r.model.n_nodes(); ++j)
+      wear[j] = worn.forces[3 * j] / areas[j] * r.model.speed_ratio[j];
+    check_below((wear.array() - wear.mean()).abs().maxCoeff() / wear.mean(),
+                1e-6,
+                "the wear is the same everywhere");
+    // Three more times the depth that it has.
+    r.model.initial_gap +=
+      3. * wear / wear.mean() *
+      (r.model.initial_gap.maxCoeff() - r.model.initial_gap.minCoeff());
+    const SteadySliding later = steady_sliding(r.model, mu);
+    check_below((later.forces - worn.forces).cwiseAbs().maxCoeff() /
+                  worn.forces.maxCoeff(),
+                1e-6,
+                "and further wear leaves the forces as they are");
   }
 
   void
@@ -224,6 +253,9 @@ main(int argc, char *argv[])
     growth();
   else if (which == "impacts")
     impacts();
+  else if (which == "run_in")
+    run_in();
   else
-    check(false, "an argument: steady, linearization, growth or impacts");
+    check(false,
+          "an argument: steady, linearization, growth, impacts or run_in");
 }

@@ -23,6 +23,10 @@ namespace squeal
     std::vector<double>        force_share;
   };
 
+  /** Contact states of one pair, of which the scene's `state_number` tells the
+   * one that holds. */
+  using ContactStates = std::vector<ContactState>;
+
   /**
    * Where a contact pair touches: points on the source face, their tributary
    * areas, and the functionals of the relative motion there, target minus

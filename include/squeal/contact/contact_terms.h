@@ -13,12 +13,13 @@ namespace squeal
    * friction mu k_n B_t^T B_n (rows of K: y_d: +mu k_n (z_d - z_p), y_p:
    * -mu k_n (z_d - z_p)) and, on request, the damping mu N_i / |V| of the slip
    * across the sliding direction and N_i dmu/dV along it; at sticking ones
-   * springs k_t in both tangential directions.
+   * springs k_t in both tangential directions. Each of several states has terms
+   * of its own, whose coefficients vanish where another one holds.
    */
   void add_spring_contact(const Discretization  &discretization,
                           const unsigned int     number,
                           const ContactGeometry &geometry,
-                          const ContactState    &state,
+                          const ContactStates   &states,
                           AffineSystem          &system);
 
   /**
@@ -41,7 +42,7 @@ namespace squeal
   {
     AffineSystem                 system;
     std::vector<ContactGeometry> contacts;
-    std::vector<ContactState>    states;
+    std::vector<ContactState>    states; /**< the first of each pair */
     /** Unknowns of the discretisation from those of the system (the identity
      * where nothing was eliminated). */
     std::function<Block(const Block &)> expand;
@@ -50,12 +51,13 @@ namespace squeal
     std::function<Block(const Block &)> restrict_forces;
   };
   /** The contact states are those of the scene's parameters (the whole face
-   * slips or sticks under an even pressure) unless @p states are given, one a
-   * pair. */
+   * slips or sticks under an even pressure) unless @p states are given, one
+   * list a pair. Throws InputError for several states of a mortar pair: each
+   * of them has unknowns of its own. */
   LinearizedSystem linearized_system(
-    const Discretization            &discretization,
-    const std::vector<BodyMatrices> &bodies,
-    const std::vector<ContactState> &states = {});
+    const Discretization             &discretization,
+    const std::vector<BodyMatrices>  &bodies,
+    const std::vector<ContactStates> &states = {});
 
   /**
    * The scene with its contacts cut open: bodies, springs and ties, and the

@@ -38,6 +38,18 @@ namespace squeal
                                       const unsigned int    target_body,
                                       const std::string    &where,
                                       const unsigned int    subdivisions = 2);
+
+  /**
+   * Node to surface: every source node follows the target where it stands,
+   * M_j u = D_j u_target(x_j), with the tributary areas D_j of the mortar
+   * operators. For comparison: an even pressure does not pass faces that do
+   * not match. Throws as make_mortar_coupling().
+   */
+  MortarCoupling make_node_coupling(const Discretization &discretization,
+                                    const PointEvaluator &evaluator,
+                                    const unsigned int    source_face_id,
+                                    const unsigned int    target_body,
+                                    const std::string    &where);
 } // namespace squeal
 
 #endif

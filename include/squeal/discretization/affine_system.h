@@ -24,6 +24,12 @@ namespace squeal
     double               mass      = 0.;
     double               damping   = 0.;
     std::complex<double> stiffness = 0.;
+
+    bool
+    is_zero() const
+    {
+      return mass == 0. && damping == 0. && stiffness == 0.;
+    }
   };
 
   /**

@@ -34,7 +34,25 @@ namespace squeal
     Eigen::MatrixXd mac(const std::vector<MeasuredShape> &measured,
                         const Eigen::MatrixXcd           &sampled) const;
 
+    /**
+     * Coordinate MAC of every point: how well all measured shapes, each with
+     * the sampled one of largest @p mac and both of unit length over their
+     * common points, agree there. (sum |a b|)^2 / (sum |a|^2 sum |b|^2) over
+     * the shapes; NaN at points that none of them has.
+     */
+    Eigen::VectorXd comac(const std::vector<MeasuredShape> &measured,
+                          const Eigen::MatrixXcd           &sampled,
+                          const Eigen::MatrixXd            &mac) const;
+
   private:
+    /** Values of a shape and the points they belong to. */
+    struct Values
+    {
+      std::vector<std::complex<double>> values;
+      std::vector<unsigned int>         places;
+    };
+    Values measured_values(const MeasuredShape &shape) const;
+
     /** The measured value at a point; false where it was not measured. */
     bool measured_value(const MeasuredShape  &shape,
                         const unsigned int    point,

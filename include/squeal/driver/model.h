@@ -23,11 +23,11 @@ namespace squeal
   {
   public:
     /** Discretises and assembles. The contact states are those of the
-     * parameters (`preload`: of the steady sliding) unless they are given, one
-     * a pair. Throws InputError. */
-    Model(const Parameters                &parameters,
-          Timers                          &timers,
-          const std::vector<ContactState> &states = {});
+     * parameters (`preload`: of the steady sliding) unless they are given, a
+     * list for each pair. Throws InputError. */
+    Model(const Parameters                 &parameters,
+          Timers                           &timers,
+          const std::vector<ContactStates> &states = {});
 
     /** Assembles again on a (refined) mesh. */
     void assemble(Timers &timers);
@@ -60,7 +60,7 @@ namespace squeal
     void assemble_imported();
 
     const Parameters                     &all_parameters;
-    const std::vector<ContactState>       given_states;
+    const std::vector<ContactStates>      given_states;
     std::unique_ptr<Discretization>       space;
     std::vector<BodyMatrices>             bodies;
     LinearizedSystem                      system;

@@ -87,12 +87,11 @@ namespace squeal
     std::shared_ptr<MovingScene> moving; /**< of held supports */
   };
 
-  /** The contact state of a scene's steady sliding, one a pair. */
-  std::vector<ContactState> preload_states(
-    const Parameters                &parameters,
-    const Discretization            &discretization,
-    const std::vector<BodyMatrices> &bodies,
-    Timers                          &timers);
+  /** The contact state of a scene's steady sliding. */
+  ContactState preload_state(const Parameters                &parameters,
+                             const Discretization            &discretization,
+                             const std::vector<BodyMatrices> &bodies,
+                             Timers                          &timers);
 
   /** Whether some support is `held`. */
   bool has_held_support(const SceneParameters &scene);

@@ -51,7 +51,8 @@ namespace squeal
     std::vector<Eigen::MatrixXcd> residues;
     Eigen::MatrixXcd              shapes; /**< all points x pairs */
     std::vector<ResponseCheck>    checks;
-    Eigen::MatrixXd               mac; /**< measured shapes x pairs */
+    Eigen::MatrixXd               mac;   /**< measured shapes x pairs */
+    Eigen::VectorXd               comac; /**< of all points */
     unsigned int                  n_unknowns = 0;
 
     double worst_check() const;
@@ -82,6 +83,10 @@ namespace squeal
   Table response_check_table(const Parameters                 &parameters,
                              const ResponseGrid               &grid,
                              const std::vector<StateResponse> &states);
+  /** comac.csv. */
+  Table comac_table(const Parameters                 &parameters,
+                    const std::vector<StateResponse> &states);
+
   /** mac.csv. */
   Table mac_table(const std::vector<MeasuredShape> &measured,
                   const std::vector<StateResponse> &states);

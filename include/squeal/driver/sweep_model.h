@@ -44,6 +44,14 @@ namespace squeal
     /** CPU seconds that building the basis took, in whichever run. */
     double basis_seconds() const;
 
+    /** Whether each point of the grid has its own contact state. */
+    bool has_contact_states() const;
+    /** Contact points that are closed there; with contact states only. */
+    unsigned int n_closed(const SweepPoint &point) const;
+    /** Whether the contact state changes there along the first axis, to 1e-4
+     * of a decade or of the length of the axis. */
+    bool is_at_contact_change(const SweepPoint &point) const;
+
     /** Pairs in the band at a point, with estimates unless told otherwise. */
     ComplexPairs solve(const SweepPoint &point,
                        const bool        with_estimates = true) const;
@@ -91,13 +99,14 @@ namespace squeal
     /** Enlarges the small basis at @p point; false when it holds all. */
     bool enlarge(const SweepPoint &point);
 
-    const Parameters       &parameters;
-    Model                   full;
-    SweepGrid               sweep_grid;
-    ParametricSystem        parts;
-    ReducedModel            small;
-    std::vector<bool>       symmetric;
-    std::vector<BasisRound> rounds;
+    const Parameters          &parameters;
+    SweepGrid                  sweep_grid;
+    std::vector<ContactStates> contact_states; /**< of pairs, if they change */
+    Model                      full;
+    ParametricSystem           parts;
+    ReducedModel               small;
+    std::vector<bool>          symmetric;
+    std::vector<BasisRound>    rounds;
     /** Those of the vectors of a cell, when first needed. */
     mutable std::map<std::size_t, std::vector<Eigen::MatrixXd>> cell_grams;
     std::string                                                 file;

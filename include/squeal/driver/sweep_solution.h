@@ -113,6 +113,13 @@ namespace squeal
                           const SweepSolution &solution,
                           RunContext          &context);
 
+  /** @name Columns and cells of the axes that are fixed on a line */
+  //@{
+  void              add_fixed_axes(Table &table, const SweepGrid &grid);
+  std::vector<Cell> fixed_values(const SweepGrid  &grid,
+                                 const SweepPoint &start);
+  //@}
+
   /** eigenvalues.csv of the points asked for. */
   Table sweep_eigenvalue_table(const SweepModel    &model,
                                const SweepSolution &solution);

@@ -27,6 +27,9 @@ namespace squeal
     ContactParameters::Formulation);
   Choices<ContactParameters::SpringLayout> choices(
     ContactParameters::SpringLayout);
+  Choices<ContactParameters::FrictionLaw> choices(
+    ContactParameters::FrictionLaw);
+  Choices<PreloadParameters::RunIn> choices(PreloadParameters::RunIn);
   Choices<ContactParameters::State> choices(ContactParameters::State);
   Choices<ContactParameters::FrictionDirection> choices(
     ContactParameters::FrictionDirection);

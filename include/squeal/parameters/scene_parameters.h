@@ -152,8 +152,9 @@ namespace squeal
   {
     enum class Formulation
     {
-      springs, /**< point springs of stiffness k_n */
-      mortar   /**< no penetration in the dual mortar sense */
+      springs,        /**< point springs of stiffness k_n */
+      mortar,         /**< no penetration in the dual mortar sense */
+      node_to_surface /**< the source nodes do not enter the target face */
     };
     enum class SpringLayout
     {
@@ -171,6 +172,13 @@ namespace squeal
       fixed_y, /**< friction along +y everywhere */
       slip     /**< along the local slip Omega x r of the target surface */
     };
+    enum class FrictionLaw
+    {
+      constant,    /**< `friction_coefficient` at every slip rate */
+      exponential, /**< from `static_friction_coefficient` at rest down to
+                        `friction_coefficient`, by exp(-|v_t| / decay_speed) */
+      table        /**< linear between `friction_speeds` */
+    };
     std::string name;
     std::string source_body, source_face; /**< pad: carries multipliers */
     std::string target_body, target_face; /**< disc; "ground" is allowed
@@ -186,7 +194,13 @@ namespace squeal
     double normal_stiffness_per_area = 3e14; /**< N/m^3, layout quadrature */
     State  state                     = State::full;
     double friction_coefficient = 0.; /**< negative: target turns backwards */
-    FrictionDirection friction_direction = FrictionDirection::fixed_y;
+    FrictionLaw friction_law    = FrictionLaw::constant;
+    double      static_friction_coefficient = 0.; /**< exponential law */
+    double decay_speed = 0.; /**< m/s; 0: the static coefficient holds nodes
+                                  that stick, the other one all that slip */
+    /** Law by a table: slip rates from 0 upwards, m/s, and coefficients. */
+    std::vector<double> friction_speeds, friction_coefficients;
+    FrictionDirection   friction_direction = FrictionDirection::fixed_y;
     /** Add mu p0/|V| times the slip rate across the sliding direction. */
     bool   transverse_slip_term = false;
     double sliding_speed        = 0.1126; /**< |V| at the pad centre, m/s */
@@ -195,6 +209,8 @@ namespace squeal
     double friction_slope     = 0.;
     double stiffness_damping  = 0.; /**< beta, s; "per part" only */
     double structural_damping = 0.; /**< eta; "per part" only */
+    /** Which of the contact states of a sweep holds; no entry of a file. */
+    unsigned int state_number = 0;
   };
 
   /** Damping of the whole model, section "Scene/Damping". */

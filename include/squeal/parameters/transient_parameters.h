@@ -12,6 +12,12 @@ namespace squeal
   /** Steady sliding under the loads, section "Preload". */
   struct PreloadParameters
   {
+    enum class RunIn
+    {
+      none,   /**< flat faces, as meshed */
+      archard /**< worn until the wear no longer changes the pressure */
+    };
+    RunIn        run_in     = RunIn::none;
     unsigned int load_steps = 10;    /**< equal shares of the load */
     double       tolerance  = 1e-10; /**< of the contact law, relative to the
                                           mean nodal force */

@@ -26,6 +26,11 @@ namespace squeal
     const AffineSystem &merged() const;
     const SweepGrid    &grid() const;
 
+    /** Whether a part belongs to some of the grid's contact states only. */
+    bool is_switched(const std::size_t part) const;
+    /** Whether two parts are ever there together. */
+    bool are_together(const std::size_t a, const std::size_t b) const;
+
     /** Coefficients of every part there. */
     std::vector<TermCoefficients> coefficients(const SweepPoint &point) const;
     /** Of a scene that differs in numbers that keep the parts apart. */
@@ -35,6 +40,8 @@ namespace squeal
   private:
     AffineSystem     parts;
     const SweepGrid &sweep_grid;
+    /** In which contact states each part is. */
+    std::vector<std::vector<bool>> is_there;
   };
 
   /** Whether the entry enters only by coefficients of affine parts. */

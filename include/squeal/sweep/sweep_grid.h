@@ -47,6 +47,15 @@ namespace squeal
     std::vector<double>      values(const SweepPoint &point) const;
     std::vector<std::string> entries() const;
 
+    /** Contact states: the number of that of every point of the grid. Between
+     * them that of the nearest point holds. */
+    void set_states(std::vector<unsigned int> state_of_point);
+    const std::vector<unsigned int> &states() const;
+    unsigned int                     n_states() const;
+    unsigned int state_number(const SweepPoint &point) const;
+    /** A point of the grid for each state, in the middle of those it has. */
+    std::vector<SweepPoint> state_representatives() const;
+
     /** The scene there; valid until the next call. */
     const SceneParameters &scene(const SweepPoint &point) const;
 
@@ -67,12 +76,17 @@ namespace squeal
 
   private:
     double share(const unsigned int a, const double coordinate) const;
+    /** The scene of values, with the contact state of @p point. */
+    const SceneParameters &scene(const std::vector<double> &all,
+                                 const SweepPoint          &point) const;
 
     std::vector<SweepAxisParameters> axes;
     std::vector<std::vector<double>> grid;
     std::vector<std::string>         others;
     std::vector<double>              other_values;
     std::unique_ptr<NumberSetter>    setter;
+    std::vector<unsigned int>        state_of; /**< empty: one state */
+    mutable SceneParameters          scene_with_state;
   };
 } // namespace squeal
 
