@@ -120,13 +120,6 @@ namespace squeal
     if (parameters.scene.kind != SceneParameters::Kind::bodies ||
         contacts.empty() || contacts[0].state != State::preload)
       return {};
-    if (contacts[0].formulation != ContactParameters::Formulation::springs)
-      {
-        context.log.warning(
-          "the contact state of the scene as it stands holds at all points of "
-          "the sweep; one for each point needs 'Formulation = springs'");
-        return {};
-      }
     const ContactStates all = states_of_points(parameters, grid, context);
     std::map<std::vector<ContactStatus>, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -186,12 +186,18 @@ namespace squeal
         std::any_of(p.scene.contacts.begin(),
                     p.scene.contacts.end(),
                     [](const auto &c) { return c.state == State::preload; });
-      if (has_preload_state && (p.analysis == Analysis::sweep ||
-                                p.analysis == Analysis::work_precision))
+      if (has_preload_state && p.analysis == Analysis::work_precision)
         refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
                      "Contact state",
-                     "= preload holds for one scene on one mesh: it is not "
-                     "available in sweeps and ladders");
+                     "= preload holds for one mesh: it is not available in "
+                     "ladders");
+      if (has_preload_state && p.analysis == Analysis::sweep &&
+          p.scene.contacts[0].formulation !=
+            ContactParameters::Formulation::springs)
+        refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
+                     "Formulation",
+                     "must be springs: contact states that change over a "
+                     "sweep need it");
       const bool is_pressed =
         p.analysis == Analysis::preload || p.analysis == Analysis::transient;
       if ((is_pressed || has_preload_state) &&

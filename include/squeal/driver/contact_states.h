@@ -14,10 +14,8 @@ namespace squeal
    * The contact states of steady sliding at all points of @p grid, those alike
    * once, as a list for each pair; enters in @p grid which one holds where.
    * Shares of the normal force are those of the point in the middle of its
-   * state. Empty where no contact has the state `preload`, or where it has no
-   * springs: then the steady sliding of the scene as it stands holds
-   * everywhere, with a warning. Throws InputError and, naming the point,
-   * ComputationError where there is no steady sliding.
+   * state. Empty where no contact has the state `preload`. Throws
+   * ComputationError, naming the point, where there is no steady sliding.
    */
   std::vector<ContactStates> contact_states_of(const Parameters &parameters,
                                                SweepGrid        &grid,
