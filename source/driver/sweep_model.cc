@@ -229,6 +229,8 @@ namespace squeal
   SweepModel::residuals(const SweepPoint   &point,
                         const ComplexPairs &pairs) const
   {
+    if (small.grams.empty())
+      return Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
     const auto        c      = parts.coefficients(point);
     const ModelCell  &cell   = small.cell_of(point);
     const auto        V      = cell.turn.leftCols(cell.local.n_basis);
@@ -248,8 +250,6 @@ namespace squeal
     for (std::size_t p = 0; p < c.size(); ++p)
       for (std::size_t q = p; q < c.size(); ++q, ++k)
         {
-          if (c[p].is_zero() || c[q].is_zero())
-            continue;
           const Eigen::MatrixXcd g = times(grams[k], z);
           for (unsigned int j = 0; j < pairs.size(); ++j)
             {

@@ -134,7 +134,8 @@ namespace squeal
       if ((name.rfind("Scene/", 0) == 0 || name.rfind("Transient/", 0) == 0 ||
            name.rfind("Discretization/", 0) == 0 ||
            name.rfind("Eigenvalues/", 0) == 0 ||
-           name.rfind("Preload/Tolerance", 0) == 0) &&
+           name.rfind("Preload/Tolerance", 0) == 0 ||
+           name.rfind("Preload/Run-in", 0) == 0) &&
           name.rfind("Transient/Checkpoint", 0) != 0 &&
           name.rfind("Transient/Resume", 0) != 0 &&
           name.rfind("Transient/Threads", 0) != 0)

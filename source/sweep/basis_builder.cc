@@ -431,11 +431,12 @@ namespace squeal
           }
       }
     result.parts = model.parts;
-    for (std::size_t i = 0; i < result.parts.size(); ++i)
+    // Those of many contact states would be more than all the rest.
+    for (std::size_t i = 0;
+         system.grid().n_states() == 1 && i < result.parts.size();
+         ++i)
       for (std::size_t j = i; j < result.parts.size(); ++j)
-        result.grams.push_back(system.are_together(i, j)
-                                 ? reduced.product_gram(i, j)
-                                 : Eigen::MatrixXd());
+        result.grams.push_back(reduced.product_gram(i, j));
     result.cells = make_cells();
     for (auto &cell : result.cells)
       fit_cell(cell);

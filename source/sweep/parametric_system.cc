@@ -171,15 +171,6 @@ namespace squeal
     return std::find(there.begin(), there.end(), false) != there.end();
   }
 
-  bool
-  ParametricSystem::are_together(const std::size_t a, const std::size_t b) const
-  {
-    for (std::size_t i = 0; i < is_there[a].size(); ++i)
-      if (is_there[a][i] && is_there[b][i])
-        return true;
-    return false;
-  }
-
   const AffineSystem &
   ParametricSystem::merged() const
   {

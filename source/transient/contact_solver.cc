@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace squeal
 {
@@ -343,10 +344,12 @@ namespace squeal
   void
   ContactSolver::throw_no_solution(const ContactReport &report)
   {
-    throw ComputationError(
-      "the contact problem has no solution that iterations reach (residual " +
-      std::to_string(report.residual) +
-      "): friction wedges or sprags, or the step is too long");
+    std::ostringstream text;
+    text << "the contact problem has no solution that iterations reach "
+            "(residual "
+         << report.residual
+         << "): friction wedges or sprags, or the step is too long";
+    throw ComputationError(text.str());
   }
 
 

@@ -28,8 +28,6 @@ namespace squeal
 
     /** Whether a part belongs to some of the grid's contact states only. */
     bool is_switched(const std::size_t part) const;
-    /** Whether two parts are ever there together. */
-    bool are_together(const std::size_t a, const std::size_t b) const;
 
     /** Coefficients of every part there. */
     std::vector<TermCoefficients> coefficients(const SweepPoint &point) const;

@@ -43,7 +43,7 @@ namespace squeal
     std::vector<Eigen::MatrixXd> parts; /**< on the common basis */
     std::vector<ModelCell>       cells;
     /** (A V)^T (B V) of all pairs of parts, row by row of the upper triangle;
-     * empty for parts that are never there together. */
+     * none where contact states change. */
     std::vector<Eigen::MatrixXd> grams;
     /** Quadratic forms x^H A x by name: twice the kinetic energy of a body over
      * |lambda|^2, ... */
