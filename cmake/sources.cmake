@@ -126,6 +126,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/growth.cc
     source/transient/implicit_transient.cc
     source/transient/kept_inverse.cc
+    source/transient/modal_step.cc
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc

@@ -4,17 +4,36 @@
 
 #include <cmath>
 #include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace squeal
 {
+  namespace
+  {
+    /** What stands before the numbers in the name of a disc mode. */
+    std::string
+    family(const std::string &name)
+    {
+      const std::string prefix = name.substr(0, name.find('('));
+      return prefix == "T"   ? "tangential"
+             : prefix == "R" ? "radial"
+                             : "bending";
+    }
+  } // namespace
+
+
+
   Table
   doublet_table(const Table &modes)
   {
     using Type = Table::Type;
     Table table(
-      {{"nodal_circles", Type::integer, "", "of both"},
+      {{"family",
+        Type::text,
+        "",
+        "bending, or tangential or radial in the plane"},
+       {"nodal_circles", Type::integer, "", "of both"},
        {"nodal_diameters", Type::integer, "", "of both"},
        {"frequency_plus_hz",
         Type::real,
@@ -23,14 +42,15 @@ namespace squeal
         7},
        {"frequency_minus_hz", Type::real, "Hz", "with a node at the pad", 7},
        {"split_hz", Type::real, "Hz", "the first less the second", 4}});
-    using Key = std::pair<long long, long long>;
+    using Key = std::tuple<std::string, long long, long long>;
     std::map<Key, std::vector<std::size_t>> plus, minus;
     for (std::size_t i = 0; i < modes.n_rows(); ++i)
       if (!modes.is_missing(i, "nodal_diameters") &&
           modes.integer(i, "nodal_diameters") > 0)
         (modes.text(i, "parity") == "+"
            ? plus
-           : minus)[{modes.integer(i, "nodal_circles"),
+           : minus)[{family(modes.text(i, "name")),
+                     modes.integer(i, "nodal_circles"),
                      modes.integer(i, "nodal_diameters")}]
           .push_back(i);
     const auto frequency = [&](const std::size_t row) {
@@ -49,7 +69,12 @@ namespace squeal
                 g = frequency(j);
               }
         if (!minus[key].empty())
-          table.add_row({key.first, key.second, f, g, f - g});
+          table.add_row({std::get<0>(key),
+                         std::get<1>(key),
+                         std::get<2>(key),
+                         f,
+                         g,
+                         f - g});
       }
     return table;
   }
@@ -59,7 +84,8 @@ namespace squeal
   Chart
   doublet_chart(const Table &doublets)
   {
-    static const Ink inks[] = {Ink::blue, Ink::vermillion, Ink::green};
+    static const Ink inks[] = {
+      Ink::blue, Ink::vermillion, Ink::green, Ink::purple};
     Chart            chart;
     chart.title   = "Split of the doublets";
     chart.x.label = "nodal diameters";
@@ -69,14 +95,14 @@ namespace squeal
       {
         const long long   circles = doublets.integer(i, "nodal_circles");
         const std::string label =
-          std::to_string(circles) +
+          doublets.text(i, "family") + ", " + std::to_string(circles) +
           (circles == 1 ? " nodal circle" : " nodal circles");
         if (chart.series.empty() || chart.series.back().label != label)
           {
             ChartSeries next;
             next.label = label;
             next.style = ChartSeries::Style::lines_points;
-            next.ink   = inks[chart.series.size() % 3];
+            next.ink   = inks[chart.series.size() % 4];
             next.marker =
               static_cast<ChartSeries::Marker>(chart.series.size() % 4);
             chart.series.push_back(next);

@@ -288,6 +288,7 @@ namespace squeal
     double       residual = evaluate(step, lambda);
     double       best     = residual;
     unsigned int n_slow   = 0;
+    bool         is_new   = false;
     for (unsigned int i = 0, n_idle = 0; i < maximum_iterations; ++i)
       {
         report.residual = residual;
@@ -296,11 +297,16 @@ namespace squeal
         if (!(residual < std::numeric_limits<double>::max()) || n_idle > 12)
           return false;
         // Too slow twice with statuses that stay: single precision and the
-        // small changes left out add up.
+        // small changes left out add up. Where a new inverse is no better its
+        // digits are too few, from now on.
         if (n_slow > 1)
           {
+            if (is_new)
+              is_single = false;
             invert();
+            is_new = true;
             n_slow = 0;
+            n_idle = 0;
           }
         else
           adapt(n_slow > 0);
@@ -415,6 +421,7 @@ namespace squeal
     };
     if (!has_inverse)
       return result;
+    result.push_back(is_single ? 1. : 0.);
     result.push_back(changed.size());
     result.insert(result.end(), changed.begin(), changed.end());
     if (is_single)
@@ -448,6 +455,7 @@ namespace squeal
             next += 2;
           }
       }
+    is_single = *next++ == 1.;
     std::vector<unsigned int> nodes(static_cast<std::size_t>(*next++));
     for (unsigned int &node : nodes)
       node = static_cast<unsigned int>(*next++);

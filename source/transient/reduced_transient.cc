@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/transient/modal_step.h>
 #include <squeal/transient/reduced_transient.h>
 
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include <cmath>
+#include <sstream>
 
 namespace squeal
 {
@@ -92,6 +95,14 @@ namespace squeal
              ContactSolver::Precision::single,
              method)
   {
+    if (const double largest = largest_stable_step(model, dt); largest < dt)
+      {
+        std::ostringstream text;
+        text << "Transient/Time step: " << dt
+             << " s is above the largest stable step of the reduced model, "
+             << largest << " s; a lower 'Interface cut-off' allows longer ones";
+        throw InputError(text.str());
+      }
     const Eigen::Index n = model.n_modes();
     for (auto *x : {&q_q, &q_v, &q_f0, &q_f1, &v_q, &v_v, &v_f0, &v_f1})
       x->resize(n);

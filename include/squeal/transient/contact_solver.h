@@ -55,7 +55,8 @@ namespace squeal
      * the mean nodal force, N, that residuals are measured in. */
     enum class Precision
     {
-      single, /**< of the kept inverse, which only has to contract */
+      single, /**< of the kept inverse, which only has to contract; full from
+                   when it does not */
       full
     };
     enum class Method
@@ -140,7 +141,7 @@ namespace squeal
 
     KeptInverse<float>        single;
     KeptInverse<double>       full;
-    const bool                is_single;
+    bool                      is_single;
     const Method              method;
     bool                      has_inverse = false;
     std::vector<NodeRows>     base, updated;
