@@ -27,6 +27,44 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Forces of the springs of contact pair @p i on its source: three rows a
+     * point. z_d - z_p > 0 pushes the source up. */
+    Eigen::MatrixXd
+    contact_forces(const Model       &model,
+                   const unsigned int i,
+                   const Block       &full_shapes)
+    {
+      const auto           &contact  = model.parameters().scene.contacts[i];
+      const ContactGeometry &g       = model.linearized().contacts[i];
+      const auto            &status  = model.linearized().states[i].status;
+      const Eigen::MatrixXd  normal  = g.normal->apply(full_shapes),
+                            along   = g.tangential->apply(full_shapes),
+                            across  = g.transverse->apply(full_shapes);
+      const double tangential_stiffness = contact.tangential_stiffness >= 0.
+                                            ? contact.tangential_stiffness
+                                            : contact.normal_stiffness;
+      Eigen::MatrixXd forces =
+        Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
+      for (std::size_t p = 0; p < g.points.size(); ++p)
+        {
+          const auto &[x, y] = g.slip_direction[p];
+          if (status[p] != ContactStatus::open)
+            forces.row(3 * p + 2) = contact.normal_stiffness * normal.row(p);
+          if (status[p] != ContactStatus::stick)
+            continue;
+          forces.row(3 * p) =
+            tangential_stiffness * (x * along.row(p) + y * across.row(p));
+          forces.row(3 * p + 1) =
+            tangential_stiffness * (y * along.row(p) - x * across.row(p));
+        }
+      return forces;
+    }
+  } // namespace
+
+
+
   std::vector<PointForces>
   point_forces(const Model &model, const Block &full_shapes)
   {
@@ -40,15 +78,10 @@ namespace squeal
         if (contact.formulation != ContactParameters::Formulation::springs ||
             contact.layout != ContactParameters::SpringLayout::grid)
           continue;
-        const Eigen::MatrixXd approach = g.normal->apply(full_shapes);
-        Eigen::MatrixXd       forces =
-          Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
-        for (std::size_t p = 0; p < g.points.size(); ++p)
-          forces.row(3 * p + 2) = contact.normal_stiffness * approach.row(p);
+        const Eigen::MatrixXd forces = contact_forces(model, i, full_shapes);
         const double spacing = g.points.size() > 1
                                  ? std::sqrt(g.areas[0])
                                  : std::numeric_limits<double>::infinity();
-        // z_d - z_p > 0 pushes the source up and the target down.
         result.push_back(
           {body_index(scene, contact.source_body), g.points, forces, spacing});
         if (contact.target_body != "ground")
