@@ -145,6 +145,24 @@ namespace squeal
       report.table(zones, "Second half of the run", {}, {}, false);
       context.finish(p.output.report ? &report : nullptr, "");
     }
+    /** What grows fastest in the reduced model about steady sliding, in the
+     * band or not. */
+    void
+    report_fastest(const LinearizedMotion &linear,
+                   const Parameters       &p,
+                   RunLog                 &log)
+    {
+      Eigen::Index  k;
+      const double  sigma     = linear.lambda.real().maxCoeff(&k);
+      const double  frequency = linear.lambda[k].imag() / (2. * M_PI);
+      const std::string text  = "sigma of " + rounded_text(sigma, 5) +
+                               " 1/s at " + rounded_text(frequency, 6) + " Hz";
+      log.info("  largest of all motions about steady sliding: " + text);
+      if (sigma > 0. && (frequency < p.eigen.lowest_frequency ||
+                         frequency > p.eigen.highest_frequency))
+        log.warning("the fastest motion of the reduced model, " + text +
+                    ", is outside the band: the branches do not show it");
+    }
   } // namespace
 
 
@@ -176,6 +194,7 @@ namespace squeal
        {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
        {"pairs in the band", std::to_string(prepared.branches.size())}});
+    report_fastest(prepared.linear, p, context.log);
     TransientRun run(
       prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);
     integrate(run, context);
