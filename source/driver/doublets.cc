@@ -86,7 +86,7 @@ namespace squeal
   {
     static const Ink inks[] = {
       Ink::blue, Ink::vermillion, Ink::green, Ink::purple};
-    Chart            chart;
+    Chart chart;
     chart.title   = "Split of the doublets";
     chart.x.label = "nodal diameters";
     chart.y.label = "f(+) - f(-) in Hz";

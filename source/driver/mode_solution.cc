@@ -36,15 +36,15 @@ namespace squeal
                    const unsigned int i,
                    const Block       &full_shapes)
     {
-      const auto           &contact  = model.parameters().scene.contacts[i];
+      const auto            &contact = model.parameters().scene.contacts[i];
       const ContactGeometry &g       = model.linearized().contacts[i];
       const auto            &status  = model.linearized().states[i].status;
       const Eigen::MatrixXd  normal  = g.normal->apply(full_shapes),
-                            along   = g.tangential->apply(full_shapes),
-                            across  = g.transverse->apply(full_shapes);
-      const double tangential_stiffness = contact.tangential_stiffness >= 0.
-                                            ? contact.tangential_stiffness
-                                            : contact.normal_stiffness;
+                            along    = g.tangential->apply(full_shapes),
+                            across   = g.transverse->apply(full_shapes);
+      const double    tangential_stiffness = contact.tangential_stiffness >= 0.
+                                               ? contact.tangential_stiffness
+                                               : contact.normal_stiffness;
       Eigen::MatrixXd forces =
         Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
       for (std::size_t p = 0; p < g.points.size(); ++p)
@@ -78,10 +78,10 @@ namespace squeal
         if (contact.formulation != ContactParameters::Formulation::springs ||
             contact.layout != ContactParameters::SpringLayout::grid)
           continue;
-        const Eigen::MatrixXd forces = contact_forces(model, i, full_shapes);
-        const double spacing = g.points.size() > 1
-                                 ? std::sqrt(g.areas[0])
-                                 : std::numeric_limits<double>::infinity();
+        const Eigen::MatrixXd forces  = contact_forces(model, i, full_shapes);
+        const double          spacing = g.points.size() > 1
+                                          ? std::sqrt(g.areas[0])
+                                          : std::numeric_limits<double>::infinity();
         result.push_back(
           {body_index(scene, contact.source_body), g.points, forces, spacing});
         if (contact.target_body != "ground")

@@ -152,10 +152,10 @@ namespace squeal
                    const Parameters       &p,
                    RunLog                 &log)
     {
-      Eigen::Index  k;
-      const double  sigma     = linear.lambda.real().maxCoeff(&k);
-      const double  frequency = linear.lambda[k].imag() / (2. * M_PI);
-      const std::string text  = "sigma of " + rounded_text(sigma, 5) +
+      Eigen::Index      k;
+      const double      sigma     = linear.lambda.real().maxCoeff(&k);
+      const double      frequency = linear.lambda[k].imag() / (2. * M_PI);
+      const std::string text      = "sigma of " + rounded_text(sigma, 5) +
                                " 1/s at " + rounded_text(frequency, 6) + " Hz";
       log.info("  largest of all motions about steady sliding: " + text);
       if (sigma > 0. && (frequency < p.eigen.lowest_frequency ||

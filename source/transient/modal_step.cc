@@ -75,17 +75,17 @@ namespace squeal
       return false;
     const Eigen::Index n = model.n_modes();
     // A motion that has part in all.
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(n), v(n),
+    Eigen::VectorXd q      = Eigen::VectorXd::Zero(n), v(n),
                     lambda = Eigen::VectorXd::Zero(Psi.rows());
     for (Eigen::Index k = 0; k < n; ++k)
       v[k] = std::cos(1. + 2.3 * k);
     double size_of_half = 0., largest = 0.;
     for (unsigned int i = 0; i < n_trial_steps; ++i)
       {
-        const Eigen::VectorXd f0 = -(Psi.transpose() * lambda);
-        const Eigen::VectorXd free =
-          step.q_q.cwiseProduct(q) + step.q_v.cwiseProduct(v) +
-          step.q_f0.cwiseProduct(f0);
+        const Eigen::VectorXd f0   = -(Psi.transpose() * lambda);
+        const Eigen::VectorXd free = step.q_q.cwiseProduct(q) +
+                                     step.q_v.cwiseProduct(v) +
+                                     step.q_f0.cwiseProduct(f0);
         lambda                   = W.solve(Psi * free);
         const Eigen::VectorXd f1 = -(Psi.transpose() * lambda);
         v = (step.v_q.cwiseProduct(q) + step.v_v.cwiseProduct(v) +
@@ -120,7 +120,7 @@ namespace squeal
       }
     while (high > 1.01 * low)
       {
-        const double middle = std::sqrt(low * high);
+        const double middle                          = std::sqrt(low * high);
         (is_stable_step(model, middle) ? low : high) = middle;
       }
     return low;

@@ -13,12 +13,12 @@ int
 main()
 {
   using Type = Table::Type;
-  Table modes({{"frequency_hz", Type::real, "Hz", ""},
-               {"name", Type::text, "", ""},
-               {"nodal_circles", Type::integer, "", ""},
-               {"nodal_diameters", Type::integer, "", ""},
-               {"parity", Type::text, "", ""}});
-  const auto add = [&](const double      f,
+  Table      modes({{"frequency_hz", Type::real, "Hz", ""},
+                    {"name", Type::text, "", ""},
+                    {"nodal_circles", Type::integer, "", ""},
+                    {"nodal_diameters", Type::integer, "", ""},
+                    {"parity", Type::text, "", ""}});
+  const auto add = [&](const double       f,
                        const std::string &name,
                        const int          diameters,
                        const std::string &parity) {

@@ -6,6 +6,8 @@
 
 #include "transient/pressed_brake.h"
 
+#include <squeal/base/exceptions.h>
+#include <squeal/transient/modal_step.h>
 #include <squeal/transient/reduced_transient.h>
 #include <squeal/transient/run_in.h>
 
@@ -80,6 +82,59 @@ namespace
                   worn.forces.maxCoeff(),
                 1e-6,
                 "and further wear leaves the forces as they are");
+  }
+
+  void
+  stable_step()
+  {
+    // A free mass of 1 kg on the stiffness 1/G of the contact: Newmark's method
+    // with beta = 1/6.
+    const double        G = 1e-8;
+    ReducedContactModel one;
+    one.omega_squared = one.damping = Eigen::VectorXd::Zero(1);
+    one.participation               = Eigen::Vector3d(1., 0., 0.);
+    one.flexibility                 = G * Eigen::Matrix3d::Identity();
+    one.initial_gap                 = Eigen::VectorXd::Zero(1);
+    one.load                        = Eigen::VectorXd::Zero(1);
+    const double limit              = 2. * std::sqrt(3. * G);
+    check_below(std::abs(largest_stable_step(one, 1.) / limit - 1.),
+                .02,
+                "omega dt = 2 sqrt(3)");
+
+    const Reduced massless(pressed_brake(.5), 24e3);
+    check(is_stable_step(massless.model, 1e-5),
+          "a contact without mass is quiet at long steps");
+    const Reduced r(pressed_brake(.5), 24e3, 120e3);
+    const double  largest = largest_stable_step(r.model, 1e-5);
+    std::printf("largest stable step %g s\n", largest);
+    check(largest < 1e-5 && largest > 1e-7, "one with mass is not");
+    TransientDrive drive;
+    drive.friction = [](double) { return .5; };
+    drive.speed    = [](double) { return speed; };
+    drive.load     = [](double) { return 1.; };
+    bool refused   = false;
+    try
+      {
+        ReducedTransient run(
+          r.model, 1.1 * largest, drive, load / r.model.n_nodes());
+      }
+    catch (const InputError &error)
+      {
+        refused = std::string(error.what()).find("largest stable step") !=
+                  std::string::npos;
+      }
+    check(refused, "a longer step is refused with the largest allowed");
+    ReducedTransient run(
+      r.model, .99 * largest, drive, load / r.model.n_nodes());
+    const SteadySliding s = steady_sliding(r.model, .5);
+    run.start(s.coordinates,
+              Eigen::VectorXd::Constant(r.model.n_modes(), 1e-9),
+              s.forces);
+    for (unsigned int i = 0; i < 500; ++i)
+      run.advance();
+    check_below((run.forces() - s.forces).cwiseAbs().maxCoeff(),
+                1e-4 * load,
+                "below it a disturbance stays small");
   }
 
   void
@@ -255,7 +310,10 @@ main(int argc, char *argv[])
     impacts();
   else if (which == "run_in")
     run_in();
+  else if (which == "stable_step")
+    stable_step();
   else
     check(false,
-          "an argument: steady, linearization, growth, impacts or run_in");
+          "an argument: steady, linearization, growth, impacts, run_in or "
+          "stable_step");
 }

@@ -30,8 +30,7 @@ namespace squeal
    * is unstable beyond omega dt = 2 sqrt(3). All nodes stick here, the stiffest
    * contact there is; the growth of a motion tells.
    */
-  bool is_stable_step(const ReducedContactModel &model,
-                      const double               time_step);
+  bool is_stable_step(const ReducedContactModel &model, const double time_step);
 
   /** The largest stable step up to @p asked, to 1 %. */
   double largest_stable_step(const ReducedContactModel &model,
