@@ -382,15 +382,21 @@ namespace squeal
       return Eigen::MatrixXd(flexibility(row, 0) +
                              flexibility(row, 1) * mu.asDiagonal());
     };
-    const Eigen::MatrixXd along = by_slip.asDiagonal() * Psi_t;
-    // (G_nn + G_nt mu) lambda_n + G_ns lambda_s + G_nt along v = Psi_n q.
+    // (G_nn + G_nt mu) lambda_n + G_ns lambda_s + G_nt p_0 mu' slip rate
+    // = Psi_n q.
     const Eigen::PartialPivLU<Eigen::MatrixXd> factor(with_friction(0));
     const Eigen::MatrixXd                      n_by_q = factor.solve(Psi_n);
     const Eigen::MatrixXd                      n_by_s =
       -factor.solve(Eigen::MatrixXd(flexibility(0, 2)));
-    const Eigen::MatrixXd n_by_v =
-      -factor.solve(Eigen::MatrixXd(flexibility(0, 1) * along));
+    const Eigen::MatrixXd n_by_slip =
+      -factor.solve(Eigen::MatrixXd(flexibility(0, 1) * by_slip.asDiagonal()));
     const Eigen::MatrixXd drag = -(Psi_n + mu.asDiagonal() * Psi_t).transpose();
+    const Eigen::MatrixXd v_by_slip =
+      drag * n_by_slip - Psi_t.transpose() * by_slip.asDiagonal();
+    // u_s = Psi_s q - H lambda_n - G_ss lambda_s, and so along the sliding.
+    const Eigen::MatrixXd H = with_friction(2), F = with_friction(1);
+    const Eigen::MatrixXd E         = flexibility(2, 2) + H * n_by_s;
+    Eigen::MatrixXd       slip_by_v = Psi_t - F * n_by_q;
 
     // States q, v and, with friction, lambda_s = rate d/dt u_s.
     const Eigen::Index n_s  = m > 0 && mu.minCoeff() > 0. ? m : 0;
@@ -399,19 +405,31 @@ namespace squeal
     A.block(0, n, n, n).setIdentity();
     A.block(n, 0, n, n) = drag * n_by_q;
     A.block(n, 0, n, n).diagonal() -= model.omega_squared;
-    A.block(n, n, n, n) = drag * n_by_v - Psi_t.transpose() * along;
+    Eigen::MatrixXd s_rate(m, n + n_s), s_by_state = s_rate;
+    if (n_s > 0)
+      {
+        s_by_state << Psi_s - H * n_by_q,
+          Eigen::MatrixXd((-inverse_rate).asDiagonal());
+        // The slip rate along the sliding has a part by d/dt lambda_s.
+        s_rate =
+          (F * n_by_s + flexibility(1, 2)) * E.partialPivLu().solve(s_by_state);
+        slip_by_v -= s_rate.leftCols(n);
+        A.block(n, 2 * n, n, m) =
+          drag * n_by_s - Psi_s.transpose() - v_by_slip * s_rate.rightCols(m);
+      }
+    A.block(n, n, n, n) = v_by_slip * slip_by_v;
     A.block(n, n, n, n).diagonal() -= model.damping;
     if (n_s > 0)
       {
-        const Eigen::MatrixXd H = with_friction(2);
-        const Eigen::MatrixXd E = flexibility(2, 2) + H * n_by_s;
-        A.block(n, 2 * n, n, m) = drag * n_by_s - Psi_s.transpose();
-        Eigen::MatrixXd right   = Eigen::MatrixXd::Zero(m, size);
-        right.middleCols(n, n)  = Psi_s - H * n_by_q;
-        right.rightCols(m)      = Eigen::MatrixXd((-inverse_rate).asDiagonal());
-        // What lambda_n and lambda_t have by v changes with its rate.
-        right -= (H * n_by_v + flexibility(2, 1) * along) * A.middleRows(n, n);
-        A.bottomRows(m) = E.partialPivLu().solve(right);
+        // What the slope adds to u_s changes with the rate of the slip.
+        const Eigen::MatrixXd s_by_slip =
+          H * n_by_slip + flexibility(2, 1) * by_slip.asDiagonal();
+        Eigen::MatrixXd rate  = Eigen::MatrixXd::Zero(m, size);
+        rate.rightCols(n + m) = s_by_state;
+        rate -= s_by_slip * slip_by_v * A.middleRows(n, n);
+        A.bottomRows(m) = Eigen::MatrixXd(E - s_by_slip * s_rate.rightCols(n_s))
+                            .partialPivLu()
+                            .solve(rate);
       }
     return left_vectors(A, n);
   }

@@ -44,11 +44,11 @@ namespace
     const FrictionLaw law(contact);
     const double      h = 1e-6;
     for (const double v : {.01, .07, .2, .9})
-      check_below(std::abs((law.coefficient(v + h) - law.coefficient(v - h)) /
-                             (2. * h) -
-                           law.slope(v)),
-                  1e-8,
-                  name + ": slope at " + number(v) + " m/s");
+      check_below(
+        std::abs((law.coefficient(v + h) - law.coefficient(v - h)) / (2. * h) -
+                 law.slope(v)),
+        1e-8,
+        name + ": slope at " + number(v) + " m/s");
   }
 
   void

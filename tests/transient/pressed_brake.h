@@ -92,8 +92,9 @@ namespace squeal
         relative_motion(r.separated.contacts[0]));
       full.load =
         r.separated
-          .restrict_forces(load_vector(
-            r.discretization, PointEvaluator(r.discretization), r.scene.loads[0]))
+          .restrict_forces(load_vector(r.discretization,
+                                       PointEvaluator(r.discretization),
+                                       r.scene.loads[0]))
           .col(0);
       full.observers     = Block::Zero(full.load.size(), 1);
       full.initial_gap   = r.model.initial_gap;

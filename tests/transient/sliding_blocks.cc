@@ -33,12 +33,11 @@ namespace
                  const double                       force)
   {
     SceneParameters s;
-    s.bodies = {
-      make_block("floor",
-                 {{0., 0., -.01}},
-                 {{2. * size[0], 2. * size[1], .01}},
-                 {{1, 1, 1}}),
-      make_block("block", {{0., 0., 0.}}, size, cells)};
+    s.bodies                  = {make_block("floor",
+                           {{0., 0., -.01}},
+                           {{2. * size[0], 2. * size[1], .01}},
+                           {{1, 1, 1}}),
+                                 make_block("block", {{0., 0., 0.}}, size, cells)};
     s.bodies[1].young_modulus = young;
     s.bodies[1].density       = 2500.;
     s.supports = {make_clamp("floor", "z_min"), make_clamp("floor", "z_max")};
@@ -66,15 +65,14 @@ namespace
   Eigen::VectorXd
   translation(const Reduced &r, const unsigned int c)
   {
-    return r.basis.mass_shapes.transpose() *
-           interpolate(
-             r.discretization,
-             [c](const dealii::Point<3> &) {
-               dealii::Tensor<1, 3> u;
-               u[c] = 1.;
-               return u;
-             },
-             1);
+    return r.basis.mass_shapes.transpose() * interpolate(
+                                               r.discretization,
+                                               [c](const dealii::Point<3> &) {
+                                                 dealii::Tensor<1, 3> u;
+                                                 u[c] = 1.;
+                                                 return u;
+                                               },
+                                               1);
   }
 
   /** The steady state of the block that friction accelerates as a whole: the
@@ -115,7 +113,8 @@ namespace
     Reduced               r(scene, 12e3);
     const Eigen::VectorXd y = translation(r, 1), z = translation(r, 2);
     const double          mass = y.squaredNorm();
-    check_below(std::abs(mass / (2500. * 9e-6) - 1.), 1e-9, "mass of the block");
+    check_below(
+      std::abs(mass / (2500. * 9e-6) - 1.), 1e-9, "mass of the block");
     for (Eigen::Index k = 0; k < y.size(); ++k)
       if (r.model.omega_squared[k] > 0.)
         check(std::abs(y[k]) < 1e-6 * std::sqrt(mass),
@@ -123,9 +122,7 @@ namespace
     r.model.load = -gravity * z;
     r.model.load_motion.setZero();
     const SteadySliding s = accelerated(
-      r.model,
-      (r.model.omega_squared.array() == 0.).select(y, 0.),
-      mu);
+      r.model, (r.model.omega_squared.array() == 0.).select(y, 0.), mu);
     std::printf("%u modes, %u of %u nodes closed, friction %.9f of %.9f N\n",
                 r.model.n_modes(),
                 s.n_closed(),
@@ -136,10 +133,8 @@ namespace
     double       before = 0.;
     for (const double dt : {4e-5, 2e-5, 1e-5})
       {
-        ReducedTransient run(r.model,
-                             dt,
-                             steady_drive(mu, v),
-                             mass * gravity / r.model.n_nodes());
+        ReducedTransient run(
+          r.model, dt, steady_drive(mu, v), mass * gravity / r.model.n_nodes());
         run.start(s.coordinates, Eigen::VectorXd::Zero(y.size()), s.forces);
         const double start = y.dot(run.coordinates()) / mass;
         double       stop = 0., first_stick = 0.;
@@ -184,8 +179,8 @@ namespace
   SceneParameters
   cube(const double stiffness_damping = 0.)
   {
-    SceneParameters s = block_on_floor(
-      {{side, side, side}}, {{10, 10, 10}}, young, force);
+    SceneParameters s =
+      block_on_floor({{side, side, side}}, {{10, 10, 10}}, young, force);
     SupportParameters top;
     top.name       = "top";
     top.body       = "block";
@@ -235,10 +230,12 @@ namespace
   /** The largest |F_t| before the first reflection comes back, over
    * sqrt(rho G) A V. */
   double
-  highest_force(const std::string &name, TransientIntegrator &run, const double dt)
+  highest_force(const std::string   &name,
+                TransientIntegrator &run,
+                const double         dt)
   {
     const double G = young / 2.6, arrival = 2. * side / std::sqrt(G / 2500.),
-                 bound  = std::sqrt(2500. * G) * side * side * floor_speed;
+                 bound   = std::sqrt(2500. * G) * side * side * floor_speed;
     double       highest = 0., at = 0., normal = 0., chatter = 0., last = 0.;
     unsigned int n = 0, n_stick = 0;
     check(std::abs(bound - 47.07) < .01 && std::abs(arrival - 12.75e-6) < 1e-8,
@@ -264,19 +261,20 @@ namespace
     const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
         .count();
-    std::printf("%s, dt %.2e: highest F_t %.4f N = %.4f of the bound at %.2e s, "
-                "F_n up to %.2f N, way up and down %.2f N, %.1f nodes stick, "
-                "ledger %.1e, %.0f steps/s\n",
-                name.c_str(),
-                dt,
-                highest,
-                highest / bound,
-                at,
-                normal,
-                chatter,
-                double(n_stick) / n,
-                run.ledger().imbalance(),
-                n / seconds);
+    std::printf(
+      "%s, dt %.2e: highest F_t %.4f N = %.4f of the bound at %.2e s, "
+      "F_n up to %.2f N, way up and down %.2f N, %.1f nodes stick, "
+      "ledger %.1e, %.0f steps/s\n",
+      name.c_str(),
+      dt,
+      highest,
+      highest / bound,
+      at,
+      normal,
+      chatter,
+      double(n_stick) / n,
+      run.ledger().imbalance(),
+      n / seconds);
     return highest / bound;
   }
 
@@ -325,7 +323,7 @@ namespace
         else
           run = std::make_unique<ImplicitTransient>(
             full_model(r), dt, pressed_drive(mu), force / r.model.n_nodes());
-        unsigned int n = 0;
+        unsigned int n     = 0;
         const auto   begin = std::chrono::steady_clock::now();
         start_floor(*run, 1e-3, [&]() {
           if (++n % 100 != 0)

@@ -73,8 +73,8 @@ namespace squeal
    * with the slip: along the sliding mu lambda_n and p_0 dmu/d|v_t| times the
    * slip rate there, across it mu p_0/|V| times the slip rate across.
    *
-   * The slip rate that the slope sees is that of the modes, without the part of
-   * the massless flexibility G: with a falling law G alone would grow at the
+   * The slip rate that the slope sees leaves out what the slope itself does to
+   * the massless flexibility G: with a falling law that alone would grow at the
    * rate 1/(G p_0 |dmu/dv|), which no body with mass does.
    */
   LinearizedMotion linearize(const ReducedContactModel &model,
