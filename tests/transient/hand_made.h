@@ -49,6 +49,28 @@ namespace squeal
       d.load     = [](double) { return 1.; };
       return d;
     }
+
+    /** mu from @p at_rest down to @p kinetic, by exp(-v / @p decay_speed). */
+    inline ContactParameters
+    falling(const double kinetic,
+            const double at_rest,
+            const double decay_speed)
+    {
+      ContactParameters c;
+      c.friction_law         = ContactParameters::FrictionLaw::exponential;
+      c.friction_coefficient = kinetic;
+      c.static_friction_coefficient = at_rest;
+      c.decay_speed                 = decay_speed;
+      return c;
+    }
+
+    inline TransientDrive
+    drive_by(const ContactParameters &contact, const double belt_speed)
+    {
+      TransientDrive d = steady_drive(0., belt_speed);
+      d.law            = std::make_shared<const FrictionLaw>(contact);
+      return d;
+    }
   } // namespace testing
 } // namespace squeal
 
