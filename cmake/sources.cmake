@@ -86,6 +86,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_geometry.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
+    source/contact/friction_law.cc
     source/contact/linearized_system.cc
     source/contact/mortar.cc)
 
@@ -126,6 +127,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/growth.cc
     source/transient/implicit_transient.cc
     source/transient/kept_inverse.cc
+    source/transient/lagged_friction.cc
     source/transient/modal_step.cc
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
@@ -167,10 +169,10 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
     source/driver/command_line.cc
-    source/driver/contact_states.cc
     source/driver/contact_output.cc
-    source/driver/matrix_output.cc
+    source/driver/contact_states.cc
     source/driver/doublets.cc
+    source/driver/matrix_output.cc
     source/driver/measured_points.cc
     source/driver/mode_solution.cc
     source/driver/model.cc

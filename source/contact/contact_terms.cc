@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/contact/contact_terms.h>
+#include <squeal/contact/friction_law.h>
 
 #include <cmath>
 
@@ -63,6 +64,17 @@ namespace squeal
 
 
 
+  NodalShares
+  friction_shares(const ContactParameters &contact,
+                  const ContactGeometry   &geometry)
+  {
+    return shares_of_largest(
+      [&](const double ratio) { return signed_coefficient(contact, ratio); },
+      geometry.speed_ratio);
+  }
+
+
+
   void
   add_slip_rate_terms(const Discretization  &d,
                       const unsigned int     number,
@@ -70,8 +82,9 @@ namespace squeal
                       const ContactState    &state,
                       AffineSystem          &system)
   {
-    const auto     &contact = d.scene().contacts[number];
-    Eigen::VectorXd force   = Eigen::VectorXd::Zero(geometry.points.size());
+    const auto       &contact = d.scene().contacts[number];
+    const NodalShares mu      = friction_shares(contact, geometry);
+    Eigen::VectorXd   force   = Eigen::VectorXd::Zero(geometry.points.size());
     for (Eigen::Index i = 0; i < force.size(); ++i)
       if (state.status[i] == ContactStatus::slip)
         force[i] = state.force_share[i];
@@ -81,27 +94,33 @@ namespace squeal
       {
         Eigen::VectorXd w = force;
         for (Eigen::Index i = 0; i < w.size(); ++i)
-          w[i] /= geometry.speed_ratio[i];
-        system.terms.push_back({"transverse slip of " + contact.name,
-                                std::make_shared<LowRankMatrix>(
-                                  geometry.transverse, w, geometry.transverse),
-                                [number](const SceneParameters &s) {
-                                  const auto &c = s.contacts[number];
-                                  return TermCoefficients{
-                                    0.,
-                                    std::abs(c.friction_coefficient) *
-                                      c.normal_force / c.sliding_speed,
-                                    0.};
-                                }});
+          w[i] *= mu.share[i] / geometry.speed_ratio[i];
+        system.terms.push_back(
+          {"transverse slip of " + contact.name,
+           std::make_shared<LowRankMatrix>(
+             geometry.transverse, w, geometry.transverse),
+           [number, mu](const SceneParameters &s) {
+             const auto &c = s.contacts[number];
+             return TermCoefficients{
+               0.,
+               std::abs(signed_coefficient(c, mu.speed_ratio)) *
+                 c.normal_force / c.sliding_speed,
+               0.};
+           }});
       }
-    if (contact.friction_slope != 0.)
+    const NodalShares slope = shares_of_largest(
+      [&](const double ratio) { return sliding_slope(contact, ratio); },
+      geometry.speed_ratio);
+    if (sliding_slope(contact, slope.speed_ratio) != 0.)
       system.terms.push_back(
         {"friction slope of " + contact.name,
-         std::make_shared<LowRankMatrix>(
-           geometry.tangential, force, geometry.tangential),
-         [number](const SceneParameters &s) {
+         std::make_shared<LowRankMatrix>(geometry.tangential,
+                                         force.cwiseProduct(slope.share),
+                                         geometry.tangential),
+         [number, slope](const SceneParameters &s) {
            const auto &c = s.contacts[number];
-           return TermCoefficients{0., c.normal_force * c.friction_slope, 0.};
+           return TermCoefficients{
+             0., c.normal_force * sliding_slope(c, slope.speed_ratio), 0.};
          }});
   }
 
@@ -132,17 +151,20 @@ namespace squeal
            return elastic(s, normal_stiffness(s.contacts[number]));
          }});
 
+      const NodalShares     mu = friction_shares(contact, geometry);
       const Eigen::VectorXd slip =
-        selected_weights(geometry, state, contact, true, false);
+        selected_weights(geometry, state, contact, true, false)
+          .cwiseProduct(mu.share);
       if (!slip.isZero())
         system.terms.push_back(
           {"friction of " + contact.name,
            std::make_shared<LowRankMatrix>(
              geometry.tangential, slip, geometry.normal),
-           [number, elastic](const SceneParameters &s) {
+           [number, elastic, mu](const SceneParameters &s) {
              const auto &c = s.contacts[number];
              // Friction follows the whole normal force, its damping included.
-             return elastic(s, c.friction_coefficient * normal_stiffness(c));
+             return elastic(
+               s, signed_coefficient(c, mu.speed_ratio) * normal_stiffness(c));
            }});
 
       const Eigen::VectorXd stick =

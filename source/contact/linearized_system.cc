@@ -24,8 +24,9 @@ namespace squeal
     struct MortarContact
     {
       unsigned int                  number;
-      std::vector<unsigned int>     dependent; /**< numbers in the list */
-      std::vector<Functionals::Row> tangential;
+      std::vector<unsigned int>     dependent;   /**< numbers in the list */
+      std::vector<Functionals::Row> tangential;  /**< times shares of mu */
+      double                        speed_ratio; /**< where mu is largest */
     };
 
     /** All components of every source node follow the target. */
@@ -47,10 +48,11 @@ namespace squeal
     append_contact(const MortarCoupling  &coupling,
                    const ContactGeometry &geometry,
                    const ContactState    &state,
+                   const NodalShares     &friction,
                    const unsigned int     number,
                    DependentUnknowns     &dependent)
     {
-      MortarContact contact{number, {}, {}};
+      MortarContact contact{number, {}, {}, friction.speed_ratio};
       for (std::size_t j = 0; j < coupling.nodes.size(); ++j)
         for (unsigned int c = 0; c < 3; ++c)
           {
@@ -63,6 +65,8 @@ namespace squeal
               {
                 contact.dependent.push_back(dependent.rows.size());
                 contact.tangential.push_back(geometry.tangential->rows()[j]);
+                for (auto &[column, weight] : contact.tangential.back())
+                  weight *= friction.share[j];
               }
             dependent.rows.push_back(coupling.source_rows[j][c]);
             dependent.combinations.push_back(coupling.target_rows[j][c]);
@@ -156,8 +160,10 @@ namespace squeal
               {"friction by " + term.name,
                std::make_shared<MultiplierFriction>(
                  term.matrix, elimination, tangential),
-               [number, c = term.coefficients](const SceneParameters &s) {
-                 const double     mu = s.contacts[number].friction_coefficient;
+               [number, ratio = contact.speed_ratio, c = term.coefficients](
+                 const SceneParameters &s) {
+                 const double mu =
+                   signed_coefficient(s.contacts[number], ratio);
                  TermCoefficients value = c(s);
                  value.mass *= mu;
                  value.damping *= mu;
@@ -261,8 +267,8 @@ namespace squeal
         ContactState state =
           given.empty() ? even_pressure(g, status) : given[i].front();
         AssertDimension(state.status.size(), g.points.size());
-        const MortarContact pair =
-          append_contact(coupling, g, state, i, dependent);
+        const MortarContact pair = append_contact(
+          coupling, g, state, friction_shares(contact, g), i, dependent);
         if (!pair.dependent.empty())
           mortar_contacts.push_back(pair);
         add_slip_rate_terms(d, i, g, state, result.system);

@@ -192,7 +192,27 @@ namespace squeal
   PressedModel::set_friction(const double friction)
   {
     Assert(friction >= 0., dealii::ExcInternalError());
+    const auto &contact = scene.contacts[0];
+    if (contact.friction_law == ContactParameters::FrictionLaw::table &&
+        friction != mu)
+      throw InputError("Scene/Contact " + contact.name +
+                       "/Friction coefficient: has no effect with 'Friction "
+                       "law = table'");
     mu = friction;
+  }
+
+  FrictionLaw
+  PressedModel::friction_law() const
+  {
+    ContactParameters contact    = scene.contacts[0];
+    contact.friction_coefficient = mu;
+    return FrictionLaw(contact);
+  }
+
+  NodalFriction
+  PressedModel::sliding_friction() const
+  {
+    return friction_law().in_sliding(reduced.speed_ratio, speed());
   }
 
   double
@@ -230,8 +250,10 @@ namespace squeal
       {
         Timers::Section section(timers, "Solve: steady sliding");
         if (parameters.preload.run_in == PreloadParameters::RunIn::archard)
-          reduced.initial_gap = worn_gap(reduced, geometry().areas, friction());
-        return steady_sliding(reduced, friction(), 1., tolerance);
+          reduced.initial_gap =
+            worn_gap(reduced, geometry().areas, sliding_friction().coefficient);
+        return steady_sliding(
+          reduced, sliding_friction().coefficient, 1., tolerance);
       }
     if (!moving)
       {

@@ -28,15 +28,17 @@ namespace squeal
       const unsigned int n = p.preload.load_steps;
       if (pressed.speed() == 0.)
         {
-          const auto states = press_at_rest(
-            pressed.model(), pressed.friction(), n, p.preload.tolerance);
-          full = states.back();
+          const auto states = press_at_rest(pressed.model(),
+                                            pressed.friction_law().at_rest(),
+                                            n,
+                                            p.preload.tolerance);
+          full              = states.back();
           return states;
         }
       std::vector<SteadySliding> states;
       for (unsigned int k = 1; k < n; ++k)
         states.push_back(steady_sliding(pressed.model(),
-                                        pressed.friction(),
+                                        pressed.sliding_friction().coefficient,
                                         double(k) / n,
                                         p.preload.tolerance));
       states.push_back(full);

@@ -196,8 +196,8 @@ namespace squeal
     , steady(pressed.steady(p.preload.tolerance, timers))
   {
     Timers::Section section(timers, "Solve: linearised motion");
-    linear =
-      linearize(pressed.model(), steady, pressed.friction(), pressed.speed());
+    linear = linearize(
+      pressed.model(), steady, pressed.sliding_friction(), pressed.speed());
     for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
       if (const double f = linear.lambda[k].imag() / (2. * M_PI);
           f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency &&

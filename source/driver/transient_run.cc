@@ -52,13 +52,15 @@ namespace squeal
   {
     const TransientParameters t = p.transient;
     TransientDrive            drive;
-    const double              mu = pressed.friction(), speed = pressed.speed();
-    drive.friction = [mu, t](const double time) {
-      return std::max(0.,
-                      mu + t.friction_impulse *
-                             half_sine(time,
-                                       t.friction_impulse_time,
-                                       t.friction_impulse_duration));
+    const FrictionLaw         law   = pressed.friction_law();
+    const double              speed = pressed.speed();
+    if (!law.is_constant())
+      drive.law = std::make_shared<const FrictionLaw>(law);
+    drive.friction = [mu = law.is_constant() ? pressed.friction() : 0.,
+                      t](const double time) {
+      return mu + t.friction_impulse * half_sine(time,
+                                                 t.friction_impulse_time,
+                                                 t.friction_impulse_duration);
     };
     drive.speed = [speed, t](const double time) {
       return speed * (1. + (t.final_speed_ratio - 1.) * time / t.end_time);

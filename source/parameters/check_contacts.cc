@@ -88,6 +88,12 @@ namespace squeal
                          const std::string       &section)
       {
         using Law = ContactParameters::FrictionLaw;
+        if (contact.friction_law != Law::constant &&
+            contact.friction_slope != 0.)
+          refuse_entry(section,
+                       "Friction slope",
+                       "must be 0 with a 'Friction law' that has a slope of "
+                       "its own");
         if (contact.friction_law == Law::exponential &&
             contact.static_friction_coefficient <
               std::abs(contact.friction_coefficient))

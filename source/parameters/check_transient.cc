@@ -47,8 +47,8 @@ namespace squeal
         if (c.friction_slope != 0.)
           refuse_entry(section,
                        "Friction slope",
-                       "must be 0: the contact law of steady sliding and "
-                       "transients has a constant coefficient");
+                       "must be 0: steady sliding and transients take the "
+                       "coefficient over the slip rate from 'Friction law'");
         if (scene.loads.empty())
           refuse_entry("Scene",
                        "Loads",

@@ -84,9 +84,9 @@ namespace squeal
       {
         schema.add("Friction law",
                    c.friction_law,
-                   "How the coefficient depends on the slip rate in steady "
-                   "sliding and transients; linearised analyses take the "
-                   "'Friction slope'.");
+                   "How the coefficient depends on the slip rate; linearised "
+                   "analyses take its value and slope at the sliding "
+                   "speed, those of a constant one the 'Friction slope'.");
         schema.add("Static friction coefficient",
                    c.static_friction_coefficient,
                    Allowed::number(0., 5.),

@@ -29,6 +29,7 @@ namespace squeal
   struct ContactSolver::Projection
   {
     ContactStatus   status;
+    double          friction;
     double          normal; /**< lambda_n - rho g, N */
     Eigen::Vector2d tried;  /**< lambda_t + rho slip, N */
     Eigen::Vector3d forces; /**< allowed */
@@ -72,7 +73,8 @@ namespace squeal
                          const unsigned int     j) const
   {
     Projection p;
-    p.normal = lambda[3 * j] - rho_normal[j] * (gap[j] - u[3 * j]);
+    p.friction = step.friction_at(j);
+    p.normal   = lambda[3 * j] - rho_normal[j] * (gap[j] - u[3 * j]);
     p.forces.setZero();
     p.tried.setZero();
     if (p.normal <= 0.)
@@ -84,7 +86,7 @@ namespace squeal
       u.segment<2>(3 * j + 1) - step.previous_motion.segment<2>(3 * j + 1);
     slip[0] += step.duration * step.speed * ratio[j];
     p.tried           = lambda.segment<2>(3 * j + 1) + rho_tangential[j] * slip;
-    const double size = p.tried.norm(), limit = step.friction * p.normal;
+    const double size = p.tried.norm(), limit = p.friction * p.normal;
     p.forces[0] = p.normal;
     p.status    = size > limit ? ContactStatus::slip : ContactStatus::stick;
     if (size > limit)
@@ -110,16 +112,16 @@ namespace squeal
 
 
   ContactSolver::NodeRows
-  ContactSolver::rows_of(const ContactStep &step, const Projection &p) const
+  ContactSolver::rows_of(const Projection &p) const
   {
     NodeRows result;
     result.status   = p.status;
-    result.friction = step.friction;
+    result.friction = p.friction;
     if (p.status == ContactStatus::slip)
       {
         const double size = p.tried.norm();
         result.direction  = p.tried / size;
-        result.turning    = step.friction * p.normal / size;
+        result.turning    = p.friction * p.normal / size;
       }
     return result;
   }
@@ -135,7 +137,7 @@ namespace squeal
       {
         const Projection p          = project(step, lambda, j);
         states[j]                   = p.status;
-        rows[j]                     = rows_of(step, p);
+        rows[j]                     = rows_of(p);
         violation.segment<3>(3 * j) = lambda.segment<3>(3 * j) - p.forces;
         const double size = violation.segment<3>(3 * j).cwiseAbs().maxCoeff();
         // Not a number must not pass for small.

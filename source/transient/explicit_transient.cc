@@ -194,7 +194,7 @@ namespace squeal
     a                = a_now;
     energies.kinetic = 0.5 * w.dot(mass.cwiseProduct(w));
     energies.elastic = 0.5 * u_next.dot(K_x.col(0));
-    finish_step(u_next, next);
+    finish_step(step, u_next, next);
     return report;
   }
 } // namespace squeal

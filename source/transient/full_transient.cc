@@ -29,6 +29,7 @@ namespace squeal
     : model(std::move(m))
     , dt(time_step)
     , drive(std::move(d))
+    , friction(drive, model.speed_ratio)
   {
     if (model.pencil->space()->n_ranks() > 1)
       throw InputError("Transient/Integrator: implicit and explicit run on one "
@@ -85,8 +86,8 @@ namespace squeal
   {
     ContactStep step;
     step.duration = dt;
-    step.friction = drive.friction(end);
     step.speed    = drive.speed(end - 0.5 * dt);
+    friction.set(end, step);
     return step;
   }
 
@@ -99,7 +100,8 @@ namespace squeal
 
 
   void
-  FullTransient::finish_step(const Eigen::VectorXd &next,
+  FullTransient::finish_step(const ContactStep     &step,
+                             const Eigen::VectorXd &next,
                              const Eigen::VectorXd &contact_forces)
   {
     u            = next;
@@ -107,6 +109,7 @@ namespace squeal
     lambda_1     = lambda;
     lambda       = contact_forces;
     nodes_motion = relative(u) + model.motion_offset;
+    friction.keep(step, solver->motion(), solver->status());
     ++n_steps;
   }
 
@@ -143,6 +146,7 @@ namespace squeal
     lambda = lambda_1 = lambda_2 = forces;
     nodes_motion                 = relative(u) + model.motion_offset;
     energies                     = {};
+    friction.start(relative(v));
     initialize();
     energies.start = energies.kinetic + energies.elastic;
   }
@@ -214,8 +218,14 @@ namespace squeal
   std::vector<Eigen::VectorXd *>
   FullTransient::state()
   {
-    std::vector<Eigen::VectorXd *> result = {
-      &u, &v, &a, &lambda, &lambda_1, &lambda_2, &nodes_motion};
+    std::vector<Eigen::VectorXd *> result = {&u,
+                                             &v,
+                                             &a,
+                                             &lambda,
+                                             &lambda_1,
+                                             &lambda_2,
+                                             &nodes_motion,
+                                             &friction.state()};
     for (auto *x : further_state())
       result.push_back(x);
     return result;

@@ -115,7 +115,7 @@ namespace squeal
     M_v = M_v1;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       touching[j] = solver->status()[j] != ContactStatus::open;
-    finish_step(u + dt * v_h, next);
+    finish_step(step, u + dt * v_h, next);
     set_stored_energy();
     return report;
   }

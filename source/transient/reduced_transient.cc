@@ -94,6 +94,7 @@ namespace squeal
              tolerance,
              ContactSolver::Precision::single,
              method)
+    , friction(drive, m.speed_ratio)
   {
     if (const double largest = largest_stable_step(model, dt); largest < dt)
       {
@@ -159,6 +160,7 @@ namespace squeal
     motion_now          = external_motion(0.);
     total_force         = load_now - model.participation.transpose() * lambda;
     u = model.participation * q + motion_now - model.flexibility * lambda;
+    friction.start(model.participation * v);
     energies       = {};
     energies.start = stored_energy();
   }
@@ -179,8 +181,8 @@ namespace squeal
     step.free_motion.noalias() += model.participation * q_free;
     step.previous_motion = u;
     step.duration        = dt;
-    step.friction        = drive.friction(t);
     step.speed           = drive.speed(t - 0.5 * dt);
+    friction.set(t, step);
 
     Eigen::VectorXd       guess  = 3. * (lambda - lambda_1) + lambda_2;
     const ContactReport   report = solver.solve(step, guess);
@@ -195,6 +197,7 @@ namespace squeal
     lambda      = guess;
     total_force = force;
     u           = solver.motion();
+    friction.keep(step, u, solver.status());
     ++n_steps;
     // The ledger sees external forces and motions of both ends.
     const Eigen::VectorXd load_before = load_now, motion_before = motion_now;
@@ -325,7 +328,8 @@ namespace squeal
                           &lambda_1,
                           &lambda_2,
                           &load_now,
-                          &motion_now})
+                          &motion_now,
+                          &friction.state()})
       result.insert(result.end(), x->data(), x->data() + x->size());
     const std::vector<double> more = solver.memory();
     result.insert(result.end(), more.begin(), more.end());
@@ -345,15 +349,17 @@ namespace squeal
                       &energies.start})
       *x = *next++;
     const Eigen::Index n = model.n_modes(), m = 3 * model.n_nodes();
-    for (const auto &[x, size] : {std::make_pair(&q, n),
-                                  std::make_pair(&v, n),
-                                  std::make_pair(&u, m),
-                                  std::make_pair(&total_force, n),
-                                  std::make_pair(&lambda, m),
-                                  std::make_pair(&lambda_1, m),
-                                  std::make_pair(&lambda_2, m),
-                                  std::make_pair(&load_now, n),
-                                  std::make_pair(&motion_now, m)})
+    for (const auto &[x, size] :
+         {std::make_pair(&q, n),
+          std::make_pair(&v, n),
+          std::make_pair(&u, m),
+          std::make_pair(&total_force, n),
+          std::make_pair(&lambda, m),
+          std::make_pair(&lambda_1, m),
+          std::make_pair(&lambda_2, m),
+          std::make_pair(&load_now, n),
+          std::make_pair(&motion_now, m),
+          std::make_pair(&friction.state(), friction.state().size())})
       {
         *x = Eigen::Map<const Eigen::VectorXd>(&*next, size);
         next += size;

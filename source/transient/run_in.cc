@@ -15,14 +15,14 @@ namespace squeal
   Eigen::VectorXd
   worn_gap(const ReducedContactModel &model,
            const std::vector<double> &areas,
-           const double               friction)
+           const Eigen::VectorXd     &friction)
   {
     const unsigned int n      = model.n_nodes();
     Eigen::VectorXd    forces = Eigen::VectorXd::Zero(3 * n);
     for (unsigned int j = 0; j < n; ++j)
       {
         forces[3 * j]     = areas[j] / model.speed_ratio[j];
-        forces[3 * j + 1] = friction * forces[3 * j];
+        forces[3 * j + 1] = friction[j] * forces[3 * j];
       }
     // Their size by the balance of the motions that nothing holds.
     const Eigen::VectorXd pushed  = model.participation.transpose() * forces;

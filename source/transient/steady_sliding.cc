@@ -162,6 +162,21 @@ namespace squeal
                  const double               load_factor,
                  const double               tolerance)
   {
+    return steady_sliding(
+      model,
+      NodalFriction::uniform(friction, model.n_nodes()).coefficient,
+      load_factor,
+      tolerance);
+  }
+
+
+
+  SteadySliding
+  steady_sliding(const ReducedContactModel &model,
+                 const Eigen::VectorXd     &friction,
+                 const double               load_factor,
+                 const double               tolerance)
+  {
     StaticContact contact(model, tolerance);
     // The target slides so far that the slip has its direction.
     ContactStep step;
@@ -169,14 +184,18 @@ namespace squeal
     step.duration        = 1e6;
     step.speed           = 1.;
     SteadySliding result = contact.untouched();
-    // Friction comes in steps, from the solution without it, which is unique.
-    double reached = 0., increment = friction;
-    for (bool first = true; first || reached < friction; first = false)
+    // Friction comes in steps, from the solution without it, which is unique;
+    // all nodes by the same share.
+    const double largest = friction.maxCoeff();
+    double       reached = 0., increment = largest;
+    for (bool first = true; first || reached < largest; first = false)
       {
-        step.friction = first ? 0. : std::min(reached + increment, friction);
+        step.friction = first ? 0. : std::min(reached + increment, largest);
+        step.nodal_friction =
+          step.friction * (largest > 0. ? friction / largest : friction);
         SteadySliding next   = result;
         const bool    solved = contact.solve(step, load_factor, next);
-        if (!solved && (first || increment < 1e-3 * friction))
+        if (!solved && (first || increment < 1e-3 * largest))
           throw_none(first, reached);
         if (!solved)
           {
@@ -323,6 +342,18 @@ namespace squeal
             const double               friction,
             const double               speed)
   {
+    return linearize(
+      model, steady, NodalFriction::uniform(friction, model.n_nodes()), speed);
+  }
+
+
+
+  LinearizedMotion
+  linearize(const ReducedContactModel &model,
+            const SteadySliding       &steady,
+            const NodalFriction       &friction,
+            const double               speed)
+  {
     const unsigned int    m = steady.n_closed(), n = model.n_modes();
     const Eigen::MatrixXd Psi_n = closed_rows(model.participation, steady, 0),
                           Psi_t = closed_rows(model.participation, steady, 1),
@@ -335,39 +366,70 @@ namespace squeal
         .transpose()
         .eval();
     };
-    // (G_nn + mu G_nt) lambda_n + G_ns lambda_s = Psi_n q.
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
-      Eigen::MatrixXd(flexibility(0, 0) + friction * flexibility(0, 1)));
-    const Eigen::MatrixXd n_by_q = factor.solve(Psi_n);
-    const Eigen::MatrixXd n_by_s =
+    // mu, p_0 dmu/dv and |V|/(mu p_0) of the closed nodes.
+    Eigen::VectorXd mu(m), by_slip(m), inverse_rate(m);
+    for (unsigned int j = 0, i = 0; j < model.n_nodes(); ++j)
+      if (steady.status[j] != ContactStatus::open)
+        {
+          mu[i]      = friction.coefficient[j];
+          by_slip[i] = friction.slope[j] * steady.forces[3 * j];
+          inverse_rate[i++] =
+            speed * model.speed_ratio[j] /
+            (friction.coefficient[j] *
+             std::max(steady.forces[3 * j], 1e-6 * steady.resultant()[0] / m));
+        }
+    const auto with_friction = [&](const int row) {
+      return Eigen::MatrixXd(flexibility(row, 0) +
+                             flexibility(row, 1) * mu.asDiagonal());
+    };
+    // (G_nn + G_nt mu) lambda_n + G_ns lambda_s + G_nt p_0 mu' slip rate
+    // = Psi_n q.
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(with_friction(0));
+    const Eigen::MatrixXd                      n_by_q = factor.solve(Psi_n);
+    const Eigen::MatrixXd                      n_by_s =
       -factor.solve(Eigen::MatrixXd(flexibility(0, 2)));
-    const Eigen::MatrixXd drag = -(Psi_n + friction * Psi_t).transpose();
+    const Eigen::MatrixXd n_by_slip =
+      -factor.solve(Eigen::MatrixXd(flexibility(0, 1) * by_slip.asDiagonal()));
+    const Eigen::MatrixXd drag = -(Psi_n + mu.asDiagonal() * Psi_t).transpose();
+    const Eigen::MatrixXd v_by_slip =
+      drag * n_by_slip - Psi_t.transpose() * by_slip.asDiagonal();
+    // u_s = Psi_s q - H lambda_n - G_ss lambda_s, and so along the sliding.
+    const Eigen::MatrixXd H = with_friction(2), F = with_friction(1);
+    const Eigen::MatrixXd E         = flexibility(2, 2) + H * n_by_s;
+    Eigen::MatrixXd       slip_by_v = Psi_t - F * n_by_q;
 
     // States q, v and, with friction, lambda_s = rate d/dt u_s.
-    const Eigen::Index n_s  = friction > 0. ? m : 0;
+    const Eigen::Index n_s  = m > 0 && mu.minCoeff() > 0. ? m : 0;
     const Eigen::Index size = 2 * n + n_s;
     Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(size, size);
     A.block(0, n, n, n).setIdentity();
     A.block(n, 0, n, n) = drag * n_by_q;
     A.block(n, 0, n, n).diagonal() -= model.omega_squared;
+    Eigen::MatrixXd s_rate(m, n + n_s), s_by_state = s_rate;
+    if (n_s > 0)
+      {
+        s_by_state << Psi_s - H * n_by_q,
+          Eigen::MatrixXd((-inverse_rate).asDiagonal());
+        // The slip rate along the sliding has a part by d/dt lambda_s.
+        s_rate =
+          (F * n_by_s + flexibility(1, 2)) * E.partialPivLu().solve(s_by_state);
+        slip_by_v -= s_rate.leftCols(n);
+        A.block(n, 2 * n, n, m) =
+          drag * n_by_s - Psi_s.transpose() - v_by_slip * s_rate.rightCols(m);
+      }
+    A.block(n, n, n, n) = v_by_slip * slip_by_v;
     A.block(n, n, n, n).diagonal() -= model.damping;
     if (n_s > 0)
       {
-        const Eigen::MatrixXd H =
-          flexibility(2, 0) + friction * flexibility(2, 1);
-        const Eigen::MatrixXd E = flexibility(2, 2) + H * n_by_s;
-        Eigen::VectorXd       inverse_rate(m);
-        for (unsigned int j = 0, i = 0; j < model.n_nodes(); ++j)
-          if (steady.status[j] != ContactStatus::open)
-            inverse_rate[i++] =
-              speed * model.speed_ratio[j] /
-              (friction * std::max(steady.forces[3 * j],
-                                   1e-6 * steady.resultant()[0] / m));
-        Eigen::MatrixXd right(m, n + m);
-        right << Psi_s - H * n_by_q,
-          Eigen::MatrixXd((-inverse_rate).asDiagonal());
-        A.block(2 * n, n, m, n + m) = E.partialPivLu().solve(right);
-        A.block(n, 2 * n, n, m)     = drag * n_by_s - Psi_s.transpose();
+        // What the slope adds to u_s changes with the rate of the slip.
+        const Eigen::MatrixXd s_by_slip =
+          H * n_by_slip + flexibility(2, 1) * by_slip.asDiagonal();
+        Eigen::MatrixXd rate  = Eigen::MatrixXd::Zero(m, size);
+        rate.rightCols(n + m) = s_by_state;
+        rate -= s_by_slip * slip_by_v * A.middleRows(n, n);
+        A.bottomRows(m) = Eigen::MatrixXd(E - s_by_slip * s_rate.rightCols(n_s))
+                            .partialPivLu()
+                            .solve(rate);
       }
     return left_vectors(A, n);
   }

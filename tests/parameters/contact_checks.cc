@@ -145,6 +145,12 @@ namespace
     check_change_refused(
       {contact + "Contact state = preload", contact + "Friction slope = -0.01"},
       {"'Scene/Contact pad_disc/Friction slope'", "must be 0"});
+    check_change_refused(
+      {contact + "Friction law = exponential",
+       contact + "Static friction coefficient = 0.5",
+       contact + "Decay speed = 0.1",
+       contact + "Friction slope = -0.01"},
+      {"'Scene/Contact pad_disc/Friction slope'", "slope of its own"});
     check_change_accepted({contact + "Contact state = stick"});
     check_change_refused(
       {contact + "Transverse slip term = true", contact + "Sliding speed = 0"},

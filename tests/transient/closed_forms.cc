@@ -5,6 +5,7 @@
 // Mindlin's contacts on half-spaces.
 
 #include "scenes.h"
+#include "transient/hand_made.h"
 
 #include <squeal/base/exceptions.h>
 #include <squeal/transient/reduced_transient.h>
@@ -18,46 +19,6 @@ using namespace squeal::testing;
 
 namespace
 {
-  /** A model without modes and flexibility. */
-  ReducedContactModel
-  empty_model(const unsigned int n_nodes, const unsigned int n_modes)
-  {
-    ReducedContactModel m;
-    m.omega_squared = Eigen::VectorXd::Zero(n_modes);
-    m.damping       = Eigen::VectorXd::Zero(n_modes);
-    m.participation = Eigen::MatrixXd::Zero(3 * n_nodes, n_modes);
-    m.flexibility   = Eigen::MatrixXd::Zero(3 * n_nodes, 3 * n_nodes);
-    m.load          = Eigen::VectorXd::Zero(n_modes);
-    m.load_motion   = Eigen::VectorXd::Zero(3 * n_nodes);
-    m.initial_gap   = Eigen::VectorXd::Zero(n_nodes);
-    m.speed_ratio   = Eigen::VectorXd::Ones(n_nodes);
-    return m;
-  }
-
-  /** A rigid block of mass @p mass on a floor: its motions along z, y and x.
-   * The contact gives way a little: on no flexibility at all the scheme, in
-   * which forces change linearly, is not stable. */
-  ReducedContactModel
-  rigid_block(const double mass, const double dt)
-  {
-    ReducedContactModel m = empty_model(1, 3);
-    m.flexibility         = dt * dt / mass * Eigen::MatrixXd::Identity(3, 3);
-    // Floor minus block, mass-normalised.
-    for (unsigned int c = 0; c < 3; ++c)
-      m.participation(c, c) = -1. / std::sqrt(mass);
-    return m;
-  }
-
-  TransientDrive
-  steady_drive(const double mu, const double speed)
-  {
-    TransientDrive d;
-    d.friction = [mu](double) { return mu; };
-    d.speed    = [speed](double) { return speed; };
-    d.load     = [](double) { return 1.; };
-    return d;
-  }
-
   constexpr double gravity = 9.81;
 
   /** A block put on a moving floor: it slides until it moves with the floor. */

@@ -34,26 +34,6 @@ namespace
     return scene;
   }
 
-  FullContactModel
-  full_model(const Reduced &r)
-  {
-    FullContactModel full;
-    full.pencil          = std::make_shared<const Pencil>(r.pencil);
-    full.basis           = std::make_shared<const ReductionBasis>(r.basis);
-    full.relative_motion = std::make_shared<const Functionals>(
-      relative_motion(r.separated.contacts[0]));
-    full.load =
-      r.separated
-        .restrict_forces(load_vector(
-          r.discretization, PointEvaluator(r.discretization), r.scene.loads[0]))
-        .col(0);
-    full.observers     = Block::Zero(full.load.size(), 1);
-    full.initial_gap   = r.model.initial_gap;
-    full.speed_ratio   = r.model.speed_ratio;
-    full.motion_offset = Eigen::VectorXd::Zero(3 * r.model.n_nodes());
-    return full;
-  }
-
   TransientDrive
   drive()
   {

@@ -5,6 +5,7 @@
 #include "scenes.h"
 
 #include <squeal/discretization/load_vector.h>
+#include <squeal/transient/full_transient.h>
 #include <squeal/transient/steady_sliding.h>
 
 namespace squeal
@@ -37,9 +38,10 @@ namespace squeal
       Reduced(const SceneParameters &s,
               const double           cut_off,
               const double           interface_cut_off = 0.,
-              const bool             lumped            = false)
+              const bool             lumped            = false,
+              const unsigned int     degree            = 2)
         : scene(s)
-        , discretization(scene, parameters(lumped), 2, MPI_COMM_SELF)
+        , discretization(scene, parameters(lumped), degree, MPI_COMM_SELF)
         , bodies(assemble_bodies(discretization))
         , separated(separated_system(discretization, bodies))
         , pencil(separated.system, scene)
@@ -78,6 +80,28 @@ namespace squeal
       ReductionBasis            basis;
       ReducedContactModel       model;
     };
+
+    /** All unknowns of the same brake. */
+    inline FullContactModel
+    full_model(const Reduced &r)
+    {
+      FullContactModel full;
+      full.pencil          = std::make_shared<const Pencil>(r.pencil);
+      full.basis           = std::make_shared<const ReductionBasis>(r.basis);
+      full.relative_motion = std::make_shared<const Functionals>(
+        relative_motion(r.separated.contacts[0]));
+      full.load =
+        r.separated
+          .restrict_forces(load_vector(r.discretization,
+                                       PointEvaluator(r.discretization),
+                                       r.scene.loads[0]))
+          .col(0);
+      full.observers     = Block::Zero(full.load.size(), 1);
+      full.initial_gap   = r.model.initial_gap;
+      full.speed_ratio   = r.model.speed_ratio;
+      full.motion_offset = Eigen::VectorXd::Zero(3 * r.model.n_nodes());
+      return full;
+    }
 
     /** Eigenvalues of the whole model about the contact state of the reduced
      * one. */

@@ -64,7 +64,8 @@ namespace
     const auto  &areas = r.separated.contacts[0].areas;
     check(steady_sliding(r.model, mu).n_closed() < r.model.n_nodes(),
           "the trailing edge of a flat pad is open");
-    r.model.initial_gap      = worn_gap(r.model, areas, mu);
+    r.model.initial_gap = worn_gap(
+      r.model, areas, Eigen::VectorXd::Constant(r.model.n_nodes(), mu));
     const SteadySliding worn = steady_sliding(r.model, mu);
     check(worn.n_closed() == r.model.n_nodes(), "that of a worn one is not");
     Eigen::VectorXd wear(r.model.n_nodes());

@@ -3,6 +3,7 @@
 #define squeal_contact_contact_terms_h
 
 #include <squeal/contact/contact_geometry.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/discretization/affine_system.h>
 
 namespace squeal
@@ -21,6 +22,15 @@ namespace squeal
                           const ContactGeometry &geometry,
                           const ContactStates   &states,
                           AffineSystem          &system);
+
+  /**
+   * The coefficients of the points in steady sliding. What the terms below do
+   * with a law that depends on the slip rate: its value and slope at the
+   * sliding speed of each point, whose shares are those of the scene the terms
+   * are built of.
+   */
+  NodalShares friction_shares(const ContactParameters &contact,
+                              const ContactGeometry   &geometry);
 
   /**
    * The slip-rate terms of the friction law alone (transverse slip and slope),

@@ -3,6 +3,7 @@
 #define squeal_driver_pressed_model_h
 
 #include <squeal/contact/contact_terms.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/driver/model.h>
 #include <squeal/transient/full_transient.h>
 #include <squeal/transient/steady_sliding.h>
@@ -48,11 +49,15 @@ namespace squeal
 
     const ContactGeometry     &geometry() const;
     const ReducedContactModel &model() const;
-    double                     friction() const;
-    /** Another coefficient >= 0 for the same direction of sliding. */
-    void         set_friction(const double friction);
-    double       speed() const; /**< |V|, m/s */
-    unsigned int n_unknowns() const;
+    /** The size of the friction coefficient of the parameters. */
+    double friction() const;
+    /** Another one >= 0 for the same direction of sliding. Throws InputError
+     * where a table gives the coefficients. */
+    void          set_friction(const double friction);
+    FrictionLaw   friction_law() const;
+    NodalFriction sliding_friction() const; /**< in steady sliding */
+    double        speed() const;            /**< |V|, m/s */
+    unsigned int  n_unknowns() const;
 
     /** Forces of @p load as modal forces. */
     ModalForce force(const LoadParameters &load) const;

@@ -22,6 +22,14 @@ namespace squeal
     double          duration; /**< s, over which the target slides on */
     double          friction; /**< mu >= 0 */
     double          speed;    /**< |V| at the centre of the face, m/s */
+    /** mu >= 0 of every node; empty: `friction` at all of them. */
+    Eigen::VectorXd nodal_friction = {};
+
+    double
+    friction_at(const unsigned int node) const
+    {
+      return nodal_friction.size() > 0 ? nodal_friction[node] : friction;
+    }
   };
 
   /** How a solution went. */
@@ -115,7 +123,7 @@ namespace squeal
     /** Violation, states and rows from u; returns the residual. */
     double   check_law(const ContactStep &step, const Eigen::VectorXd &lambda);
     double   evaluate(const ContactStep &step, const Eigen::VectorXd &lambda);
-    NodeRows rows_of(const ContactStep &step, const Projection &p) const;
+    NodeRows rows_of(const Projection &p) const;
     /** The three rows of node @p j. */
     Eigen::MatrixXd jacobian(const unsigned int j, const NodeRows &rows) const;
     void            invert();

@@ -2,7 +2,7 @@
 #ifndef squeal_transient_full_transient_h
 #define squeal_transient_full_transient_h
 
-#include <squeal/transient/transient_integrator.h>
+#include <squeal/transient/lagged_friction.h>
 
 #include <memory>
 
@@ -80,7 +80,8 @@ namespace squeal
     ContactStep     contact_step(const double end) const;
     Eigen::VectorXd extrapolated_forces() const;
     /** Keeps the forces of a step and ends it at position @p next. */
-    void finish_step(const Eigen::VectorXd &next,
+    void finish_step(const ContactStep     &step,
+                     const Eigen::VectorXd &next,
                      const Eigen::VectorXd &contact_forces);
     /** Enters the work of @p contact_forces over a motion of the nodes. */
     void enter_contact_work(const ContactStep     &step,
@@ -92,6 +93,7 @@ namespace squeal
     const TransientDrive           drive;
     double                         alpha, beta; /**< of the damping */
     std::unique_ptr<ContactSolver> solver;
+    LaggedFriction                 friction;
 
     unsigned int    n_steps = 0;
     Eigen::VectorXd u, v, a;                    /**< of the unknowns */

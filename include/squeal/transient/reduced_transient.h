@@ -2,7 +2,7 @@
 #ifndef squeal_transient_reduced_transient_h
 #define squeal_transient_reduced_transient_h
 
-#include <squeal/transient/transient_integrator.h>
+#include <squeal/transient/lagged_friction.h>
 
 #include <vector>
 
@@ -57,6 +57,7 @@ namespace squeal
     /** q_1 = q_q q_0 + q_v v_0 + q_0 F_0 + q_1 F_1, and so for v_1. */
     Eigen::VectorXd q_q, q_v, q_f0, q_f1, v_q, v_v, v_f0, v_f1;
     ContactSolver   solver;
+    LaggedFriction  friction;
 
     unsigned int    n_steps = 0;
     Eigen::VectorXd q, v, u, total_force;

@@ -20,13 +20,13 @@ namespace squeal
    * moves the bodies alone.
    *
    * @param areas    tributary areas of the nodes, m^2
-   * @param friction mu >= 0
+   * @param friction mu >= 0 of every node
    * Throws InputError where no motion along the normal is free: wear would then
    * end with no pressure at all.
    */
   Eigen::VectorXd worn_gap(const ReducedContactModel &model,
                            const std::vector<double> &areas,
-                           const double               friction);
+                           const Eigen::VectorXd     &friction);
 } // namespace squeal
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef squeal_transient_steady_sliding_h
 #define squeal_transient_steady_sliding_h
 
+#include <squeal/contact/friction_law.h>
 #include <squeal/transient/contact_solver.h>
 #include <squeal/transient/reduced_contact_model.h>
 
@@ -34,6 +35,12 @@ namespace squeal
                                const double               load_factor = 1.,
                                const double               tolerance   = 1e-10);
 
+  /** The same with the coefficient @p friction of every node. */
+  SteadySliding steady_sliding(const ReducedContactModel &model,
+                               const Eigen::VectorXd     &friction,
+                               const double               load_factor = 1.,
+                               const double               tolerance   = 1e-10);
+
   /**
    * A target at rest pressed on in @p n_steps equal shares of the load: nodes
    * stick or slip by how the bodies deform. One state a step, the last under
@@ -63,9 +70,19 @@ namespace squeal
 
   /**
    * Closed nodes keep u_n; their friction follows the normal force and turns
-   * with the slip: along the sliding mu lambda_n, across it mu p_0/|V| times
-   * the slip rate there.
+   * with the slip: along the sliding mu lambda_n and p_0 dmu/d|v_t| times the
+   * slip rate there, across it mu p_0/|V| times the slip rate across.
+   *
+   * The slip rate that the slope sees leaves out what the slope itself does to
+   * the massless flexibility G: with a falling law that alone would grow at the
+   * rate 1/(G p_0 |dmu/dv|), which no body with mass does.
    */
+  LinearizedMotion linearize(const ReducedContactModel &model,
+                             const SteadySliding       &steady,
+                             const NodalFriction       &friction,
+                             const double               speed);
+
+  /** With one coefficient at all nodes and slip rates. */
   LinearizedMotion linearize(const ReducedContactModel &model,
                              const SteadySliding       &steady,
                              const double               friction,

@@ -2,10 +2,12 @@
 #ifndef squeal_transient_transient_integrator_h
 #define squeal_transient_transient_integrator_h
 
+#include <squeal/contact/friction_law.h>
 #include <squeal/transient/contact_solver.h>
 #include <squeal/transient/reduced_contact_model.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace squeal
@@ -14,7 +16,8 @@ namespace squeal
   struct TransientDrive
   {
     using Function = std::function<double(double)>;
-    Function friction; /**< mu >= 0 */
+    Function friction; /**< mu; with a law what is added to its mu. A sum below
+                          0 counts as 0 */
     Function speed;    /**< |V| at the centre, m/s; negative: turning back */
     Function load;     /**< share of the full load */
 
@@ -25,6 +28,8 @@ namespace squeal
       Function   factor;
     };
     std::vector<Force> forces;
+    /** mu over the slip rate; null: mu depends on time alone. */
+    std::shared_ptr<const FrictionLaw> law = {};
   };
 
   /** Energies since the start, J. */

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_contact_friction_law_h
+#define squeal_contact_friction_law_h
+
+#include <squeal/parameters/scene_parameters.h>
+
+#include <Eigen/Dense>
+
+#include <functional>
+#include <vector>
+
+namespace squeal
+{
+  /** Of the closed nodes of a face that all slip. */
+  struct NodalFriction
+  {
+    Eigen::VectorXd coefficient; /**< mu >= 0 */
+    Eigen::VectorXd slope;       /**< dmu/d|v_t|, s/m */
+
+    /** The same coefficient at every slip rate. */
+    static NodalFriction uniform(const double       coefficient,
+                                 const unsigned int n_nodes);
+  };
+
+  /** Values of nodes as shares of the one that is largest in size. */
+  struct NodalShares
+  {
+    Eigen::VectorXd share;
+    double          speed_ratio = 1.; /**< |V| / |V| at the centre, of that */
+  };
+
+  /**
+   * The coefficient of friction over the slip rate |v_t|, of a contact pair:
+   * constant, mu_k + (mu_s - mu_k) exp(-|v_t| / v_d), or linear between the
+   * points of a table. A v_d of 0 means mu_s for nodes that stick and mu_k for
+   * all that slip.
+   */
+  class FrictionLaw
+  {
+  public:
+    explicit FrictionLaw(const ContactParameters &contact);
+
+    bool is_constant() const;
+    /** mu >= 0 of a node that slips at @p slip_rate >= 0, m/s. */
+    double coefficient(const double slip_rate) const;
+    /** dmu/d|v_t|, s/m; at a corner of a table that of the piece above. */
+    double slope(const double slip_rate) const;
+    /** What the tangential force of a node that sticks is limited by. */
+    double at_rest() const;
+
+    /** Nodes that slip with the sliding speed @p speed, m/s, times their @p
+     * speed_ratio. */
+    NodalFriction in_sliding(const Eigen::VectorXd &speed_ratio,
+                             const double           speed) const;
+
+  private:
+    ContactParameters::FrictionLaw kind;
+    double                         kinetic, static_excess, decay_speed;
+    std::vector<double>            speeds, coefficients;
+  };
+
+  /** mu in steady sliding at |V| times @p speed_ratio, with the sign of the
+   * pair's friction coefficient: negative where the target turns backwards. */
+  double signed_coefficient(const ContactParameters &contact,
+                            const double             speed_ratio);
+
+  /** dmu/d|v_t| there, s/m: that of the law, or of a constant law the pair's
+   * own `friction_slope`. */
+  double sliding_slope(const ContactParameters &contact,
+                       const double             speed_ratio);
+
+  /** What @p value gives at each @p speed_ratio as shares of the largest; all
+   * one where all are zero. */
+  NodalShares shares_of_largest(const std::function<double(double)> &value,
+                                const std::vector<double> &speed_ratio);
+} // namespace squeal
+
+#endif

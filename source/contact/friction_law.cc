@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/contact/friction_law.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  NodalFriction
+  NodalFriction::uniform(const double coefficient, const unsigned int n)
+  {
+    return {Eigen::VectorXd::Constant(n, coefficient),
+            Eigen::VectorXd::Zero(n)};
+  }
+
+
+
+  FrictionLaw::FrictionLaw(const ContactParameters &c)
+    : kind(c.friction_law)
+    , kinetic(std::abs(c.friction_coefficient))
+    , static_excess(c.static_friction_coefficient - kinetic)
+    , decay_speed(c.decay_speed)
+    , speeds(c.friction_speeds)
+    , coefficients(c.friction_coefficients)
+  {
+  }
+
+
+
+  bool
+  FrictionLaw::is_constant() const
+  {
+    return kind == ContactParameters::FrictionLaw::constant;
+  }
+
+
+
+  double
+  FrictionLaw::coefficient(const double v) const
+  {
+    if (kind == ContactParameters::FrictionLaw::exponential)
+      return decay_speed > 0.
+               ? kinetic + static_excess * std::exp(-v / decay_speed)
+               : kinetic;
+    if (kind == ContactParameters::FrictionLaw::constant)
+      return kinetic;
+    if (v >= speeds.back())
+      return coefficients.back();
+    const std::size_t i =
+      std::upper_bound(speeds.begin(), speeds.end(), v) - speeds.begin();
+    Assert(i > 0, dealii::ExcInternalError());
+    return coefficients[i - 1] + slope(v) * (v - speeds[i - 1]);
+  }
+
+
+
+  double
+  FrictionLaw::slope(const double v) const
+  {
+    if (kind == ContactParameters::FrictionLaw::exponential)
+      return decay_speed > 0.
+               ? -static_excess / decay_speed * std::exp(-v / decay_speed)
+               : 0.;
+    if (kind == ContactParameters::FrictionLaw::constant || v >= speeds.back())
+      return 0.;
+    const std::size_t i =
+      std::upper_bound(speeds.begin(), speeds.end(), v) - speeds.begin();
+    return (coefficients[i] - coefficients[i - 1]) /
+           (speeds[i] - speeds[i - 1]);
+  }
+
+
+
+  double
+  FrictionLaw::at_rest() const
+  {
+    if (kind == ContactParameters::FrictionLaw::exponential)
+      return kinetic + static_excess;
+    return coefficient(0.);
+  }
+
+
+
+  NodalFriction
+  FrictionLaw::in_sliding(const Eigen::VectorXd &speed_ratio,
+                          const double           speed) const
+  {
+    NodalFriction result = NodalFriction::uniform(0., speed_ratio.size());
+    for (Eigen::Index j = 0; j < speed_ratio.size(); ++j)
+      {
+        const double v        = std::abs(speed) * speed_ratio[j];
+        result.coefficient[j] = coefficient(v);
+        result.slope[j]       = slope(v);
+      }
+    return result;
+  }
+
+
+
+  double
+  signed_coefficient(const ContactParameters &c, const double speed_ratio)
+  {
+    return std::copysign(
+      FrictionLaw(c).coefficient(c.sliding_speed * speed_ratio),
+      c.friction_coefficient);
+  }
+
+  double
+  sliding_slope(const ContactParameters &c, const double speed_ratio)
+  {
+    const FrictionLaw law(c);
+    return law.is_constant() ? c.friction_slope
+                             : law.slope(c.sliding_speed * speed_ratio);
+  }
+
+
+
+  NodalShares
+  shares_of_largest(const std::function<double(double)> &value,
+                    const std::vector<double>           &speed_ratio)
+  {
+    Eigen::VectorXd values(speed_ratio.size());
+    for (std::size_t j = 0; j < speed_ratio.size(); ++j)
+      values[j] = value(speed_ratio[j]);
+    Eigen::Index largest = 0;
+    NodalShares  result{Eigen::VectorXd::Ones(values.size()), 1.};
+    if (values.size() == 0 || values.cwiseAbs().maxCoeff(&largest) == 0.)
+      return result;
+    result.share       = values / values[largest];
+    result.speed_ratio = speed_ratio[largest];
+    return result;
+  }
+} // namespace squeal

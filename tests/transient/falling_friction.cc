@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Friction that falls with the slip rate: the stick-slip oscillator on a belt,
+// and the growth rate of an oscillator against its eigenvalue.
+
+#include "transient/hand_made.h"
+#include "transient/pressed_brake.h"
+
+#include <squeal/transient/implicit_transient.h>
+#include <squeal/transient/reduced_transient.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  // The oscillator m = k = N = 1 on a belt.
+  constexpr double belt = .1, kinetic = .3, at_rest = .5;
+
+  /** The mass of 1 kg on a spring of 1 N/m along y, 0.1 kg of it a foot on the
+   * belt behind a stiff spring, 0.0225 kg/dt^2, whose motion is damped
+   * critically: where the force of a foot jumps, one without damping would ring
+   * for ever. Modes: along z and x, the two along y. */
+  ReducedContactModel
+  foot_on_belt(const double dt)
+  {
+    const double        foot = .1, stiffness = .0225 / (dt * dt);
+    ReducedContactModel m = empty_model(1, 4);
+    m.flexibility         = dt * dt / foot * Eigen::MatrixXd::Identity(3, 3);
+    Eigen::Matrix2d K, M = Eigen::Vector2d(1. - foot, foot).asDiagonal();
+    K << 1. + stiffness, -stiffness, -stiffness, stiffness;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> modes(K, M);
+    m.omega_squared << 0., 0., modes.eigenvalues();
+    m.damping[3]          = 2. * std::sqrt(m.omega_squared[3]);
+    m.participation(0, 0) = m.participation(2, 1) = -1.;
+    m.participation.block(1, 2, 1, 2) = -modes.eigenvectors().row(1);
+    m.load[0]                         = -1.;
+    return m;
+  }
+
+  /** A mass of 1 kg on a spring of 1 N/m along y, pressed on the belt. */
+  ReducedContactModel
+  oscillator(const double dt)
+  {
+    ReducedContactModel m = rigid_block(1., dt);
+    m.omega_squared[1]    = 1.;
+    m.load[0]             = -1.;
+    return m;
+  }
+
+  /** The same as a scene of a lumped body, with springs along z and x too. */
+  SceneParameters
+  oscillator_scene()
+  {
+    SceneParameters s;
+    BodyParameters  mass;
+    mass.name  = "mass";
+    mass.shape = BodyParameters::Shape::rigid;
+    mass.mass  = 1.;
+    s.bodies   = {mass};
+    SupportParameters guide;
+    guide.name       = "guide";
+    guide.body       = "mass";
+    guide.kind       = SupportParameters::Kind::components;
+    guide.components = {"rx", "ry", "rz"};
+    s.supports       = {guide};
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        SpringParameters spring;
+        spring.name         = "spring";
+        spring.body         = "mass";
+        spring.stiffness    = c == 1 ? 1. : 2.;
+        spring.direction    = {{0., 0., 0.}};
+        spring.direction[c] = 1.;
+        s.springs.push_back(spring);
+      }
+    ContactParameters contact = falling(kinetic, at_rest, 0.);
+    contact.name              = "belt";
+    contact.source_body       = "mass";
+    contact.target_body       = "ground";
+    contact.grid              = {{1, 1}};
+    contact.normal_stiffness  = 3.;
+    s.contacts                = {contact};
+    return s;
+  }
+
+  /** All unknowns of the scene, pressed by 1 N. */
+  FullContactModel
+  full_oscillator()
+  {
+    const SceneParameters  s = oscillator_scene();
+    const Discretization   d(s, Model::parameters(0), 1, MPI_COMM_SELF);
+    const LinearizedSystem separated = separated_system(d, assemble_bodies(d));
+    const auto pencil = std::make_shared<const Pencil>(separated.system, s);
+    FullContactModel full;
+    full.pencil = pencil;
+    full.basis  = std::make_shared<const ReductionBasis>(reduction_basis(
+      *pencil,
+      undamped_modes(*pencil,
+                     ShiftedInverse(*pencil, std::pow(2. * M_PI * 1., 2))),
+      separated.contacts[0]));
+    full.relative_motion = std::make_shared<const Functionals>(
+      relative_motion(separated.contacts[0]));
+    // The normal row is minus the motion along z.
+    full.load = full.relative_motion->apply_transposed(
+      Eigen::MatrixXd(Eigen::Vector3d(1., 0., 0.)));
+    full.observers     = Block::Zero(full.load.size(), 1);
+    full.initial_gap   = Eigen::VectorXd::Zero(1);
+    full.speed_ratio   = Eigen::VectorXd::Ones(1);
+    full.motion_offset = Eigen::VectorXd::Zero(3);
+    return full;
+  }
+
+  struct StickSlip
+  {
+    double period = 0., stick = 0., amplitude = 0.;
+  };
+
+  /** Runs over some periods, starting with the belt. */
+  StickSlip
+  stick_slip(TransientIntegrator   &run,
+             const Eigen::VectorXd &coordinates,
+             const Eigen::VectorXd &velocity)
+  {
+    run.start(coordinates, velocity, Eigen::Vector3d(1., 0., 0.));
+    constexpr unsigned int n_periods = 3;
+    double                 first = -1., last = -1., stuck = 0., caught = -1.;
+    double                 lowest = 1e300, highest = -1e300;
+    unsigned int           n      = 0;
+    ContactStatus          before = ContactStatus::stick;
+    while (n <= n_periods)
+      {
+        run.advance();
+        const ContactStatus now = run.status()[0];
+        const double        y   = -run.motion()[1];
+        if (now != before && now == ContactStatus::slip)
+          {
+            if (n == 0)
+              first = run.time();
+            else if (caught > 0.)
+              stuck += run.time() - caught;
+            last = run.time();
+            ++n;
+          }
+        else if (now != before)
+          caught = run.time();
+        if (n > 0)
+          {
+            lowest  = std::min(lowest, y);
+            highest = std::max(highest, y);
+          }
+        before = now;
+      }
+    return {
+      (last - first) / n_periods, stuck / n_periods, .5 * (highest - lowest)};
+  }
+
+  /** T = 2/w (pi - atan(w D/V)) + 2 D/V with D = (mu_s - mu_k) N/k, sticking
+   * for 2 D/V, amplitude sqrt(D^2 + V^2/w^2). */
+  void
+  belt_oscillator()
+  {
+    const double D = at_rest - kinetic, stick = 2. * D / belt,
+                 period    = 2. * (M_PI - std::atan(D / belt)) + stick,
+                 amplitude = std::hypot(D, belt);
+    check_below(std::abs(period - 8.06889), 5e-6, "the published period");
+    for (const std::string name : {"reduced", "implicit"})
+      {
+        double before = 0.;
+        for (const double dt : {1e-2, 1e-3, 1e-4})
+          {
+            StickSlip  s;
+            const auto drive = drive_by(falling(kinetic, at_rest, 0.), belt);
+            if (name == "reduced")
+              {
+                const ReducedContactModel m = foot_on_belt(dt);
+                ReducedTransient          run(m, dt, drive, 1.);
+                // The slower mode moves the whole mass alike.
+                s = stick_slip(
+                  run,
+                  Eigen::Vector4d(-m.flexibility(0, 0), 0., 0., 0.),
+                  Eigen::Vector4d(0., 0., -belt / m.participation(1, 2), 0.));
+              }
+            else
+              {
+                const FullContactModel full = full_oscillator();
+                ImplicitTransient      run(full, dt, drive, 1.);
+                Block                  y(full.load.size(), 1);
+                y = -full.relative_motion->apply_transposed(
+                  Eigen::MatrixXd(Eigen::Vector3d(0., belt, 0.)));
+                s = stick_slip(run,
+                               Eigen::VectorXd::Zero(3),
+                               full.basis->mass_shapes.transpose() * y);
+              }
+            const double error = std::max(std::abs(s.period / period - 1.),
+                                          std::abs(s.stick / stick - 1.));
+            std::printf("%s, dt %g: period %.6f (%.6f), sticks %.6f (%.6f), "
+                        "amplitude %.6f (%.6f)\n",
+                        name.c_str(),
+                        dt,
+                        s.period,
+                        period,
+                        s.stick,
+                        stick,
+                        s.amplitude,
+                        amplitude);
+            check_below(std::abs(s.amplitude / amplitude - 1.),
+                        2. * dt,
+                        name + ": amplitude");
+            if (before > 0.)
+              check_below(error, before / 5., name + ": first order");
+            before = error;
+          }
+        check_below(before, 1e-4, name + ": period and stick duration");
+      }
+  }
+
+
+
+  /** sigma = -(c + N mu'(V))/(2 m), omega^2 + sigma^2 = k/m. */
+  void
+  growing_oscillator()
+  {
+    ContactParameters contact = falling(.3, .5, .2);
+    const FrictionLaw law(contact);
+    const double      N = .1, c = .01, slope = law.slope(belt);
+    const double      sigma = -.5 * (c + N * slope),
+                 omega      = std::sqrt(1. - sigma * sigma);
+    double before = 0., before_2 = 0.;
+    for (const double dt : {.05, .025, .0125, .00625})
+      {
+        ReducedContactModel m    = oscillator(dt);
+        m.load[0]                = -N;
+        m.damping[1]             = c;
+        const NodalFriction    f = law.in_sliding(m.speed_ratio, belt);
+        const SteadySliding    s = steady_sliding(m, f.coefficient, 1., 1e-13);
+        const LinearizedMotion l = linearize(m, s, f, belt);
+        Eigen::Index           k;
+        (l.lambda.array() - Complex(sigma, omega)).abs().minCoeff(&k);
+        if (before == 0.)
+          check_below(std::abs(s.forces[1] / (N * law.coefficient(belt)) - 1.),
+                      1e-10,
+                      "steady sliding takes mu(V)");
+        // The contact's own compliance of dt^2/m stays in the model.
+        check_below(std::abs(l.lambda[k] - Complex(sigma, omega)),
+                    1e-3 * dt * dt + 1e-12,
+                    "linearised: sigma = -(c + N mu'(V))/(2m)");
+        ReducedTransient run(m, dt, drive_by(contact, belt), N, 1e-12);
+        run.start(s.coordinates, Eigen::Vector3d(0., 1e-6, 0.), s.forces);
+        const auto amplitude = [&]() {
+          return std::abs(l.amplitudes(
+            s, run.coordinates(), run.velocities(), run.forces())[k]);
+        };
+        double start = 0., begin = 0.;
+        while (run.time() < 30. * M_PI)
+          {
+            run.advance();
+            if (start == 0. && run.time() > 2. * M_PI)
+              {
+                start = amplitude();
+                begin = run.time();
+              }
+          }
+        const double rate =
+                       std::log(amplitude() / start) / (run.time() - begin),
+                     error = std::abs(rate / sigma - 1.);
+        std::printf("oscillator, dt %g: rate %.8f, sigma %.8f, error %.2e\n",
+                    dt,
+                    rate,
+                    sigma,
+                    error);
+        if (before > 0.)
+          check_below(error, .6 * before, "falls with the step");
+        before_2 = before;
+        before   = error;
+      }
+    // First order: the limit of the last two steps.
+    check_below(std::abs(2. * before - before_2), .2 * before, "first order");
+    check_below(before, 2e-3, "growth rate");
+
+    // The same oscillator in the eigenvalue analysis.
+    SceneParameters scene = oscillator_scene();
+    auto           &pair  = scene.contacts[0];
+    pair.decay_speed      = .2;
+    pair.sliding_speed    = belt;
+    pair.normal_force     = N;
+    Model              model(scene, 1, 1.);
+    const ComplexPairs pairs = model.solve(band(0., .8));
+    double             found = 0.;
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      found = std::max(found, pairs.sigma(i));
+    check_below(std::abs(found + .5 * N * slope),
+                1e-12,
+                "eigenvalue analysis: -N mu'(V)/(2m)");
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string                        which = argc > 1 ? argv[1] : "";
+  if (which == "belt")
+    belt_oscillator();
+  else if (which == "oscillator")
+    growing_oscillator();
+  else
+    check(false, "an argument: belt or oscillator");
+}
