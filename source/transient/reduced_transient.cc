@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/transient/modal_step.h>
 #include <squeal/transient/reduced_transient.h>
-
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <cmath>
 #include <sstream>
@@ -12,42 +9,6 @@ namespace squeal
 {
   namespace
   {
-    /** The columns of exp(A dt) that carry position, velocity, force and its
-     * rate of one mode over a step. */
-    Eigen::Matrix4d
-    propagator(const double omega_squared,
-               const double damping,
-               const double dt)
-    {
-      // In units of the step, so that the entries are of one size.
-      Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
-      A(0, 1)           = 1.;
-      A(1, 0)           = -omega_squared * dt * dt;
-      A(1, 1)           = -damping * dt;
-      A(1, 2)           = 1.;
-      A(2, 3)           = 1.;
-      return A.exp();
-    }
-
-    Eigen::VectorXd
-    response_by_force(const ReducedContactModel &model, const double dt)
-    {
-      Eigen::VectorXd result(model.n_modes());
-      for (unsigned int k = 0; k < model.n_modes(); ++k)
-        result[k] =
-          dt * dt *
-          propagator(model.omega_squared[k], model.damping[k], dt)(0, 3);
-      return result;
-    }
-
-    Eigen::MatrixXd
-    step_delassus(const ReducedContactModel &model, const double dt)
-    {
-      const Eigen::MatrixXd &Psi = model.participation;
-      return Psi * response_by_force(model, dt).asDiagonal() * Psi.transpose() +
-             model.flexibility;
-    }
-
     /** Integral of the product of the slopes of two cubics over a step, from
      * values and slopes at both ends. */
     double
@@ -87,7 +48,8 @@ namespace squeal
     : model(m)
     , dt(time_step)
     , drive(std::move(d))
-    , solver(step_delassus(m, time_step),
+    , modes(m, time_step)
+    , solver(modes.delassus(m),
              m.initial_gap,
              m.speed_ratio,
              nodal_force,
@@ -101,24 +63,10 @@ namespace squeal
         std::ostringstream text;
         text << "Transient/Time step: " << dt
              << " s is above the largest stable step of the reduced model, "
-             << largest << " s; a lower 'Interface cut-off' allows longer ones";
+             << largest
+             << " s; fewer motions, by 'Cut-off' or 'Interface cut-off', allow "
+                "longer ones";
         throw InputError(text.str());
-      }
-    const Eigen::Index n = model.n_modes();
-    for (auto *x : {&q_q, &q_v, &q_f0, &q_f1, &v_q, &v_v, &v_f0, &v_f1})
-      x->resize(n);
-    for (Eigen::Index k = 0; k < n; ++k)
-      {
-        const Eigen::Matrix4d E =
-          propagator(model.omega_squared[k], model.damping[k], dt);
-        q_q[k]  = E(0, 0);
-        q_v[k]  = dt * E(0, 1);
-        q_f1[k] = dt * dt * E(0, 3);
-        q_f0[k] = dt * dt * E(0, 2) - q_f1[k];
-        v_q[k]  = E(1, 0) / dt;
-        v_v[k]  = E(1, 1);
-        v_f1[k] = dt * E(1, 3);
-        v_f0[k] = dt * E(1, 2) - v_f1[k];
       }
   }
 
@@ -173,9 +121,9 @@ namespace squeal
     const double          t      = dt * (n_steps + 1);
     const Eigen::VectorXd load   = external_forces(t);
     const Eigen::VectorXd motion = external_motion(t);
-    const Eigen::VectorXd q_free = q_q.cwiseProduct(q) + q_v.cwiseProduct(v) +
-                                   q_f0.cwiseProduct(total_force) +
-                                   q_f1.cwiseProduct(load);
+    const Eigen::VectorXd q_free =
+      modes.q_q.cwiseProduct(q) + modes.q_v.cwiseProduct(v) +
+      modes.q_f0.cwiseProduct(total_force) + modes.q_f1.cwiseProduct(load);
     ContactStep step;
     step.free_motion = motion;
     step.free_motion.noalias() += model.participation * q_free;
@@ -189,9 +137,9 @@ namespace squeal
     const Eigen::VectorXd force =
       load - model.participation.transpose() * guess;
     const Eigen::VectorXd q_before = q, v_before = v, u_before = u;
-    v = v_q.cwiseProduct(q_before) + v_v.cwiseProduct(v_before) +
-        v_f0.cwiseProduct(total_force) + v_f1.cwiseProduct(force);
-    q           = q_free + q_f1.cwiseProduct(force - load);
+    v = modes.v_q.cwiseProduct(q_before) + modes.v_v.cwiseProduct(v_before) +
+        modes.v_f0.cwiseProduct(total_force) + modes.v_f1.cwiseProduct(force);
+    q           = q_free + modes.q_f1.cwiseProduct(force - load);
     lambda_2    = lambda_1;
     lambda_1    = lambda;
     lambda      = guess;

@@ -132,7 +132,7 @@ namespace
                 s.resultant()[1],
                 mu * mass * gravity);
     const double time = v / (mu * gravity), way = v * v / (2. * mu * gravity);
-    for (const double dt : {4e-5, 2e-5})
+    for (const double dt : {1.4e-5, 7e-6})
       {
         ReducedTransient run(
           r.model, dt, steady_drive(mu, v), mass * gravity / r.model.n_nodes());

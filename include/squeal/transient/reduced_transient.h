@@ -3,6 +3,7 @@
 #define squeal_transient_reduced_transient_h
 
 #include <squeal/transient/lagged_friction.h>
+#include <squeal/transient/modal_step.h>
 
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace squeal
    * Time integration of a reduced contact model. The modes move exactly under
    * forces that change linearly over a step; gap and slip are enforced at its
    * end, the slip as the way over the step. The interface has no mass, so
-   * neither impacts nor friction chatter.
+   * neither impacts nor friction chatter. Throws InputError for a step above
+   * largest_stable_step(), which is short where the motions leave the contact
+   * little flexibility.
    */
   class ReducedTransient : public TransientIntegrator
   {
@@ -54,10 +57,9 @@ namespace squeal
     const ReducedContactModel &model;
     const double               dt;
     const TransientDrive       drive;
-    /** q_1 = q_q q_0 + q_v v_0 + q_0 F_0 + q_1 F_1, and so for v_1. */
-    Eigen::VectorXd q_q, q_v, q_f0, q_f1, v_q, v_v, v_f0, v_f1;
-    ContactSolver   solver;
-    LaggedFriction  friction;
+    const ModalStep            modes;
+    ContactSolver              solver;
+    LaggedFriction             friction;
 
     unsigned int    n_steps = 0;
     Eigen::VectorXd q, v, u, total_force;
