@@ -33,10 +33,10 @@ namespace squeal
       double                            setting;
       unsigned int                      dofs;
       double                            seconds = 0., memory = 0.;
-      Stages                            stages;
+      Stages                            stages   = {};
       double                            residual = 0.; /**< largest */
-      std::vector<std::complex<double>> values;        /**< 1/s */
-      std::string                       matrices;      /**< their folder */
+      std::vector<std::complex<double>> values   = {}; /**< 1/s */
+      std::string                       matrices = {}; /**< their folder */
     };
 
     Stages

@@ -34,7 +34,7 @@ namespace squeal
       std::vector<UpdatingEvaluation> history;
       std::size_t                     best      = 0;
       nlopt_opt                       optimizer = nullptr;
-      std::exception_ptr              error;
+      std::exception_ptr              error     = nullptr;
 
       const UpdatingEvaluation &
       at(const Eigen::VectorXd &logarithms)

@@ -117,17 +117,11 @@ namespace squeal
     const Eigen::Index n = B.n_rows();
     const Block        B_t =
       B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)));
-    const Eigen::MatrixXd W =
-      (beta_2 + 0.5) * dt * dt *
-      B.apply(Block(mass.cwiseInverse().asDiagonal() * B_t));
-    solver = std::make_unique<ContactSolver>(
-      Eigen::MatrixXd(0.5 * (W + W.transpose())),
-      model.initial_gap,
-      model.speed_ratio,
-      nodal_force,
-      tolerance,
-      ContactSolver::Precision::single,
-      method);
+    set_contact((beta_2 + 0.5) * dt * dt *
+                  B.apply(Block(mass.cwiseInverse().asDiagonal() * B_t)),
+                nodal_force,
+                tolerance,
+                method);
   }
 
 

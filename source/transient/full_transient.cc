@@ -135,6 +135,22 @@ namespace squeal
 
 
   void
+  FullTransient::set_contact(const Eigen::MatrixXd      &W,
+                             const double                nodal_force,
+                             const double                tolerance,
+                             const ContactSolver::Method method)
+  {
+    solver = std::make_unique<ContactSolver>(
+      Eigen::MatrixXd(0.5 * (W + W.transpose())),
+      model.initial_gap,
+      model.speed_ratio,
+      nodal_force,
+      tolerance,
+      ContactSolver::Precision::single,
+      method);
+  }
+
+  void
   FullTransient::start(const Eigen::VectorXd &q,
                        const Eigen::VectorXd &velocity,
                        const Eigen::VectorXd &forces)

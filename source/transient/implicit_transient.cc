@@ -27,15 +27,7 @@ namespace squeal
     responses            = inverse->solve(B.apply_transposed(
                   Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)))) /
                 stiffness_factor;
-    const Eigen::MatrixXd W = dt * dt * B.apply(responses);
-    solver                  = std::make_unique<ContactSolver>(
-      Eigen::MatrixXd(0.5 * (W + W.transpose())),
-      model.initial_gap,
-      model.speed_ratio,
-      nodal_force,
-      tolerance,
-      ContactSolver::Precision::single,
-      method);
+    set_contact(dt * dt * B.apply(responses), nodal_force, tolerance, method);
   }
 
 

@@ -64,6 +64,13 @@ namespace squeal
                   const double     time_step,
                   TransientDrive   drive);
 
+    /** The solver of a step's contact with the Delassus operator @p W, m/N,
+     * symmetric but for rounding. */
+    void set_contact(const Eigen::MatrixXd      &W,
+                     const double                nodal_force,
+                     const double                tolerance,
+                     const ContactSolver::Method method);
+
     /** Sets what follows from positions, velocities and accelerations at the
      * start. */
     virtual void initialize() = 0;
