@@ -162,7 +162,8 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/surface_quads.cc
     source/results/table.cc
     source/results/universal_file.cc
-    source/results/vtk_xml.cc)
+    source/results/vtk_xml.cc
+    source/results/wav_file.cc)
 
 set(SQUEAL_SOURCES_DRIVER
     source/driver/campaign_table.cc

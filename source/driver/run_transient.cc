@@ -3,6 +3,7 @@
 #include <squeal/base/stop_request.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/results/wav_file.h>
 
 #include <filesystem>
 #include <sstream>
@@ -11,6 +12,9 @@ namespace squeal
 {
   namespace
   {
+    /** Length of the sound file, s: long enough to tell a squeal by ear. */
+    constexpr double sound_seconds = 3.;
+
     std::string
     checkpoint_file(const Parameters &p)
     {
@@ -61,6 +65,21 @@ namespace squeal
         }
     }
 
+    /** The acceleration of the pad along z, to be listened to. */
+    void
+    write_sound(const TransientRecord &record, const std::string &path)
+    {
+      const auto &samples = record.samples;
+      if (samples.size() < 2)
+        return;
+      std::vector<double> acceleration;
+      for (const auto &sample : samples)
+        acceleration.push_back(sample.acceleration[2]);
+      const double rate = (samples.size() - 1) /
+                          (samples.back().time - samples.front().time);
+      write_wav(path, prolonged(acceleration, rate, sound_seconds), rate);
+    }
+
     void
     report_run(RunContext              &context,
                const PreparedTransient &prepared,
@@ -80,6 +99,7 @@ namespace squeal
         {
           Timers::Section section(context.timers, "Write: history");
           write_transient_json(f, context.output.file("transient.json"));
+          write_sound(record, context.output.file("pad.wav"));
           if (record.history.n_samples() > 0)
             write_contact_history(prepared,
                                   record,
