@@ -61,8 +61,9 @@ namespace squeal
       direct(const SceneParameters &scene) const
       {
         const Pencil       pencil(system.merged(), scene);
-        const DirectSolver solver(pencil, {0., 2. * M_PI * 4000.});
-        return solver.solve(26);
+        const DirectSolver solver(
+          pencil, {0., M_PI * (options.band.lowest + options.band.highest)});
+        return solver.solve(n_direct);
       }
 
       Parameters       parameters;
@@ -71,6 +72,7 @@ namespace squeal
       LinearizedSystem linearized;
       ParametricSystem system;
       BasisOptions     options;
+      unsigned int     n_direct = 26;
 
     private:
       static Parameters
