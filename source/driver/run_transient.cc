@@ -75,8 +75,8 @@ namespace squeal
       std::vector<double> acceleration;
       for (const auto &sample : samples)
         acceleration.push_back(sample.acceleration[2]);
-      const double rate = (samples.size() - 1) /
-                          (samples.back().time - samples.front().time);
+      const double rate =
+        (samples.size() - 1) / (samples.back().time - samples.front().time);
       write_wav(path, prolonged(acceleration, rate, sound_seconds), rate);
     }
 

@@ -34,8 +34,7 @@ namespace squeal
   {
     std::vector<double> result = samples;
     const std::size_t   wanted = std::lround(seconds * rate),
-                      half     = samples.size() / 2,
-                      n        = samples.size() - half;
+                      half = samples.size() / 2, n = samples.size() - half;
     const std::size_t fade =
       std::min<std::size_t>(std::lround(fade_seconds * rate), n / 2);
     if (n <= fade)
@@ -67,7 +66,7 @@ namespace squeal
     for (const double x : samples)
       largest = std::max(largest, std::abs(x));
     const double        factor = largest > 0. ? loudness / largest : 0.;
-    const std::uint32_t size   = 2 * samples.size(), hertz = std::lround(rate);
+    const std::uint32_t size = 2 * samples.size(), hertz = std::lround(rate);
     write_atomically(path, [&](std::ostream &out) {
       out << "RIFF";
       put(out, 36 + size, 4);

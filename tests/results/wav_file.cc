@@ -30,9 +30,9 @@ main()
   std::vector<double> tone;
   for (unsigned int i = 0; i < 4000; ++i)
     tone.push_back(1e3 * std::sin(2. * M_PI * frequency * i / rate));
-  const auto   sound      = prolonged(tone, rate, 2.);
-  unsigned int n_rising   = 0;
-  double       loudest    = 0.;
+  const auto   sound    = prolonged(tone, rate, 2.);
+  unsigned int n_rising = 0;
+  double       loudest  = 0.;
   for (std::size_t i = 1; i < sound.size(); ++i)
     {
       n_rising += sound[i - 1] < 0. && sound[i] >= 0.;

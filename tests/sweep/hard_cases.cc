@@ -120,8 +120,8 @@ namespace
   soft_pad()
   {
     // At 1e6 Pa the pad alone has its first modes here. The band ends well
-    // below the disc's next modes: a sweep enlarges the small basis where one of
-    // them comes in with a large estimate, here it is taken as it is.
+    // below the disc's next modes: a sweep enlarges the small basis where one
+    // of them comes in with a large estimate, here it is taken as it is.
     Setup setup({"Sweep/Axis e_pad/From = 1e6",
                  "Sweep/Axis e_pad/To = 1e13",
                  "Sweep/Axis mu/Values = 0.3, 0.5"});
