@@ -122,6 +122,7 @@ set(SQUEAL_SOURCES_SWEEP
 
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/contact_solver.cc
+    source/transient/contact_solver_memory.cc
     source/transient/explicit_transient.cc
     source/transient/full_transient.cc
     source/transient/growth.cc
@@ -195,6 +196,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/sweep_checks.cc
     source/driver/sweep_model.cc
     source/driver/sweep_plots.cc
+    source/driver/sweep_residuals.cc
     source/driver/sweep_scatter.cc
     source/driver/sweep_scenes.cc
     source/driver/sweep_sensitivity.cc
