@@ -60,7 +60,7 @@ namespace squeal
       columns = {
         {"stable", Type::text, "", "yes, no or undecided"},
         {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
-        {"frequency_hz", Type::real, "Hz", "largest line of the force", 6},
+        {"frequency_hz", Type::real, "Hz", "of the period", 6},
         {"rms_normal_n", Type::real, "N", "about the mean"},
         {"min_normal_n", Type::real, "N", ""},
         {"max_normal_n", Type::real, "N", ""},
@@ -76,7 +76,9 @@ namespace squeal
         {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
         {"steps_per_second", Type::real, "1/s", "of one core", 4},
         {"unstable_pairs", Type::text, "", "Hz (1/s), about the contact"},
-        {"integrator", Type::text, "", ""}};
+        {"integrator", Type::text, "", ""},
+        {"frequency_ci_hz", Type::real, "Hz", "of the quarters", 2},
+        {"largest_line_hz", Type::real, "Hz", "of the normal force", 6}};
     for (const auto &column : columns)
       table.add_column(column);
     return table;
@@ -149,6 +151,8 @@ namespace squeal
     row.push_back(known(f.steps_per_second));
     row.emplace_back(pairs.empty() ? "none" : pairs);
     row.emplace_back(choice_name(run.parameters.transient.integrator));
+    row.push_back(known(is_unstable ? f.frequency_ci : nan));
+    row.push_back(known(is_unstable ? f.largest_line : nan));
     return row;
   }
 

@@ -136,6 +136,33 @@ namespace squeal
       f.stick_fraction = closed > 0. ? stick / closed : 0.;
     }
 
+    /** Frequency, lines and what the four quarters of the time say of them. */
+    void
+    evaluate_lines(const std::vector<double> &normal,
+                   const double               interval,
+                   const double               lowest,
+                   TransientFigures          &f)
+    {
+      const double   highest  = 0.45 / interval;
+      const Spectrum spectrum = power_spectrum(normal, interval);
+      f.largest_line          = spectrum.peak(lowest, highest);
+      f.frequency             = spectrum.fundamental(lowest, highest);
+      for (unsigned int k = 1; k <= 5 && k * f.frequency < highest; ++k)
+        f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
+      // The largest line of each quarter, as a multiple of the frequency.
+      const double multiple = std::round(f.largest_line / f.frequency);
+      for (unsigned int k = 0; k < 4 && f.frequency > 0.; ++k)
+        {
+          const double line =
+            power_spectrum({normal.begin() + k * normal.size() / 4,
+                            normal.begin() + (k + 1) * normal.size() / 4},
+                           interval)
+              .peak(0.9 * f.largest_line, 1.1 * f.largest_line);
+          f.frequency_ci =
+            std::max(f.frequency_ci, std::abs(line / multiple - f.frequency));
+        }
+    }
+
     void
     evaluate_limit_cycle(const TransientRecord &record,
                          const Parameters      &p,
@@ -178,10 +205,7 @@ namespace squeal
       f.has_limit_cycle = most > 1e-4 * f.mean_normal && least > 0.8 * most;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
-      const Spectrum spectrum = power_spectrum(normal, interval);
-      f.frequency = spectrum.peak(p.eigen.lowest_frequency, 0.45 / interval);
-      for (unsigned int k = 1; k <= 5 && k * f.frequency < 0.45 / interval; ++k)
-        f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
+      evaluate_lines(normal, interval, p.eigen.lowest_frequency, f);
       if (f.frequency > 0.)
         f.phase = phase_difference(normal, tangential, interval, f.frequency);
     }

@@ -48,7 +48,7 @@ namespace squeal
        {"sigma_cea_per_s", Type::real, "1/s", "by the whole model"},
        {"frequency_cea_hz", Type::real, "Hz", "by the whole model", 7},
        {"limit_cycle", Type::text, "", "the second half is steady"},
-       {"limit_cycle_frequency_hz", Type::real, "Hz", "largest line", 6},
+       {"limit_cycle_frequency_hz", Type::real, "Hz", "of its period", 6},
        {"mean_normal_n", Type::real, "N", "second half of the run"},
        {"rms_normal_n", Type::real, "N", "about the mean"},
        {"min_normal_n", Type::real, "N", ""},
@@ -69,7 +69,13 @@ namespace squeal
        {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
        {"steps_per_second", Type::real, "1/s", "of one core", 4},
        {"iterations_per_step", Type::real, "", "of Newton's method", 3},
-       {"inversions", Type::real, "", "of the contact Jacobian", 5}});
+       {"inversions", Type::real, "", "of the contact Jacobian", 5},
+       {"limit_cycle_frequency_ci_hz",
+        Type::real,
+        "Hz",
+        "largest deviation of its quarters",
+        2},
+       {"largest_line_hz", Type::real, "Hz", "of the normal force", 6}});
     const bool         has   = f.leading >= 0;
     const BranchResult b     = has ? f.branches[f.leading] : BranchResult();
     const auto         known = [&](const double value) {
@@ -109,7 +115,9 @@ namespace squeal
                    f.worst_imbalance,
                    f.steps_per_second,
                    f.iterations_per_step,
-                   f.n_inversions});
+                   f.n_inversions,
+                   f.frequency_ci,
+                   f.largest_line});
     return table;
   }
 

@@ -8,6 +8,14 @@
 
 namespace squeal
 {
+  namespace
+  {
+    /** Share of the power that a lower fundamental must add. */
+    constexpr double least_gain = 0.05;
+  } // namespace
+
+
+
   double
   Spectrum::peak(const double lowest, const double highest) const
   {
@@ -24,6 +32,41 @@ namespace squeal
     const double curvature = a - 2. * b + c;
     const double shift     = curvature < 0. ? 0.5 * (a - c) / curvature : 0.;
     return frequency[best] + shift * (frequency[1] - frequency[0]);
+  }
+
+
+
+  double
+  Spectrum::fundamental(const double lowest, const double highest) const
+  {
+    const double largest = peak(lowest, highest);
+    if (!(largest > 0.))
+      return 0.;
+    const double step = frequency[1] - frequency[0];
+    // A Hann window spreads a line over four steps; where multiples lie closer
+    // than a few of those they would hold everything.
+    const auto share = [&](const double f) {
+      double held = 0., all = 0.;
+      for (std::size_t k = 0; k < density.size(); ++k)
+        {
+          if (frequency[k] < 0.5 * lowest || frequency[k] > highest)
+            continue;
+          all += density[k];
+          if (std::abs(frequency[k] - f * std::round(frequency[k] / f)) <=
+              2.5 * step)
+            held += density[k];
+        }
+      return held / all;
+    };
+    double best = largest, best_share = share(largest);
+    for (unsigned int k = 2; k <= 4 && largest / k > 40. * step; ++k)
+      if (const double s = share(largest / k);
+          largest / k >= lowest && s > best_share + least_gain)
+        {
+          best       = largest / k;
+          best_share = s;
+        }
+    return best;
   }
 
 

@@ -66,6 +66,19 @@ namespace
           "rms of the line");
     check(std::abs(s.line_rms(2. * f, 0.01) - 0.5 / std::sqrt(2.)) < 0.01,
           "rms of its second harmonic");
+    check(s.fundamental(900., 40e3) == s.peak(900., 40e3),
+          "a weaker second harmonic leaves the frequency");
+    std::vector<double> z = x;
+    for (unsigned int i = 0; i < z.size(); ++i)
+      z[i] += 8. * std::cos(4. * M_PI * f * dt * i) +
+              2. * std::cos(6. * M_PI * f * dt * i);
+    const Spectrum strong = power_spectrum(z, dt);
+    check(std::abs(strong.peak(900., 40e3) - 2. * f) < 0.5,
+          "the second harmonic is the largest line");
+    check(std::abs(strong.fundamental(900., 40e3) - f) < 0.5,
+          "the period is that of the first");
+    check(std::abs(strong.fundamental(4000., 40e3) - 2. * f) < 0.5,
+          "no frequency below the band");
     check(std::abs(phase_difference(x, y, dt, f) + 180. / M_PI) < 0.5,
           "the second signal lags by 1 rad");
     double       sum   = 0.;

@@ -53,8 +53,9 @@ namespace squeal
     /** @name Over the second half of the run */
     //@{
     bool   has_limit_cycle = false;
-    double frequency       = 0.;   /**< largest line of the normal
-                                      resultant, Hz */
+    double frequency       = 0.;   /**< of the periodic normal resultant, Hz */
+    double frequency_ci    = 0.;   /**< largest deviation of its quarters, Hz */
+    double largest_line    = 0.;   /**< this frequency or a multiple, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
     double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
     double min_normal = 0., max_normal = 0.;

@@ -15,6 +15,13 @@ namespace squeal
     /** Frequency of the largest density between two frequencies, refined by a
      * parabola through the logarithms of three values; 0 if there is none. */
     double peak(const double lowest, const double highest) const;
+    /**
+     * Frequency of a periodic motion: its largest line, or that over 2, 3 or 4
+     * where the multiples of the lower frequency hold at least 5 % of the power
+     * more than those of the higher one. A limit cycle whose second harmonic is
+     * the largest line has the period of its first. 0 if there is no line.
+     */
+    double fundamental(const double lowest, const double highest) const;
     /** Root of the integral of the density within a relative width around a
      * frequency: the rms of one line. */
     double line_rms(const double centre, const double relative_width) const;
