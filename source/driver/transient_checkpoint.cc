@@ -14,7 +14,7 @@ namespace squeal
 {
   namespace
   {
-    constexpr double format_version = 1.;
+    constexpr double format_version = 2.;
 
     template <typename T>
     constexpr std::size_t n_doubles = sizeof(T) / sizeof(double);

@@ -98,20 +98,7 @@ namespace squeal
 
 
 
-  bool
-  ContactSolver::NodeRows::is_near(const NodeRows &other) const
-  {
-    return status == other.status &&
-           (status == ContactStatus::open ||
-            std::abs(friction - other.friction) <= 1e-3) &&
-           (status != ContactStatus::slip ||
-            ((direction - other.direction).squaredNorm() <= 0.01 &&
-             std::abs(turning - other.turning) <= 0.1 * (1. + other.turning)));
-  }
-
-
-
-  ContactSolver::NodeRows
+  NodeRows
   ContactSolver::rows_of(const Projection &p) const
   {
     NodeRows result;
@@ -159,33 +146,37 @@ namespace squeal
 
 
 
-  Eigen::MatrixXd
-  ContactSolver::jacobian(const unsigned int j, const NodeRows &r) const
+  void
+  ContactSolver::set_jacobian(const unsigned int                        j,
+                              const NodeRows                           &r,
+                              Eigen::Ref<KeptInverse<double>::Jacobian> J) const
   {
-    const double    rho_n = rho_normal[j], rho_t = rho_tangential[j];
-    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, W.cols());
+    const double rho_n = rho_normal[j], rho_t = rho_tangential[j];
+    J.setZero();
     if (r.status == ContactStatus::open)
       {
         J.middleCols<3>(3 * j).setIdentity();
-        return J;
+        return;
       }
     // W is symmetric, and its columns lie together.
     J.row(0) = rho_n * W.col(3 * j).transpose();
     if (r.status == ContactStatus::stick)
       {
         J.bottomRows<2>() = rho_t * W.middleCols<2>(3 * j + 1).transpose();
-        return J;
+        return;
       }
     // d(lambda_t - mu p_n x/|x|) with p_n = lambda_n - rho_n g and
     // x = lambda_t + rho_t s.
     const Eigen::Vector2d &d = r.direction;
     const Eigen::Matrix2d  across =
       r.turning * (Eigen::Matrix2d::Identity() - d * d.transpose());
-    J.bottomRows<2>() = r.friction * rho_n * d * W.col(3 * j).transpose() +
-                        rho_t * across * W.middleCols<2>(3 * j + 1).transpose();
+    for (unsigned int c = 0; c < 2; ++c)
+      J.row(1 + c) = (r.friction * rho_n * d[c] * W.col(3 * j) +
+                      rho_t * across(c, 0) * W.col(3 * j + 1) +
+                      rho_t * across(c, 1) * W.col(3 * j + 2))
+                       .transpose();
     J.block<2, 1>(1, 3 * j) -= r.friction * d;
     J.block<2, 2>(1, 3 * j + 1) += Eigen::Matrix2d::Identity() - across;
-    return J;
   }
 
 
@@ -195,22 +186,24 @@ namespace squeal
   {
     base    = rows;
     updated = rows;
-    Eigen::MatrixXd  J(W.rows(), W.cols());
-    std::vector<int> closed, open;
-    for (Eigen::Index j = 0; j < gap.size(); ++j)
-      {
-        J.middleRows<3>(3 * j) = jacobian(j, base[j]);
-        for (int c = 0; c < 3; ++c)
-          (base[j].status == ContactStatus::open ? open : closed)
-            .push_back(3 * j + c);
-      }
-    if (is_single)
-      single.invert(J, closed, open);
-    else
-      full.invert(J, closed, open);
+    set_inverse();
     has_inverse = true;
     ++n_inverted;
     set_update();
+  }
+
+
+
+  void
+  ContactSolver::set_inverse()
+  {
+    KeptInverse<double>::Jacobian J(W.rows(), W.cols());
+    for (Eigen::Index j = 0; j < gap.size(); ++j)
+      set_jacobian(j, base[j], J.middleRows<3>(3 * j));
+    if (is_single)
+      single.invert(J, base);
+    else
+      full.invert(J, base);
   }
 
 
@@ -233,13 +226,15 @@ namespace squeal
   void
   ContactSolver::extend_update(const std::vector<unsigned int> &nodes)
   {
-    std::vector<unsigned int> places;
-    Eigen::MatrixXd           difference(3 * nodes.size(), W.cols());
+    std::vector<unsigned int>     places;
+    KeptInverse<double>::Jacobian difference(3 * nodes.size(), W.cols()),
+      before(3, W.cols());
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
         const unsigned int j = nodes[k];
-        difference.middleRows<3>(3 * k) =
-          jacobian(j, updated[j]) - jacobian(j, base[j]);
+        set_jacobian(j, updated[j], difference.middleRows<3>(3 * k));
+        set_jacobian(j, base[j], before);
+        difference.middleRows<3>(3 * k) -= before;
         const auto found = std::find(changed.begin(), changed.end(), j);
         places.push_back(found - changed.begin());
         if (found == changed.end())

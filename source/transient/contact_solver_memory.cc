@@ -30,16 +30,15 @@ namespace squeal
     result.push_back(is_single ? 1. : 0.);
     result.push_back(changed.size());
     result.insert(result.end(), changed.begin(), changed.end());
+    const auto keep = [&](const auto &op) {
+      result.push_back(op.n_applied());
+      append(op.changed_columns());
+      append(op.change_matrix());
+    };
     if (is_single)
-      {
-        append(single.small);
-        append(single.inverse);
-      }
+      keep(single);
     else
-      {
-        append(full.small);
-        append(full.inverse);
-      }
+      keep(full);
     return result;
   }
 
@@ -65,23 +64,23 @@ namespace squeal
     std::vector<unsigned int> nodes(static_cast<std::size_t>(*next++));
     for (unsigned int &node : nodes)
       node = static_cast<unsigned int>(*next++);
-    const Eigen::Index    n = 3 * nodes.size();
-    const Eigen::MatrixXd small =
-      Eigen::Map<const Eigen::MatrixXd>(&*next, n, n);
-    next += small.size();
-    AssertDimension(memory.end() - next, W.size());
-    const Eigen::MatrixXd inverse =
-      Eigen::Map<const Eigen::MatrixXd>(&*next, W.rows(), W.cols());
+    const Eigen::Index n         = 3 * nodes.size();
+    const unsigned int n_applied = static_cast<unsigned int>(*next++);
+    AssertDimension(memory.end() - next, (W.rows() + n) * n);
+    const double         *rest    = memory.data() + (next - memory.begin());
+    const Eigen::MatrixXd columns = Eigen::Map<const Eigen::MatrixXd>(
+                            rest, W.rows(), n),
+                          small = Eigen::Map<const Eigen::MatrixXd>(
+                            rest + columns.size(), n, n);
     has_inverse = true;
     changed.clear();
-    // The small matrix has grown bit by bit: it is taken as it was.
+    set_inverse();
     const auto take = [&](auto &op) {
-      using Matrix = std::decay_t<decltype(op.inverse)>;
-      op.inverse   = inverse.cast<typename Matrix::Scalar>();
+      using Matrix = std::decay_t<decltype(op.change_matrix())>;
+      using Scalar = typename Matrix::Scalar;
       op.clear();
       extend_update(nodes);
-      op.small = small.cast<typename Matrix::Scalar>();
-      op.factorize();
+      op.restore(columns.cast<Scalar>(), small.cast<Scalar>(), n_applied);
     };
     if (is_single)
       take(single);

@@ -107,16 +107,6 @@ namespace squeal
   private:
     struct Projection; // of one node
 
-    /** What the rows of the Jacobian of a node depend on. */
-    struct NodeRows
-    {
-      ContactStatus   status    = ContactStatus::open;
-      double          friction  = 0.;
-      double          turning   = 0.; /**< mu p / |x|: how x turns the force */
-      Eigen::Vector2d direction = Eigen::Vector2d::Zero(); /**< of x */
-      bool            is_near(const NodeRows &other) const;
-    };
-
     Projection project(const ContactStep     &step,
                        const Eigen::VectorXd &lambda,
                        const unsigned int     node) const;
@@ -124,11 +114,15 @@ namespace squeal
     double   check_law(const ContactStep &step, const Eigen::VectorXd &lambda);
     double   evaluate(const ContactStep &step, const Eigen::VectorXd &lambda);
     NodeRows rows_of(const Projection &p) const;
-    /** The three rows of node @p j. */
-    Eigen::MatrixXd jacobian(const unsigned int j, const NodeRows &rows) const;
-    void            invert();
-    void            set_update();
-    void            extend_update(const std::vector<unsigned int> &nodes);
+    /** Sets the three rows @p J of node @p j. */
+    void set_jacobian(const unsigned int                        j,
+                      const NodeRows                           &rows,
+                      Eigen::Ref<KeptInverse<double>::Jacobian> J) const;
+    void invert();
+    /** The operator of `base`. */
+    void set_inverse();
+    void set_update();
+    void extend_update(const std::vector<unsigned int> &nodes);
     /** Makes the operator fit the states at hand. */
     void adapt(const bool renew);
     void sweep(const ContactStep &step, Eigen::VectorXd &lambda);
