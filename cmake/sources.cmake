@@ -167,6 +167,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/wav_file.cc)
 
 set(SQUEAL_SOURCES_DRIVER
+    source/driver/campaign_plots.cc
     source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc

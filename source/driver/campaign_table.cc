@@ -55,7 +55,8 @@ namespace squeal
        3},
       {"frequency_difference_rel", Type::real, "", "", 2},
       {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
-      {"steps_per_second", Type::real, "1/s", "of one core", 4}};
+      {"steps_per_second", Type::real, "1/s", "of one core", 4},
+      {"sigma_full_contact_per_s", Type::real, "1/s", "whole face, reduced"}};
     if (!p.transient.compare_with_cea)
       columns = {
         {"stable", Type::text, "", "yes, no or undecided"},
@@ -78,7 +79,12 @@ namespace squeal
         {"unstable_pairs", Type::text, "", "Hz (1/s), about the contact"},
         {"integrator", Type::text, "", ""},
         {"frequency_ci_hz", Type::real, "Hz", "of the quarters", 2},
-        {"largest_line_hz", Type::real, "Hz", "of the normal force", 6}};
+        {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
+        {"sigma_full_contact_per_s",
+         Type::real,
+         "1/s",
+         "whole face closed",
+         4}};
     for (const auto &column : columns)
       table.add_column(column);
     return table;
@@ -116,7 +122,8 @@ namespace squeal
               std::abs(rate - sigma) / std::max(0.02 * std::abs(sigma), 3.),
               b ? std::abs(freq / b->frequency_cea - 1.) : nan,
               f.worst_imbalance,
-              f.steps_per_second})
+              f.steps_per_second,
+              sigma_with_full_contact(prepared, run.parameters)})
           row.push_back(known(value));
         return row;
       }
@@ -153,6 +160,7 @@ namespace squeal
     row.emplace_back(choice_name(run.parameters.transient.integrator));
     row.push_back(known(is_unstable ? f.frequency_ci : nan));
     row.push_back(known(is_unstable ? f.largest_line : nan));
+    row.push_back(known(sigma_with_full_contact(prepared, run.parameters)));
     return row;
   }
 
@@ -189,10 +197,12 @@ namespace squeal
 
 
   bool
-  FinishedRuns::find(const std::string &key, std::vector<Cell> &row) const
+  FinishedRuns::find(const std::string &key,
+                     const std::size_t  n_columns,
+                     std::vector<Cell> &row) const
   {
     const auto found = rows.find(key);
-    if (found == rows.end())
+    if (found == rows.end() || found->size() != n_columns)
       return false;
     row.clear();
     for (const auto &cell : *found)

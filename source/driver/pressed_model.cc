@@ -110,8 +110,8 @@ namespace squeal
     }
     {
       Timers::Section section(timers, "Solve: modes of the bodies");
-      UndampedModes   modes = undamped_modes(
-        *pencil, ShiftedInverse(*pencil, std::pow(2. * M_PI * cut_off, 2)));
+      UndampedModes   modes =
+        undamped_modes(*pencil, std::pow(2. * M_PI * cut_off, 2));
       modes.release_start();
       basis = std::make_shared<const ReductionBasis>(reduction_basis(
         *pencil, modes, separated.contacts[0], interface_cut_off));

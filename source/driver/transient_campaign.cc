@@ -8,7 +8,6 @@
 #include <squeal/driver/run_context.h>
 #include <squeal/driver/transient_results.h>
 #include <squeal/parameters/choices.h>
-#include <squeal/results/chart.h>
 
 #include <algorithm>
 #include <cmath>
@@ -270,7 +269,8 @@ namespace squeal
             {
               prepared.emplace_back();
               records.emplace_back();
-              if (finished.find(runs[i].key, rows[i - first]))
+              if (finished.find(
+                    runs[i].key, table.columns().size(), rows[i - first]))
                 continue;
               if (!group)
                 group = std::make_unique<CampaignGroup>(runs[first].parameters,
@@ -315,53 +315,6 @@ namespace squeal
                   true);
             }
         }
-    }
-
-    void
-    draw_comparison(RunContext &context, const Table &table, HtmlReport &report)
-    {
-      Chart chart;
-      chart.title   = "Growth in time against the eigenvalue analysis";
-      chart.x.label = "sigma of the whole model in 1/s";
-      chart.y.label = "growth rate in time in 1/s";
-      ChartSeries line;
-      line.label               = "equal";
-      line.style               = ChartSeries::Style::lines;
-      line.ink                 = Ink::grey;
-      double           ends[2] = {0., 0.};
-      static const Ink inks[]  = {Ink::blue, Ink::vermillion, Ink::green};
-      std::vector<ChartSeries> series;
-      for (std::size_t i = 0; i < table.n_rows(); ++i)
-        {
-          const std::string top = table.text(i, "top");
-          auto              s   = std::find_if(series.begin(),
-                                series.end(),
-                                [&](const auto &x) { return x.label == top; });
-          if (s == series.end())
-            {
-              ChartSeries next;
-              next.label = top;
-              next.ink   = inks[series.size() % 3];
-              s          = series.insert(series.end(), next);
-            }
-          const double x = table.real(i, "sigma_cea_per_s"),
-                       y = table.real(i, "growth_rate_per_s");
-          if (!std::isfinite(x) || !std::isfinite(y))
-            continue;
-          s->x.push_back(x);
-          s->y.push_back(y);
-          ends[0] = std::min({ends[0], x, y});
-          ends[1] = std::max({ends[1], x, y});
-        }
-      line.x       = {ends[0], ends[1]};
-      line.y       = line.x;
-      chart.series = series;
-      chart.series.push_back(line);
-      context.output.file("plots/comparison.png");
-      const std::string path = context.output.path() + "/plots/comparison";
-      context.plotter.draw(draw_charts({chart}), path);
-      report.section("Comparison");
-      report.figure(path + ".png", "Growth rates", true);
     }
   } // namespace
 
@@ -427,8 +380,8 @@ namespace squeal
     report.set_verdict(HtmlReport::Verdict::neutral,
                        std::to_string(table.n_rows()) + " runs",
                        context.record.figures);
-    if (p.transient.compare_with_cea && p.output.plots && context.is_root)
-      draw_comparison(context, table, report);
+    if (p.output.plots && context.is_root)
+      draw_campaign(context, table, report);
     report.section("Runs");
     report.table(table, "One row for each run");
     context.finish(p.output.report ? &report : nullptr, "");

@@ -176,7 +176,8 @@ namespace squeal
         {
           normal.push_back(samples[i].normal);
           tangential.push_back(samples[i].tangential);
-          edge.push_back(samples[i].leading_edge);
+          // By force: it means little while there is next to none.
+          edge.push_back(samples[i].leading_edge * samples[i].normal);
           double square = 0.;
           for (const double a : samples[i].acceleration)
             square += a * a;
@@ -190,7 +191,7 @@ namespace squeal
       f.mean_tangential      = mean_of(tangential);
       f.rms_tangential       = rms_about_mean(tangential);
       f.macroscopic_friction = f.mean_tangential / f.mean_normal;
-      f.mean_leading_edge_factor = mean_of(edge);
+      f.mean_leading_edge_factor = mean_of(edge) / f.mean_normal;
       f.rms_acceleration         = std::sqrt(mean_of(acceleration));
       // Four quarters alike, and more than the noise of the solver.
       double least = 1e300, most = 0.;
@@ -256,6 +257,36 @@ namespace squeal
     f.n_inversions        = record.n_inversions;
     f.iterations_per_step = record.n_iterations / std::max(record.n_steps, 1.);
     return f;
+  }
+
+
+
+  double
+  sigma_with_full_contact(const PreparedTransient &prepared,
+                          const Parameters        &p)
+  {
+    const auto           &areas = prepared.pressed.geometry().areas;
+    const Eigen::Vector3d sum   = prepared.steady.resultant();
+    double                total = 0.;
+    for (const double area : areas)
+      total += area;
+    SteadySliding whole = prepared.steady;
+    for (std::size_t j = 0; j < areas.size(); ++j)
+      {
+        whole.status[j]                = ContactStatus::slip;
+        whole.forces.segment<3>(3 * j) = areas[j] / total * sum;
+      }
+    const LinearizedMotion motion =
+      linearize(prepared.pressed.model(),
+                whole,
+                prepared.pressed.sliding_friction(),
+                prepared.pressed.speed());
+    double sigma = -std::numeric_limits<double>::infinity();
+    for (const auto &lambda : motion.lambda)
+      if (const double f = lambda.imag() / (2. * M_PI);
+          f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency)
+        sigma = std::max(sigma, lambda.real());
+    return sigma;
   }
 
 

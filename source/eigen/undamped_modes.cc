@@ -16,6 +16,9 @@ namespace squeal
 {
   namespace
   {
+    /** The space grows by one part in so many before it is looked at again. */
+    constexpr Eigen::Index look_again = 12;
+
     Block random_block(const RowSpace    &space,
                        const unsigned int n_columns,
                        const unsigned int seed);
@@ -242,14 +245,28 @@ namespace squeal
 
 
 
+    /** All modes below a limit, which an inertia has counted. */
+    struct Wanted
+    {
+      double       limit; /**< of omega^2 */
+      unsigned int n;
+    };
+
+    /** @p wanted beyond the shift: the others between shift and limit converge
+     * after those that lie as far below it. */
     UndampedModes
     block_lanczos(const Pencil         &pencil,
                   const ShiftedInverse &inverse,
-                  const ModeOptions    &options)
+                  const ModeOptions    &options,
+                  const Wanted         &wanted)
     {
-      const unsigned int n_wanted = inverse.n_modes_below();
-      const unsigned int n_total  = pencil.space()->n_global();
+      const unsigned int n_wanted  = wanted.n;
+      const auto         is_wanted = [&](const double theta) {
+        return theta < 0. || theta * (wanted.limit - inverse.shift()) > 1.;
+      };
+      const unsigned int n_total = pencil.space()->n_global();
       BlockKrylov        krylov(pencil, inverse, options);
+      Eigen::Index       next_look = n_wanted + options.block_size;
       while (true)
         {
           krylov.extend();
@@ -258,8 +275,9 @@ namespace squeal
             krylov.add_random(pencil, options);
           const bool whole = krylov.n_last == 0 || n >= n_total;
           // A dense eigenproblem at every step would cost more than the steps.
-          if (!whole && n < n_wanted + options.block_size)
+          if (!whole && n < next_look)
             continue;
+          next_look = n + n / look_again;
           const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(krylov.T);
           Eigen::VectorXd errors = Eigen::VectorXd::Zero(n);
           if (!whole && krylov.coupling.rows() > 0)
@@ -269,17 +287,19 @@ namespace squeal
                        .norm();
           unsigned int n_converged = 0;
           for (Eigen::Index i = 0; i < n; ++i)
-            if (ritz.eigenvalues()[i] < 0. &&
-                errors[i] <= options.tolerance * -ritz.eigenvalues()[i])
+            if (is_wanted(ritz.eigenvalues()[i]) &&
+                errors[i] <=
+                  options.tolerance * std::abs(ritz.eigenvalues()[i]))
               ++n_converged;
-          // Nothing may remain that has not converged below the shift, and a
+          // Nothing may remain that has not converged below the limit, and a
           // hidden mode must not keep the iteration going for ever.
-          unsigned int n_negative = 0;
+          unsigned int n_seen = 0;
           for (Eigen::Index i = 0; i < n; ++i)
-            if (ritz.eigenvalues()[i] < -1e-9 / std::abs(inverse.shift()))
-              ++n_negative;
-          const bool stagnant =
-            n_converged == n_negative && n > 3 * n_wanted + 200;
+            if (const double theta = ritz.eigenvalues()[i];
+                is_wanted(theta) &&
+                std::abs(theta) > 1e-9 / std::abs(inverse.shift()))
+              ++n_seen;
+          const bool stagnant = n_converged == n_seen && n > 3 * n_wanted + 200;
           if (n_converged >= n_wanted || whole || stagnant)
             return ritz_modes(
               pencil,
@@ -290,6 +310,26 @@ namespace squeal
               inverse.shift(),
               options.tolerance);
         }
+    }
+
+
+
+    /** Sets n_certified; throws where a mode below the limit is missing. */
+    void
+    certify(UndampedModes &modes, const Wanted &wanted)
+    {
+      unsigned int n_below = 0;
+      while (n_below < modes.omega_squared.size() &&
+             modes.omega_squared[n_below] < wanted.limit)
+        ++n_below;
+      if (n_below != wanted.n)
+        throw ComputationError(
+          "the inertia of the factor proves " + std::to_string(wanted.n) +
+          " modes below " +
+          std::to_string(std::sqrt(wanted.limit) / (2. * M_PI)) +
+          " Hz, but the Lanczos iteration found " + std::to_string(n_below) +
+          ": tighten Eigenvalues/Mode tolerance");
+      modes.n_certified = n_below;
     }
   } // namespace
 
@@ -314,21 +354,28 @@ namespace squeal
                  const ShiftedInverse &inverse,
                  const ModeOptions    &options)
   {
-    UndampedModes modes   = options.algorithm == ModeAlgorithm::arpack
-                              ? arpack_modes(pencil, inverse, options)
-                              : block_lanczos(pencil, inverse, options);
-    unsigned int  n_below = 0;
-    while (n_below < modes.omega_squared.size() &&
-           modes.omega_squared[n_below] < inverse.shift())
-      ++n_below;
-    if (n_below != inverse.n_modes_below())
-      throw ComputationError(
-        "the inertia of the factor proves " +
-        std::to_string(inverse.n_modes_below()) + " modes below " +
-        std::to_string(std::sqrt(inverse.shift()) / (2. * M_PI)) +
-        " Hz, but the Lanczos iteration found " + std::to_string(n_below) +
-        ": tighten Eigenvalues/Mode tolerance");
-    modes.n_certified = n_below;
+    const Wanted  wanted = {inverse.shift(), inverse.n_modes_below()};
+    UndampedModes modes  = options.algorithm == ModeAlgorithm::arpack
+                             ? arpack_modes(pencil, inverse, options)
+                             : block_lanczos(pencil, inverse, options, wanted);
+    certify(modes, wanted);
+    return modes;
+  }
+
+
+
+  UndampedModes
+  undamped_modes(const Pencil      &pencil,
+                 const double       limit,
+                 const ModeOptions &options)
+  {
+    const auto wanted = [&]() -> Wanted {
+      const ShiftedInverse end(pencil, limit);
+      return {end.shift(), end.n_modes_below()};
+    }();
+    const ShiftedInverse inverse(pencil, 0.5 * wanted.limit);
+    UndampedModes modes = block_lanczos(pencil, inverse, options, wanted);
+    certify(modes, wanted);
     return modes;
   }
 } // namespace squeal

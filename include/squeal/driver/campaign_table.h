@@ -34,6 +34,12 @@ namespace squeal
   std::vector<Cell> row_without_sliding(const CampaignRun &run,
                                         const Table       &table);
 
+  /** Draws growth in time against the eigenvalue analysis where they are
+   * compared, and with two axes where each of them finds growth. */
+  void draw_campaign(RunContext  &context,
+                     const Table &table,
+                     HtmlReport  &report);
+
   /** Rows of runs that an earlier campaign has finished, by their keys, in a
    * file that is rewritten after each run. */
   class FinishedRuns
@@ -43,8 +49,10 @@ namespace squeal
      * cannot be read. */
     FinishedRuns(const std::string &path, const bool resume);
 
-    /** False if there is no run @p key. */
-    bool find(const std::string &key, std::vector<Cell> &row) const;
+    /** False if there is no run @p key with @p n_columns numbers. */
+    bool find(const std::string &key,
+              const std::size_t  n_columns,
+              std::vector<Cell> &row) const;
     void add(const std::string &key, const std::vector<Cell> &row);
 
   private:

@@ -80,6 +80,11 @@ namespace squeal
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
 
+  /** Largest real part in the band with the whole face closed under an even
+   * pressure, whatever the steady sliding, 1/s. */
+  double sigma_with_full_contact(const PreparedTransient &prepared,
+                                 const Parameters        &parameters);
+
   /** Pairs of the whole model about a contact state. */
   ComplexPairs whole_model_pairs(const Parameters   &parameters,
                                  const ContactState &state,
