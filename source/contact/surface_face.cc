@@ -15,13 +15,10 @@ namespace squeal
 
   FaceBasis::FaceBasis(const unsigned int degree)
   {
-    for (const auto &x : dealii::FE_Q<1>(degree).get_unit_support_points())
+    const dealii::FE_Q<1> line(degree);
+    for (const auto &x : line.get_unit_support_points())
       coordinates.push_back(x[0]);
     std::sort(coordinates.begin(), coordinates.end());
-    std::vector<dealii::Point<1>> points;
-    for (const double x : coordinates)
-      points.emplace_back(x);
-    polynomials = dealii::Polynomials::generate_complete_Lagrange_basis(points);
   }
 
   unsigned int
@@ -50,15 +47,23 @@ namespace squeal
   FaceBasis::Values
   FaceBasis::evaluate(const dealii::Point<2> &unit) const
   {
+    // Products of (x - x_k) / (x_i - x_k), with derivatives.
     const unsigned int n = coordinates.size();
     Eigen::MatrixXd    one(n, 4);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int c = 0; c < 2; ++c)
         {
-          double v[2];
-          polynomials[i].value(unit[c], 1, v);
-          one(i, c)     = v[0];
-          one(i, c + 2) = v[1];
+          double value = 1., derivative = 0.;
+          for (unsigned int k = 0; k < n; ++k)
+            if (k != i)
+              {
+                const double span = coordinates[i] - coordinates[k];
+                const double step = unit[c] - coordinates[k];
+                derivative        = (derivative * step + value) / span;
+                value *= step / span;
+              }
+          one(i, c)     = value;
+          one(i, c + 2) = derivative;
         }
     Values result{Eigen::VectorXd(n * n),
                   Eigen::Matrix<double, -1, 2>(n * n, 2)};

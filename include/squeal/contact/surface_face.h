@@ -3,7 +3,6 @@
 #define squeal_contact_surface_face_h
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/polynomial.h>
 
 #include <Eigen/Dense>
 
@@ -34,8 +33,7 @@ namespace squeal
     Values evaluate(const dealii::Point<2> &unit) const;
 
   private:
-    std::vector<double>                                  coordinates;
-    std::vector<dealii::Polynomials::Polynomial<double>> polynomials;
+    std::vector<double> coordinates;
   };
 
   /**
