@@ -20,13 +20,67 @@ namespace squeal
       return affine ? 2 * degree + 1 : 2 * degree + 4;
     }
 
-    std::vector<HalfPlane>
-    unit_window()
+    /** A square of the source face's unit square. */
+    struct Patch
     {
-      std::vector<dealii::Point<2>> corners;
+      dealii::Point<2> corner;
+      double           width;
+
+      dealii::Point<2>
+      point(const dealii::Point<2> &x) const
+      {
+        return corner + width * x;
+      }
+
+      std::vector<dealii::Point<2>>
+      corners() const
+      {
+        std::vector<dealii::Point<2>> result;
+        for (unsigned int k = 0; k < 4; ++k)
+          result.push_back(point(unit_corner(k)));
+        return result;
+      }
+    };
+
+    /** How far edges leave the lines between their corners. m */
+    double
+    edge_bulge(const SurfaceFace &face)
+    {
+      double bulge = 0.;
       for (unsigned int k = 0; k < 4; ++k)
-        corners.push_back(unit_corner(k));
-      return convex_window(corners);
+        {
+          const auto a = unit_corner(k), b = unit_corner(k + 1);
+          const auto along = face.point(b) - face.point(a);
+          for (const double t : {.25, .5, .75})
+            bulge =
+              std::max(bulge,
+                       dealii::cross_product_3d(
+                         face.point(a + t * (b - a)) - face.point(a), along)
+                           .norm() /
+                         along.norm());
+        }
+      return bulge;
+    }
+
+    /** Squares so small that the edges of each bulge little. */
+    std::vector<Patch>
+    patches(const SurfaceFace &face)
+    {
+      unsigned int n = 1;
+      if (!face.is_affine())
+        {
+          const auto   centre = face.frame({.5, .5});
+          const double width  = std::min(centre.tangent[0].norm(),
+                                        centre.tangent[1].norm()),
+                       bulge  = edge_bulge(face);
+          while (n < 16 && bulge / n > .12 * width)
+            n *= 2;
+        }
+      std::vector<Patch> result;
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          result.push_back({{double(i) / n, double(j) / n}, 1. / n});
+      return result;
     }
 
     /** Edge k of the target in the order that is counterclockwise seen from the
@@ -72,29 +126,33 @@ namespace squeal
       dealii::Tensor<1, 3> axis[2];
     };
 
-    /** Corners of the source face in the plane, and how far its edges bulge
-     * beyond the lines between them. */
+    /** A window that just holds a patch: the lines through its corners moved
+     * out by what curved edges bulge. Not further, as the parametrisation of a
+     * skew face folds back outside of it. */
     std::vector<HalfPlane>
-    window_round(const SurfaceFace &source, const AuxiliaryPlane &plane)
+    window_round(const SurfaceFace    &source,
+                 const Patch          &patch,
+                 const AuxiliaryPlane &plane)
     {
+      const auto in_plane = [&](const dealii::Point<2> &unit) {
+        return plane.project(source.point(unit) - plane.origin);
+      };
       std::vector<dealii::Point<2>> corners;
+      for (const auto &corner : patch.corners())
+        corners.push_back(in_plane(corner));
+      std::vector<HalfPlane> window = convex_window(corners);
+      double                 bulge  = 0.;
       for (unsigned int k = 0; k < 4; ++k)
-        corners.push_back(
-          plane.project(source.point(unit_corner(k)) - plane.origin));
-      std::vector<HalfPlane> window =
-        convex_window(corners, .1 * source.diameter());
-      double beyond = 0.;
-      for (const auto &x : source.nodes())
-        {
-          const auto in_plane = plane.project(x - plane.origin);
-          for (const auto &h : window)
-            beyond =
-              std::max(beyond,
-                       .1 * source.diameter() - h.offset -
-                         h.normal[0] * in_plane[0] - h.normal[1] * in_plane[1]);
-        }
+        for (const double t : {.25, .5, .75})
+          {
+            const auto x = in_plane(patch.point(
+              unit_corner(k) + t * (unit_corner(k + 1) - unit_corner(k))));
+            for (const auto &h : window)
+              bulge = std::max(
+                bulge, -h.offset - h.normal[0] * x[0] - h.normal[1] * x[1]);
+          }
       for (auto &h : window)
-        h.offset += beyond;
+        h.offset += 1.5 * bulge + 1e-3 * corners[0].distance(corners[2]);
       return window;
     }
 
@@ -103,6 +161,7 @@ namespace squeal
     Region
     target_outline(const SurfaceFace &source,
                    const SurfaceFace &target,
+                   const double       width,
                    const Curves      &curves)
     {
       Region region;
@@ -114,8 +173,7 @@ namespace squeal
             target.point(on_target_edge(k, 0.))
               .distance(target.point(on_target_edge(k, 1.)));
           unsigned int n = 1;
-          while (!straight && n < 64 &&
-                 (n < 4 || length / n > source.diameter() / 4.))
+          while (!straight && n < 64 && (n < 4 || length / n > .25 * width))
             n *= 2;
           for (unsigned int i = 0; i < n; ++i)
             {
@@ -129,29 +187,35 @@ namespace squeal
       return region;
     }
 
-    /** Cuts off what is so far away that the source face, continued, need not
-     * reach it. @p curves give unit coordinates; so do the results. */
+    /** The outline in unit coordinates of the source, which @p curves give.
+     * Where the source face is not affine, what is far from the patch is cut
+     * off first, in the auxiliary plane: the face, continued, need not reach
+     * it. */
     Region
     outline_near(const SurfaceFace &source,
+                 const Patch       &patch,
                  const SurfaceFace &target,
                  const Curves      &curves)
     {
+      const double width = patch.width * source.diameter();
+      if (source.is_affine())
+        return target_outline(source, target, width, curves);
       const AuxiliaryPlane plane(source);
       const Curves in_plane = [&](const unsigned int k, const double t) {
         const auto f = target.frame(on_target_edge(k, t));
         return CurvePoint{plane.project(f.x - plane.origin),
                           plane.project(along_target_edge(f, k))};
       };
-      Region region = clip(target_outline(source, target, in_plane),
-                           window_round(source, plane),
+      Region region = clip(target_outline(source, target, width, in_plane),
+                           window_round(source, patch, plane),
                            in_plane);
       for (auto &piece : region)
         if (piece.curve != BoundaryPiece::straight)
           piece.start = curves(piece.curve, piece.first).x;
         else
           {
-            const auto p =
-              source.project(plane.point(piece.start), source.normal());
+            const auto p = source.project(
+              plane.point(piece.start), source.normal(), patch.point({.5, .5}));
             piece.start = p ? p->unit : dealii::Point<2>(unknown, unknown);
           }
       return region;
@@ -172,12 +236,10 @@ namespace squeal
   std::vector<OverlapPoint>
   whole_face(const SurfaceFace &source, const unsigned int degree)
   {
-    std::vector<dealii::Point<2>> corners;
-    for (unsigned int k = 0; k < 4; ++k)
-      corners.push_back(unit_corner(k));
     std::vector<OverlapPoint> result;
-    for (const auto &[x, weight] : quadrature(
-           polygon(corners), n_gauss_points(degree, source.is_affine())))
+    for (const auto &[x, weight] :
+         quadrature(polygon(Patch{{0., 0.}, 1.}.corners()),
+                    n_gauss_points(degree, source.is_affine())))
       result.push_back({x, {}, weight});
     return result;
   }
@@ -192,45 +254,45 @@ namespace squeal
     const auto &normal = source.normal();
     if (normal * target.normal() > -.5)
       return {};
-    const Curves curves = [&](const unsigned int k, const double t) {
-      const auto f = target.frame(on_target_edge(k, t));
-      const auto p = source.project(f.x, normal);
-      if (!p)
-        return CurvePoint{{unknown, unknown}, {}};
-      const auto   s      = source.frame(p->unit);
-      const auto   along  = along_target_edge(f, k);
-      const double volume = s.area_vector() * normal;
-      CurvePoint   result{p->unit, {}};
-      result.derivative[0] =
-        along * dealii::cross_product_3d(s.tangent[1], normal) / volume;
-      result.derivative[1] =
-        along * dealii::cross_product_3d(normal, s.tangent[0]) / volume;
-      return result;
-    };
-    const Region outline = source.is_affine()
-                             ? target_outline(source, target, curves)
-                             : outline_near(source, target, curves);
-    for (const auto &piece : outline)
-      if (!std::isfinite(piece.start[0]))
-        return {};
-    static const std::vector<HalfPlane> window  = unit_window();
-    const Region                        segment = clip(outline, window, curves);
-    if (segment.size() < 2)
-      return {};
-
-    const double              limit = allowed_distance(source, target);
+    const double       limit = allowed_distance(source, target);
+    const unsigned int n_points =
+      n_gauss_points(degree, source.is_affine() && target.is_affine());
     std::vector<OverlapPoint> result;
-    dealii::Point<2>          guess(.5, .5);
-    for (const auto &[x, weight] : quadrature(
-           segment,
-           n_gauss_points(degree, source.is_affine() && target.is_affine()),
-           curves))
+    for (const Patch &patch : patches(source))
       {
-        const auto p = target.project(source.point(x), normal, guess);
-        if (!p || std::abs(p->distance) > limit)
-          return {};
-        result.push_back({x, p->unit, weight});
-        guess = p->unit;
+        const auto   middle = patch.point({.5, .5});
+        const Curves curves = [&](const unsigned int k, const double t) {
+          const auto f = target.frame(on_target_edge(k, t));
+          const auto p = source.project(f.x, normal, middle);
+          if (!p)
+            return CurvePoint{{unknown, unknown}, {}};
+          const auto   s      = source.frame(p->unit);
+          const auto   along  = along_target_edge(f, k);
+          const double volume = s.area_vector() * normal;
+          CurvePoint   point{p->unit, {}};
+          point.derivative[0] =
+            along * dealii::cross_product_3d(s.tangent[1], normal) / volume;
+          point.derivative[1] =
+            along * dealii::cross_product_3d(normal, s.tangent[0]) / volume;
+          return point;
+        };
+        const Region outline = outline_near(source, patch, target, curves);
+        for (const auto &piece : outline)
+          if (!std::isfinite(piece.start[0]))
+            return {};
+        const Region segment =
+          clip(outline, convex_window(patch.corners()), curves);
+        if (segment.size() < 2)
+          continue;
+        dealii::Point<2> guess(.5, .5);
+        for (const auto &[x, weight] : quadrature(segment, n_points, curves))
+          {
+            const auto p = target.project(source.point(x), normal, guess);
+            if (!p || std::abs(p->distance) > limit)
+              return {};
+            result.push_back({x, p->unit, weight});
+            guess = p->unit;
+          }
       }
     return result;
   }

@@ -5,13 +5,26 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <deal.II/dofs/dof_tools.h>
+
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <functional>
+#include <map>
 
 namespace squeal
 {
   namespace
   {
+    /** Where to take a node for, by its first degree of freedom and where the
+     * mapping puts it. */
+    using NodePosition =
+      std::function<dealii::Point<3>(const dealii::types::global_dof_index,
+                                     const dealii::Point<3> &)>;
+
     /** Nodes of the faces of cells, in the order of a FaceBasis. */
     class FaceNodes
     {
@@ -35,28 +48,54 @@ namespace squeal
         cell->get_dof_indices(dofs);
       }
 
-      TargetFace
-      face(const unsigned int f) const
+      /** Calls @p visit(node of the basis, support point of the cell) for the
+       * nodes of a face. Unit coordinates are ordered so that their tangents,
+       * crossed, point outwards. */
+      template <typename Visit>
+      void
+      visit_nodes(const unsigned int f, const Visit &visit) const
       {
-        // Unit coordinates whose tangents, crossed, point outwards.
         const unsigned int axis = f / 2;
         unsigned int       a = (axis + 1) % 3, b = (axis + 2) % 3;
         if (f % 2 == 0)
           std::swap(a, b);
-        std::vector<dealii::Point<3>> nodes(basis.n_nodes());
-        std::vector<std::array<dealii::types::global_dof_index, 3>> node_dofs(
-          basis.n_nodes());
         const auto &support = values.get_quadrature().get_points();
         for (unsigned int i = 0; i < support.size(); ++i)
           if (std::abs(support[i][axis] - f % 2) < 1e-10)
-            {
-              const unsigned int node =
-                basis.column(support[i][a]) +
-                (basis.degree() + 1) * basis.column(support[i][b]);
-              nodes[node] = values.quadrature_point(i);
-              for (unsigned int c = 0; c < 3; ++c)
-                node_dofs[node][c] = dofs[fe.component_to_system_index(c, i)];
-            }
+            visit(basis.column(support[i][a]) +
+                    (basis.degree() + 1) * basis.column(support[i][b]),
+                  i);
+      }
+
+      unsigned int
+      n_support_points() const
+      {
+        return values.get_quadrature().size();
+      }
+
+      const dealii::Point<3> &
+      position(const unsigned int i) const
+      {
+        return values.quadrature_point(i);
+      }
+
+      dealii::types::global_dof_index
+      dof(const unsigned int i, const unsigned int component) const
+      {
+        return dofs[fe.component_to_system_index(component, i)];
+      }
+
+      TargetFace
+      face(const unsigned int f, const NodePosition &place = {}) const
+      {
+        std::vector<dealii::Point<3>> nodes(basis.n_nodes());
+        std::vector<std::array<dealii::types::global_dof_index, 3>> node_dofs(
+          basis.n_nodes());
+        visit_nodes(f, [&](const unsigned int node, const unsigned int i) {
+          for (unsigned int c = 0; c < 3; ++c)
+            node_dofs[node][c] = dof(i, c);
+          nodes[node] = place ? place(dof(i, 0), position(i)) : position(i);
+        });
         return {SurfaceFace(basis, nodes), node_dofs};
       }
 
@@ -65,6 +104,76 @@ namespace squeal
       const FaceBasis                             &basis;
       dealii::FEValues<3>                          values;
       std::vector<dealii::types::global_dof_index> dofs;
+    };
+
+
+
+    bool
+    reaches(const Discretization::CellIterator &cell,
+            const unsigned int                  body,
+            const dealii::BoundingBox<3>       &box)
+    {
+      if (cell->material_id() != body)
+        return false;
+      // Curved cells bulge beyond their vertices.
+      auto around = cell->bounding_box();
+      around.extend(.2 * cell->diameter());
+      return around.get_neighbor_type(box) !=
+             dealii::NeighborType::not_neighbors;
+    }
+
+
+
+    /**
+     * Places of hanging nodes as their constraints have it. On a curved edge
+     * the mapping puts them off the edge of the coarse cell: faces would gape
+     * or overlap there, and the constrained motion of a linear field is that of
+     * the constrained place.
+     */
+    class HangingPlaces
+    {
+    public:
+      HangingPlaces(const Discretization         &d,
+                    FaceNodes                    &nodes,
+                    const unsigned int            body,
+                    const dealii::BoundingBox<3> &box)
+      {
+        if (!d.triangulation().has_hanging_nodes())
+          return;
+        constraints.reinit(d.relevant_dofs());
+        dealii::DoFTools::make_hanging_node_constraints(d.dof_handler(),
+                                                        constraints);
+        for (const auto &cell : d.dof_handler().active_cell_iterators())
+          if (!cell->is_artificial() && reaches(cell, body, box))
+            {
+              nodes.reinit(cell);
+              for (unsigned int i = 0; i < nodes.n_support_points(); ++i)
+                // Several cells may map a hanging node: the first one counts.
+                known.emplace(nodes.dof(i, 0), nodes.position(i));
+            }
+      }
+
+      dealii::Point<3>
+      position(const dealii::types::global_dof_index dof,
+               const dealii::Point<3>               &mapped) const
+      {
+        if (!constraints.is_constrained(dof))
+          return mapped;
+        dealii::Point<3> sum;
+        for (const auto &[master, weight] :
+             *constraints.get_constraint_entries(dof))
+          {
+            const auto it = known.find(master);
+            if (it == known.end())
+              return mapped;
+            sum += weight * position(master, it->second);
+          }
+        return sum;
+      }
+
+    private:
+      dealii::AffineConstraints<double>                           constraints;
+      std::map<dealii::types::global_dof_index, dealii::Point<3>> known;
     };
 
 
@@ -143,22 +252,20 @@ namespace squeal
                const unsigned int            body,
                const dealii::BoundingBox<3> &box)
   {
+    FaceNodes           nodes(d, basis);
+    const HangingPlaces places(d, nodes, body, box);
+    const NodePosition  place = [&](const auto dof, const auto &mapped) {
+      return places.position(dof, mapped);
+    };
     std::vector<TargetFace> faces;
-    FaceNodes               nodes(d, basis);
     for (const auto &cell : d.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->material_id() == body &&
-          cell->at_boundary())
+      if (cell->is_locally_owned() && cell->at_boundary() &&
+          reaches(cell, body, box))
         {
-          // Curved cells bulge beyond their vertices.
-          auto around = cell->bounding_box();
-          around.extend(.2 * cell->diameter());
-          if (around.get_neighbor_type(box) ==
-              dealii::NeighborType::not_neighbors)
-            continue;
           nodes.reinit(cell);
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
-              faces.push_back(nodes.face(f));
+              faces.push_back(nodes.face(f, place));
         }
     return faces;
   }

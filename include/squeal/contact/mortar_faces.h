@@ -38,7 +38,8 @@ namespace squeal
     std::vector<std::array<dealii::types::global_dof_index, 3>> dofs;
   };
 
-  /** Faces on the boundary of a body, of owned cells that reach @p box. */
+  /** Faces on the boundary of a body, of owned cells that reach @p box. Hanging
+   * nodes stand where their constraints put them. */
   std::vector<TargetFace> target_faces(const Discretization &discretization,
                                        const FaceBasis      &basis,
                                        const unsigned int    body,
