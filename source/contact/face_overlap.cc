@@ -12,8 +12,8 @@ namespace squeal
   {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    /** The product of a dual, a source and a target function is a polynomial
-     * of degree 4 p of the plane where both faces are affine. */
+    /** The product of a source and a target function is a polynomial of degree
+     * 4 p of the plane where both faces are affine. */
     unsigned int
     n_gauss_points(const unsigned int degree, const bool affine)
     {

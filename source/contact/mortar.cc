@@ -40,34 +40,20 @@ namespace squeal
 
 
 
-    /** The part of @p points in the integrals of a face. */
-    void
-    add_mass(const FaceBasis                 &basis,
-             const SurfaceFace               &face,
-             const std::vector<OverlapPoint> &points,
-             SourceIntegrals                 &sum)
-    {
-      for (const auto &point : points)
-        {
-          const auto   phi = basis.evaluate(point.source).value;
-          const double area =
-            point.weight * face.frame(point.source).area_vector().norm();
-          sum.mass += area * phi * phi.transpose();
-          sum.covered += point.weight;
-        }
-    }
-
+    /** int phi_a phi_b over points of a source face, phi_b taken at the source
+     * or at the target coordinates. */
     Eigen::MatrixXd
     products(const FaceBasis                 &basis,
              const SurfaceFace               &face,
-             const std::vector<OverlapPoint> &points)
+             const std::vector<OverlapPoint> &points,
+             dealii::Point<2> OverlapPoint::*side)
     {
       Eigen::MatrixXd result =
         Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
       for (const auto &point : points)
         result += point.weight * face.frame(point.source).area_vector().norm() *
                   basis.evaluate(point.source).value *
-                  basis.evaluate(point.target).value.transpose();
+                  basis.evaluate(point.*side).value.transpose();
       return result;
     }
 
@@ -77,15 +63,12 @@ namespace squeal
     {
       std::vector<SourceIntegrals> result;
       for (const auto &source : sources)
-        {
-          SourceIntegrals sum;
-          sum.mass = Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
-          add_mass(basis,
-                   source.geometry,
-                   whole_face(source.geometry, basis.degree()),
-                   sum);
-          result.push_back(std::move(sum));
-        }
+        result.push_back({products(basis,
+                                   source.geometry,
+                                   whole_face(source.geometry, basis.degree()),
+                                   &OverlapPoint::source),
+                          1.,
+                          {}});
       return result;
     }
 
@@ -156,9 +139,14 @@ namespace squeal
                 source.geometry, targets[t].geometry, basis.degree());
               if (points.empty())
                 continue;
-              add_mass(basis, source.geometry, points, sum);
-              sum.shared.push_back({static_cast<unsigned int>(t),
-                                    products(basis, source.geometry, points)});
+              for (const auto &point : points)
+                sum.covered += point.weight;
+              sum.mass +=
+                products(basis, source.geometry, points, &OverlapPoint::source);
+              sum.shared.push_back(
+                {static_cast<unsigned int>(t),
+                 products(
+                   basis, source.geometry, points, &OverlapPoint::target)});
             }
           result.push_back(std::move(sum));
         }

@@ -216,6 +216,9 @@ main(int argc, char **argv)
         turned.bodies[1]       = make_turned_block(turned.bodies[1], .14);
         check_pair(
           turned, degree, kind + ", meshes turned by 8 and -3 degrees");
+        check_pair(pressed_rings(tied),
+                   degree + 1,
+                   kind + ", a ring of 3 on one of 2 cells along the radius");
       }
   return 0;
 }

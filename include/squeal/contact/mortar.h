@@ -28,10 +28,10 @@ namespace squeal
 
   /**
    * Integrates D and M over the segments that source and target faces share,
-   * see face_overlap(): to rounding where both are flat with straight edges.
-   * Constants and linear fields are transferred exactly in every case. Throws
-   * InputError (its text begins with @p where) where the source face leaves the
-   * target or carries hanging nodes.
+   * see face_overlap(): to rounding where both are parallelograms, spectrally
+   * where edges are curved. Constants are transferred exactly, linear fields
+   * where the faces lie in one plane. Throws InputError (its text begins with
+   * @p where) where the source face leaves the target or carries hanging nodes.
    */
   MortarCoupling make_mortar_coupling(const Discretization &discretization,
                                       const PointEvaluator &evaluator,
