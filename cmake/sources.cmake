@@ -86,9 +86,13 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_geometry.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
+    source/contact/face_overlap.cc
     source/contact/friction_law.cc
     source/contact/linearized_system.cc
-    source/contact/mortar.cc)
+    source/contact/mortar.cc
+    source/contact/mortar_faces.cc
+    source/contact/segments.cc
+    source/contact/surface_face.cc)
 
 set(SQUEAL_SOURCES_EIGEN
     source/eigen/arpack_modes.cc

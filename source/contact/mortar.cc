@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/contact/face_overlap.h>
 #include <squeal/contact/mortar.h>
+#include <squeal/contact/mortar_faces.h>
 #include <squeal/discretization/face_quadrature.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/distributed/tria.h>
 
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <Eigen/Dense>
 
+#include <cstdio>
 #include <map>
 
 namespace squeal
@@ -20,168 +20,241 @@ namespace squeal
   {
     constexpr unsigned int ground = -1u;
 
-    /** One source face: nodes (identified by their z row) and the dual shape
-     * functions times the area at every point. */
-    struct SourceFace
+    /** Share of a source face that may lie beside the target: meshes of one
+     * curved edge that differ leave slivers. */
+    constexpr double allowed_gap = 1e-4;
+
+    /** int phi_a phi_b of a source face with a target face of this rank. */
+    struct SharedIntegrals
     {
-      std::vector<unsigned int>                node_keys;
-      std::vector<dealii::Point<3>>            node_points;
-      std::vector<std::array<unsigned int, 3>> node_rows;
-      std::vector<double>                      integrals; /**< int phi_j */
-      std::vector<dealii::Point<3>>            points;
-      Eigen::MatrixXd dual; /**< nodes x points, psi_j w_q */
+      unsigned int    target;
+      Eigen::MatrixXd products; /**< source nodes x target nodes, m^2 */
+    };
+
+    struct SourceIntegrals
+    {
+      Eigen::MatrixXd              mass;         /**< int phi_a phi_b, m^2 */
+      double                       covered = 0.; /**< share of the face */
+      std::vector<SharedIntegrals> shared;
     };
 
 
 
-    std::array<unsigned int, 3>
-    rows_of_node(const Discretization                               &d,
-                 const dealii::FiniteElement<3>                     &fe,
-                 const std::vector<dealii::types::global_dof_index> &dofs,
-                 const std::array<unsigned int, 3>                  &local,
-                 const std::string                                  &where)
+    /** int phi_a phi_b over points of a source face, phi_b taken at the source
+     * or at the target coordinates. */
+    Eigen::MatrixXd
+    products(const FaceBasis                 &basis,
+             const SurfaceFace               &face,
+             const std::vector<OverlapPoint> &points,
+             dealii::Point<2> OverlapPoint::*side)
     {
-      std::array<unsigned int, 3> rows{{-1u, -1u, -1u}};
-      (void)fe;
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          const Combination &parts = d.expansion(dofs[local[c]]);
-          if (parts.size() > 1)
-            throw InputError(where +
-                             ": the source face carries hanging nodes; refine "
-                             "the target body only");
-          if (parts.size() == 1)
-            rows[c] = parts[0].first;
-        }
-      return rows;
+      Eigen::MatrixXd result =
+        Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
+      for (const auto &point : points)
+        result += point.weight * face.frame(point.source).area_vector().norm() *
+                  basis.evaluate(point.source).value *
+                  basis.evaluate(point.*side).value.transpose();
+      return result;
+    }
+
+    std::vector<SourceIntegrals>
+    integrals_of_whole_faces(const FaceBasis               &basis,
+                             const std::vector<SourceFace> &sources)
+    {
+      std::vector<SourceIntegrals> result;
+      for (const auto &source : sources)
+        result.push_back({products(basis,
+                                   source.geometry,
+                                   whole_face(source.geometry, basis.degree()),
+                                   &OverlapPoint::source),
+                          1.,
+                          {}});
+      return result;
     }
 
 
 
-    /** Faces of this rank with their dual functions A phi, A = D_e M_e^-1. */
-    std::vector<SourceFace>
-    local_faces(const Discretization &d,
-                const unsigned int    id,
-                const std::string    &where,
-                const unsigned int    subdivisions)
+    dealii::BoundingBox<3>
+    box_round(const std::vector<SourceFace> &sources)
     {
-      const auto                &fe = d.dof_handler().get_fe();
-      const dealii::QGauss<2>    base(d.degree() + 2);
-      const dealii::QIterated<2> quadrature(dealii::QGauss<1>(d.degree() + 2),
-                                            subdivisions);
-      dealii::FEFaceValues<3>    values(d.mapping(),
-                                     fe,
-                                     quadrature,
-                                     dealii::update_values |
-                                       dealii::update_quadrature_points |
-                                       dealii::update_JxW_values);
-      std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      std::vector<SourceFace>                      faces;
-      for (const auto &cell : d.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() &&
-                cell->face(f)->boundary_id() == id)
-              {
-                values.reinit(cell, f);
-                cell->get_dof_indices(dofs);
-                SourceFace face;
-                // Nodes of the face: one triple of components each.
-                std::map<unsigned int, std::array<unsigned int, 3>> nodes;
-                for (unsigned int i = 0; i < dofs.size(); ++i)
-                  if (fe.has_support_on_face(i, f))
-                    {
-                      const auto [c, base_index] =
-                        fe.system_to_component_index(i);
-                      nodes[base_index][c] = i;
-                    }
-                const unsigned int n = nodes.size(), n_q = quadrature.size();
-                Eigen::MatrixXd    phi(n, n_q);
-                Eigen::VectorXd    w(n_q);
-                unsigned int       k = 0;
-                for (const auto &[base_index, local] : nodes)
-                  {
-                    for (unsigned int q = 0; q < n_q; ++q)
-                      phi(k, q) = values.shape_value(local[0], q);
-                    face.node_points.push_back(
-                      d.mapping().transform_unit_to_real_cell(
-                        cell, fe.unit_support_point(local[0])));
-                    face.node_rows.push_back(
-                      rows_of_node(d, fe, dofs, local, where));
-                    face.node_keys.push_back(dofs[local[2]]);
-                    ++k;
-                  }
-                for (unsigned int q = 0; q < n_q; ++q)
-                  {
-                    w[q] = values.JxW(q);
-                    face.points.push_back(values.quadrature_point(q));
-                  }
-                const Eigen::VectorXd integrals = phi * w;
-                const Eigen::MatrixXd M =
-                  phi * w.asDiagonal() * phi.transpose();
-                face.dual =
-                  integrals.asDiagonal() *
-                  M.ldlt().solve(Eigen::MatrixXd(phi * w.asDiagonal()));
-                face.integrals.assign(integrals.data(), integrals.data() + n);
-                faces.push_back(std::move(face));
-              }
-      return faces;
+      dealii::BoundingBox<3> box = bounding_box(sources.front().geometry);
+      for (const auto &source : sources)
+        box.merge_with(bounding_box(source.geometry));
+      return box;
     }
 
-
-
-    /** Every rank's faces as one list on every rank, packed as numbers. */
-    std::vector<SourceFace>
-    gather_faces(const std::vector<SourceFace> &mine, const MPI_Comm comm)
+    /** Adds up masses and covered shares of all ranks. */
+    void
+    sum_over_ranks(std::vector<SourceIntegrals> &faces, const MPI_Comm comm)
     {
       std::vector<double> packed;
-      for (const auto &face : mine)
+      for (const auto &face : faces)
         {
-          packed.push_back(face.node_keys.size());
-          packed.push_back(face.points.size());
-          for (std::size_t k = 0; k < face.node_keys.size(); ++k)
-            {
-              packed.push_back(face.node_keys[k]);
-              packed.push_back(face.integrals[k]);
-              for (unsigned int c = 0; c < 3; ++c)
-                {
-                  packed.push_back(face.node_points[k][c]);
-                  packed.push_back(face.node_rows[k][c]);
-                }
-            }
-          for (const auto &x : face.points)
-            packed.insert(packed.end(), {x[0], x[1], x[2]});
           packed.insert(packed.end(),
-                        face.dual.data(),
-                        face.dual.data() + face.dual.size());
+                        face.mass.data(),
+                        face.mass.data() + face.mass.size());
+          packed.push_back(face.covered);
         }
-      const std::vector<double> all = all_gather(packed, comm);
-      std::vector<SourceFace>   faces;
-      for (std::size_t p = 0; p < all.size();)
+      MPI_Allreduce(MPI_IN_PLACE,
+                    packed.data(),
+                    static_cast<int>(packed.size()),
+                    MPI_DOUBLE,
+                    MPI_SUM,
+                    comm);
+      const double *p = packed.data();
+      for (auto &face : faces)
         {
-          SourceFace        face;
-          const std::size_t n = all[p++], n_q = all[p++];
-          for (std::size_t k = 0; k < n; ++k)
-            {
-              face.node_keys.push_back(all[p++]);
-              face.integrals.push_back(all[p++]);
-              dealii::Point<3>            x;
-              std::array<unsigned int, 3> rows;
-              for (unsigned int c = 0; c < 3; ++c)
-                {
-                  x[c]    = all[p++];
-                  rows[c] = static_cast<unsigned int>(all[p++]);
-                }
-              face.node_points.push_back(x);
-              face.node_rows.push_back(rows);
-            }
-          for (std::size_t q = 0; q < n_q; ++q, p += 3)
-            face.points.emplace_back(all[p], all[p + 1], all[p + 2]);
-          face.dual = Eigen::Map<const Eigen::MatrixXd>(&all[p], n, n_q);
-          p += n * n_q;
-          faces.push_back(std::move(face));
+          std::copy(p, p + face.mass.size(), face.mass.data());
+          p += face.mass.size();
+          face.covered = *p++;
         }
-      return faces;
+    }
+
+    /** Every source face with the target faces of this rank, segment by
+     * segment; masses over all ranks. */
+    std::vector<SourceIntegrals>
+    integrals_of_segments(const FaceBasis               &basis,
+                          const std::vector<SourceFace> &sources,
+                          const std::vector<TargetFace> &targets,
+                          const MPI_Comm                 comm)
+    {
+      std::vector<dealii::BoundingBox<3>> boxes;
+      for (const auto &target : targets)
+        boxes.push_back(bounding_box(target.geometry));
+      const auto tree = dealii::pack_rtree_of_indices(boxes);
+
+      std::vector<SourceIntegrals> result;
+      for (const auto &source : sources)
+        {
+          SourceIntegrals sum;
+          sum.mass = Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
+          std::vector<std::size_t> near;
+          tree.query(
+            boost::geometry::index::intersects(bounding_box(source.geometry)),
+            std::back_inserter(near));
+          std::sort(near.begin(), near.end());
+          for (const std::size_t t : near)
+            {
+              const auto points = face_overlap(
+                source.geometry, targets[t].geometry, basis.degree());
+              if (points.empty())
+                continue;
+              for (const auto &point : points)
+                sum.covered += point.weight;
+              sum.mass +=
+                products(basis, source.geometry, points, &OverlapPoint::source);
+              sum.shared.push_back(
+                {static_cast<unsigned int>(t),
+                 products(
+                   basis, source.geometry, points, &OverlapPoint::target)});
+            }
+          result.push_back(std::move(sum));
+        }
+      sum_over_ranks(result, comm);
+      return result;
+    }
+
+    void
+    check_covered(const std::vector<SourceFace>      &sources,
+                  const std::vector<SourceIntegrals> &integrals,
+                  const std::string                  &where)
+    {
+      std::size_t worst = 0;
+      for (std::size_t e = 0; e < sources.size(); ++e)
+        if (std::abs(integrals[e].covered - 1.) >
+            std::abs(integrals[worst].covered - 1.))
+          worst = e;
+      const double missing = 1. - integrals[worst].covered;
+      if (std::abs(missing) <= allowed_gap)
+        return;
+      const auto x = sources[worst].geometry.point({.5, .5});
+      char       text[200];
+      std::snprintf(text,
+                    sizeof text,
+                    ": the faces do not meet at (%g, %g, %g) m: %.3g %% of the "
+                    "cell's face there %s",
+                    x[0],
+                    x[1],
+                    x[2],
+                    100. * std::abs(missing),
+                    missing > 0. ? "has no target opposite"
+                                 : "has more than one target opposite");
+      throw InputError(where + text);
+    }
+
+
+
+    /** Numbers the nodes of all source faces. */
+    std::vector<std::vector<unsigned int>>
+    number_nodes(const std::vector<SourceFace> &sources, MortarCoupling &result)
+    {
+      std::map<unsigned int, unsigned int>   number;
+      std::vector<std::vector<unsigned int>> nodes;
+      for (const auto &source : sources)
+        {
+          nodes.emplace_back();
+          for (std::size_t a = 0; a < source.keys.size(); ++a)
+            {
+              const auto [it, is_new] =
+                number.emplace(source.keys[a], result.nodes.size());
+              if (is_new)
+                {
+                  result.nodes.push_back(source.geometry.nodes()[a]);
+                  result.source_rows.push_back(source.rows[a]);
+                }
+              nodes.back().push_back(it->second);
+            }
+        }
+      return nodes;
+    }
+
+    using RowSums = std::vector<std::array<std::map<unsigned int, double>, 3>>;
+
+    /** Adds to M what this rank's target faces give to a source face. */
+    void
+    add_target_rows(const Discretization            &d,
+                    const std::vector<TargetFace>   &targets,
+                    const SourceIntegrals           &face,
+                    const Eigen::VectorXd           &integrals,
+                    const std::vector<unsigned int> &nodes,
+                    RowSums                         &sums)
+    {
+      const auto factor = face.mass.ldlt();
+      for (const auto &shared : face.shared)
+        {
+          // The dual functions are psi = D_e M_e^-1 phi.
+          const Eigen::MatrixXd M =
+            integrals.asDiagonal() * factor.solve(shared.products);
+          const auto &dofs = targets[shared.target].dofs;
+          for (Eigen::Index b = 0; b < M.cols(); ++b)
+            for (unsigned int c = 0; c < 3; ++c)
+              for (const auto &[row, weight] : d.expansion(dofs[b][c]))
+                for (Eigen::Index a = 0; a < M.rows(); ++a)
+                  sums[nodes[a]][c][row] += M(a, b) * weight;
+        }
+    }
+
+    /** Adds up the rows of all ranks over the weights D_j. What is rounding
+     * only is left out: matching nodes follow one another alone. */
+    void
+    gather_rows(const RowSums &mine, const MPI_Comm comm, MortarCoupling &m)
+    {
+      std::vector<double> packed;
+      for (std::size_t j = 0; j < mine.size(); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (const auto &[row, weight] : mine[j][c])
+            packed.insert(packed.end(),
+                          {double(j), double(c), double(row), weight});
+      const std::vector<double> all = all_gather(packed, comm);
+      RowSums                   sums(m.nodes.size());
+      for (std::size_t k = 0; k < all.size(); k += 4)
+        sums[static_cast<std::size_t>(all[k])][static_cast<std::size_t>(
+          all[k + 1])][static_cast<unsigned int>(all[k + 2])] += all[k + 3];
+      for (std::size_t j = 0; j < sums.size(); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (const auto &[row, weight] : sums[j][c])
+            if (std::abs(weight) > 1e-14 * m.weights[j])
+              m.target_rows[j][c].emplace_back(row, weight / m.weights[j]);
     }
   } // namespace
 
@@ -192,60 +265,42 @@ namespace squeal
                        const PointEvaluator &evaluator,
                        const unsigned int    source_face_id,
                        const unsigned int    target_body,
-                       const std::string    &where,
-                       const unsigned int    subdivisions)
+                       const std::string    &where)
   {
-    const auto faces =
-      gather_faces(local_faces(d, source_face_id, where, subdivisions),
-                   d.space()->communicator());
-    std::vector<dealii::Point<3>> points;
-    for (const auto &face : faces)
-      points.insert(points.end(), face.points.begin(), face.points.end());
-    PointEvaluator::Result target;
-    if (target_body != ground)
-      {
-        target = evaluator.displacements(target_body, points, 1e-4);
-        for (std::size_t q = 0; q < points.size(); ++q)
-          if (!target.found[q])
-            throw InputError(where + ": the faces do not meet at (" +
-                             std::to_string(points[q][0]) + ", " +
-                             std::to_string(points[q][1]) + ", " +
-                             std::to_string(points[q][2]) + ") m");
-      }
+    const MPI_Comm  comm = d.space()->communicator();
+    const FaceBasis basis(d.degree());
+    const auto      sources = source_faces(d, basis, source_face_id, where);
+    const bool      is_meshed =
+      target_body != ground &&
+      d.scene().bodies[target_body].shape != BodyParameters::Shape::rigid;
+    std::vector<TargetFace> targets;
+    if (is_meshed && !sources.empty())
+      targets = target_faces(d, basis, target_body, box_round(sources));
+    const auto integrals =
+      is_meshed ? integrals_of_segments(basis, sources, targets, comm)
+                : integrals_of_whole_faces(basis, sources);
+    if (is_meshed)
+      check_covered(sources, integrals, where);
 
-    std::map<unsigned int, std::size_t>                        number;
-    std::vector<std::array<std::map<unsigned int, double>, 3>> sums;
-    MortarCoupling                                             result;
-    std::size_t                                                first = 0;
-    for (const auto &face : faces)
-      {
-        for (std::size_t k = 0; k < face.node_keys.size(); ++k)
-          {
-            const auto [it, is_new] =
-              number.emplace(face.node_keys[k], result.nodes.size());
-            if (is_new)
-              {
-                result.nodes.push_back(face.node_points[k]);
-                result.weights.push_back(0.);
-                result.source_rows.push_back(face.node_rows[k]);
-                sums.emplace_back();
-              }
-            const std::size_t j = it->second;
-            result.weights[j] += face.integrals[k];
-            if (target_body != ground)
-              for (std::size_t q = 0; q < face.points.size(); ++q)
-                for (unsigned int c = 0; c < 3; ++c)
-                  for (const auto &[row, weight] : target.rows[first + q][c])
-                    sums[j][c][row] += face.dual(k, q) * weight;
-          }
-        first += face.points.size();
-      }
+    MortarCoupling result;
+    const auto     nodes = number_nodes(sources, result);
+    result.weights.resize(result.nodes.size(), 0.);
     result.target_rows.resize(result.nodes.size());
-    for (std::size_t j = 0; j < result.nodes.size(); ++j)
-      for (unsigned int c = 0; c < 3; ++c)
-        for (const auto &[row, weight] : sums[j][c])
-          result.target_rows[j][c].emplace_back(row,
-                                                weight / result.weights[j]);
+    RowSums sums(result.nodes.size());
+    for (std::size_t e = 0; e < sources.size(); ++e)
+      {
+        // The shape functions add up to one.
+        const Eigen::VectorXd areas = integrals[e].mass.rowwise().sum();
+        for (std::size_t a = 0; a < nodes[e].size(); ++a)
+          result.weights[nodes[e][a]] += areas[a];
+        add_target_rows(d, targets, integrals[e], areas, nodes[e], sums);
+      }
+    if (is_meshed)
+      gather_rows(sums, comm, result);
+    else if (target_body != ground)
+      // A rigid motion is linear: int psi_j u = D_j u(x_j).
+      result.target_rows =
+        evaluator.displacements(target_body, result.nodes).rows;
     return result;
   }
 
@@ -259,7 +314,7 @@ namespace squeal
                      const std::string    &where)
   {
     MortarCoupling result =
-      make_mortar_coupling(d, evaluator, source_face_id, ground, where, 1);
+      make_mortar_coupling(d, evaluator, source_face_id, ground, where);
     if (target_body == ground)
       return result;
     const auto target =

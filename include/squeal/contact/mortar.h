@@ -27,17 +27,17 @@ namespace squeal
   };
 
   /**
-   * Integrates D and M over the source face, the target displacement sampled
-   * at @p subdivisions^2 x (degree + 2)^2 Gauss points a face. Constants are
-   * transferred exactly. Throws InputError (its text begins with @p where)
-   * where the source face leaves the target or carries hanging nodes.
+   * Integrates D and M over the segments that source and target faces share,
+   * see face_overlap(): to rounding where both are parallelograms, spectrally
+   * where edges are curved. Constants are transferred exactly, linear fields
+   * where the faces lie in one plane. Throws InputError (its text begins with
+   * @p where) where the source face leaves the target or carries hanging nodes.
    */
   MortarCoupling make_mortar_coupling(const Discretization &discretization,
                                       const PointEvaluator &evaluator,
                                       const unsigned int    source_face_id,
                                       const unsigned int    target_body,
-                                      const std::string    &where,
-                                      const unsigned int    subdivisions = 2);
+                                      const std::string    &where);
 
   /**
    * Node to surface: every source node follows the target where it stands,

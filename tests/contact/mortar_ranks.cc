@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The mortar operators of two ranks are those of one.
+
+#include "contact/turned_block.h"
+
+#include <squeal/contact/mortar.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <map>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  /** Values of all free unknowns, on every rank. */
+  template <typename Field>
+  Eigen::VectorXd
+  everywhere(const Discretization &d, const Field &field)
+  {
+    const auto     &fe = d.dof_handler().get_fe();
+    Eigen::VectorXd result =
+      Eigen::VectorXd::Constant(d.space()->n_global(), -1e300);
+    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : d.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (const Combination &c = d.expansion(dofs[i]);
+                c.size() == 1 && c[0].second == 1.)
+              result[c[0].first] =
+                field(d.mapping().transform_unit_to_real_cell(
+                        cell, fe.unit_support_point(i)),
+                      fe.system_to_component_index(i).first);
+        }
+    MPI_Allreduce(MPI_IN_PLACE,
+                  result.data(),
+                  static_cast<int>(result.size()),
+                  MPI_DOUBLE,
+                  MPI_MAX,
+                  d.space()->communicator());
+    return result;
+  }
+
+  struct AtNode
+  {
+    double                weight;
+    std::array<double, 3> target;
+  };
+
+  /** Weights and transferred values of a field by the place of each node. */
+  std::map<std::array<long, 2>, AtNode>
+  transfer(const SceneParameters &scene,
+           const unsigned int     degree,
+           const MPI_Comm         communicator)
+  {
+    Discretization      d(scene, {}, degree, communicator);
+    std::vector<double> marks(d.triangulation().n_active_cells(), 1e-6);
+    for (const auto &cell : d.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() == 0 &&
+          cell->center()[1] > 0. && cell->center()[0] > .06)
+        marks[cell->active_cell_index()] = 1.;
+    d.refine(marks, .99);
+    unsigned int owned = 0;
+    for (const auto &cell : d.dof_handler().active_cell_iterators())
+      owned += cell->is_locally_owned() && cell->material_id() == 0;
+    check(owned > 0, "every rank has a part of the disc");
+    const MortarCoupling m =
+      make_mortar_coupling(d,
+                           PointEvaluator(d),
+                           face_id(d.coarse_mesh(), scene, "ring", "bottom"),
+                           0,
+                           "test");
+    const Eigen::VectorXd u =
+      everywhere(d, [](const dealii::Point<3> &x, const unsigned int c) {
+        return std::sin(300. * x[0] + c) * std::cos(200. * x[1] - c);
+      });
+    std::map<std::array<long, 2>, AtNode> result;
+    for (std::size_t j = 0; j < m.nodes.size(); ++j)
+      {
+        AtNode node{m.weights[j], {{0., 0., 0.}}};
+        for (unsigned int c = 0; c < 3; ++c)
+          for (const auto &[row, weight] : m.target_rows[j][c])
+            node.target[c] += weight * u[row];
+        result[{{std::lround(1e7 * m.nodes[j][0]),
+                 std::lround(1e7 * m.nodes[j][1])}}] = node;
+      }
+    return result;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  check(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 2,
+        "two ranks");
+  SceneParameters scene;
+  scene.bodies = {make_annulus({{16, 2, 1}}), make_annulus({{11, 2, 1}})};
+  scene.bodies[1].name         = "ring";
+  scene.bodies[1].position     = {{0., 0., 0.}};
+  scene.bodies[1].inner_radius = .06;
+  scene.bodies[1].outer_radius = .11;
+  for (const unsigned int degree : {1, 2})
+    {
+      const auto one       = transfer(scene, degree, MPI_COMM_SELF),
+                 two       = transfer(scene, degree, MPI_COMM_WORLD);
+      const double area    = M_PI * (.11 * .11 - .06 * .06) / one.size();
+      double       weights = 0., values = 0.;
+      check(one.size() == two.size() &&
+              one.size() == 11 * degree * (2 * degree + 1),
+            "as many nodes");
+      for (const auto &[place, a] : one)
+        {
+          const auto &b = two.at(place);
+          weights       = std::max(weights, std::abs(a.weight - b.weight));
+          for (unsigned int c = 0; c < 3; ++c)
+            values = std::max(values, std::abs(a.target[c] - b.target[c]));
+        }
+      const std::string p = ", p = " + std::to_string(degree);
+      check_below(weights / area, 1e-12, "weights of one and two ranks" + p);
+      check_below(values, 1e-12, "what the target's motion gives" + p);
+    }
+  return 0;
+}
