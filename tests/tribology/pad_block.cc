@@ -267,14 +267,13 @@ namespace
       {
         const PadBlock b{
           {-size, size, -size, size}, 2. * size, .3, .1 * size, .3 * size};
-        const Patch contact{-1., 1., -1., 1.};
-        double      largest = 0.;
-        for (const auto &points : {points_at(1e-3, {0., .5}),
-                                   points_at(.48, {0., .5}),
-                                   points_at(2., {0., .5})})
-          largest = std::max(
-            largest,
-            block_correction(b, {contact}, points).cwiseAbs().maxCoeff());
+        const Patch             contact{-1., 1., -1., 1.};
+        std::vector<BlockPoint> points;
+        for (const double z : {1e-3, .48, 2.})
+          for (const double place : {0., .5})
+            points.push_back({{place, .5, z}});
+        const double largest =
+          block_correction(b, {contact}, points).cwiseAbs().maxCoeff();
         std::printf(
           "block %.0f times the contact: correction %.1e\n", size, largest);
         if (before > 0.)
