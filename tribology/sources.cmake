@@ -57,4 +57,5 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
     source/statistics/spatial.cc
-    source/subsurface/half_space.cc)
+    source/subsurface/half_space.cc
+    source/subsurface/pad_block.cc)

@@ -2,7 +2,8 @@
 
 // The chain from histories to a verdict, with the program. Cracks that follow
 // the damage are found to do so, cracks that do not are not; a verdict on made
-// images says so. Arguments: the program, the folder of the parameter files.
+// images says so. Arguments: the program, the folder of the parameter files;
+// for histories of short transients also the program that computes them.
 #include "../driver/program.h"
 
 #include <squeal/results/table.h>
@@ -18,12 +19,21 @@ namespace fs = std::filesystem;
 
 namespace
 {
-  std::string program;
+  std::string program, transient_program;
 
   void
-  run(const std::vector<std::string> &arguments)
+  run(std::vector<std::string> arguments)
   {
-    std::vector<std::string> line = {program};
+    const bool is_transient =
+      arguments.back().find("_transient.prm") != std::string::npos;
+    if (is_transient)
+      arguments.insert(arguments.begin(),
+                       {"--set",
+                        "Transient/End time = 0.008",
+                        "--set",
+                        "Transient/History start = 0.005"});
+    std::vector<std::string> line = {is_transient ? transient_program
+                                                  : program};
     line.insert(line.end(), arguments.begin(), arguments.end());
     const Outcome outcome = run_program(line);
     check(outcome.code == 0, arguments.back() + ": " + outcome.errors);
@@ -52,6 +62,46 @@ namespace
             "one pad for a group decides nothing");
     return result;
   }
+
+
+
+  /** What the chain leaves behind. */
+  void
+  check_files(const std::string &results)
+  {
+    for (const char *file : {"squealing_transient/contact_history.h5",
+                             "squealing_transient/transient.json",
+                             "silent_transient/contact_history.h5",
+                             "damage/damage.csv",
+                             "damage/subsurface.csv",
+                             "damage/damage.h5",
+                             "damage/damage.vtu",
+                             "damage/totals.csv",
+                             "damage/report.html",
+                             "silent_damage/damage.csv",
+                             "squealing_images/specimen_0001.png",
+                             "silent_images/specimen_0101.png",
+                             "squealing_segmentation/cells.csv",
+                             "squealing_segmentation/segmentation.json",
+                             "squealing_segmentation/specimen_0001_cracks.png",
+                             "silent_segmentation/cells.csv",
+                             "correlation/correlation.json",
+                             "correlation/report.html"})
+      check(fs::file_size(results + file) > 0, file);
+    const Table damage = read_csv(results + "damage/damage.csv");
+    check(damage.n_rows() == 121, "121 contact nodes");
+    const Table totals = read_csv(results + "damage/totals.csv");
+    for (const char *m : {"m3", "m5", "m10"})
+      {
+        const std::string column = std::string("mean_damage_") + m + "_per_s";
+        check(totals.real(0, column) > totals.real(1, column),
+              "the squealing transient does more damage, slope " +
+                std::string(m));
+      }
+    const std::string report = text_of(results + "correlation/report.html");
+    check(report.find("made, not photographed") != std::string::npos,
+          "the report says that the images are made");
+  }
 } // namespace
 
 
@@ -59,24 +109,33 @@ namespace
 int
 main(int argc, char **argv)
 {
-  check(argc == 3, "two arguments");
-  program              = argv[1];
-  const fs::path study = argv[2];
+  check(argc == 3 || argc == 4, "two or three arguments");
+  program           = argv[1];
+  transient_program = argc == 4 ? argv[3] : "";
+  const fs::path study(argv[2]);
   // The results of the shipped files are relative to the working directory,
   // what they read to the files.
   fs::remove_all("study");
-  fs::create_directories("study/prm/tribobrake/fatigue_study");
+  fs::create_directories("study/prm");
+  fs::copy(
+    study.parent_path(), "study/prm/tribobrake", fs::copy_options::recursive);
+  fs::current_path("study");
+  const std::string        name  = study.filename();
+  const std::string        place = "prm/tribobrake/" + name + "/";
   std::vector<std::string> files;
-  for (const auto &entry : fs::directory_iterator(study))
+  for (const auto &entry : fs::directory_iterator(place))
     files.push_back(entry.path().filename());
   std::sort(files.begin(), files.end());
   for (const std::string &file : files)
-    fs::copy_file(study / file, "study/prm/tribobrake/fatigue_study/" + file);
-  fs::current_path("study");
-  for (const std::string &file : files)
-    run({"prm/tribobrake/fatigue_study/" + file});
-  const std::string results = "output/tribobrake/fatigue_study/";
-  auto              found   = verdicts(results + "correlation");
+    run({place + file});
+  const std::string results = "output/tribobrake/" + name + "/";
+  if (argc == 4)
+    {
+      check_files(results);
+      verdicts(results + "correlation");
+      return 0;
+    }
+  auto found = verdicts(results + "correlation");
   check(found.at(1) == "synthetic: supported",
         "cracks that follow the damage: " + found.at(1));
   check(found.at(2) != "synthetic: supported",

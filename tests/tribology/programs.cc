@@ -109,6 +109,41 @@ end
 
 
 
+  /** With a thickness the pad is a block, and few points are flagged. */
+  void
+  check_block()
+  {
+    const Table half_space = read_csv("damage/subsurface.csv");
+    runs(replaced_in(damage_prm,
+                     "  set Samples = 40\n",
+                     "  set Samples = 40\n  set Pad thickness = 0.01\n"
+                     "  set Finest cell = 4e-4\n"),
+         "damage in a block");
+    const Table block = read_csv("damage/subsurface.csv");
+    check(block.n_rows() == half_space.n_rows(), "the same points");
+    int    before = 0, after = 0;
+    double change = 0.;
+    for (std::size_t i = 0; i < block.n_rows(); ++i)
+      {
+        before += int(half_space.real(i, "near_edge"));
+        after += int(block.real(i, "near_edge"));
+        check(half_space.text(i, "field") == "half-space" &&
+                block.text(i, "field") == "block",
+              "the field of row " + std::to_string(i));
+        if (half_space.real(i, "near_edge") == 0.)
+          change = std::max(
+            change,
+            std::abs(
+              block.real(i, "dang_van") / half_space.real(i, "dang_van") - 1.));
+      }
+    std::cout << before << " points flagged, in a block " << after
+              << ", Dang Van changes by at most " << change << "\n";
+    check(after < before, "fewer points are flagged");
+    check(change > .05 && change < 2., "the sides matter to Dang Van");
+  }
+
+
+
   void
   whole_chain()
   {
@@ -154,6 +189,8 @@ end
                      "subsection History\n  set Chunk = 100\n"),
          "damage in small pieces");
     check(text_of("damage/damage.csv") == before, "the same to the last digit");
+
+    check_block();
 
     std::string features = "x_m,y_m,crack_density_per_m\n";
     for (std::size_t i = 0; i < 25; ++i)
@@ -215,6 +252,14 @@ end
     refuses(replaced_in(damage_prm, "Samples = 40", "Samples = 1"),
             {"Samples", "from 8"},
             "out of range");
+    refuses(
+      replaced_in(damage_prm, "set Samples = 40", "set Pad thickness = 1e-3"),
+      {"Depths", "Pad thickness"},
+      "depths beyond the pad");
+    refuses(
+      replaced_in(damage_prm, "set Samples = 40", "set Pad thickness = 3e-3"),
+      {"Pad thickness", "contact nodes"},
+      "a pad that is thin for its nodes");
     refuses(replaced_in(damage_prm, "Analysis = damage", "Analysis = damge"),
             {"Analysis", "did you mean 'damage'"},
             "a misspelt analysis");

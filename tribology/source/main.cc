@@ -4,6 +4,8 @@
 #include <squeal/driver/command_line.h>
 #include <squeal/tribology/driver/analyses.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 
 namespace
 {
@@ -30,14 +33,28 @@ namespace
                                             "--version",
                                             "--help"};
 
+  /** Of the damage analyses, only those in a block factorise in parallel. */
+  bool
+  needs_mpi(const TribologyParameters &p)
+  {
+    return p.analysis == TribologyParameters::Analysis::damage &&
+           p.subsurface.compute && p.subsurface.pad_thickness > 0.;
+  }
+
+
+
   void
-  run_file(const CommandLine &line)
+  run_file(const CommandLine &line, int argc, char **argv)
   {
     if (line.files.size() != 1)
       throw InputError("give one parameter file; see squeal-tribology --help");
     const TribologyParameters parameters =
       read_tribology_parameters(line.files[0], line.overrides);
     parameters.check();
+    std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+    if (needs_mpi(parameters))
+      mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
+        argc, argv, 1);
     Context context(parameters);
     switch (parameters.analysis)
       {
@@ -55,7 +72,7 @@ namespace
   }
 
   void
-  act(const CommandLine &line)
+  act(const CommandLine &line, int argc, char **argv)
   {
     if (line.action == "--help")
       std::cout << usage;
@@ -79,7 +96,7 @@ namespace
           }
       }
     else
-      run_file(line);
+      run_file(line, argc, argv);
   }
 } // namespace
 
@@ -95,6 +112,6 @@ main(int argc, char **argv)
   cv::setNumThreads(n_threads);
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   keep_freed_memory();
-  return run_guarded(true,
-                     [&]() { act(read_command_line(argc, argv, actions)); });
+  return run_guarded(
+    true, [&]() { act(read_command_line(argc, argv, actions), argc, argv); });
 }

@@ -285,7 +285,8 @@ namespace squeal::tribology
        {"near_edge",
         Table::Type::integer,
         "",
-        "1: an edge is nearer than three depths, the half-space fails"}});
+        "1: an edge is too near: than three depths in a half-space, than two "
+        "of the finest cells in a block"}});
     const auto has_plane = [](const C c) {
       return c == C::findley || c == C::swt || c == C::fatemi_socie;
     };
@@ -303,6 +304,10 @@ namespace squeal::tribology
                                   "critical plane: normal from the x axis"));
           }
       }
+    table.add_column({"field",
+                      Table::Type::text,
+                      "",
+                      "half-space, or block: with finite elements"});
     for (const SubsurfacePoint &point : points)
       {
         std::vector<Cell> row = {point.node,
@@ -319,6 +324,7 @@ namespace squeal::tribology
                 row.push_back(point.values[c].azimuth());
               }
           }
+        row.push_back(point.is_in_block ? "block" : "half-space");
         table.add_row(row);
       }
     return table;

@@ -250,6 +250,20 @@ namespace squeal::tribology
 
 
 
+    const char *const in_a_block =
+      "in a block that is free at its sides and held at its back: half-space "
+      "kernels and what they lack, by finite elements. Points nearer to the "
+      "rim of the face than two of the finest cells are flagged (near_edge) "
+      "and left out of maxima.";
+
+    const char *const in_a_half_space =
+      "in a half-space. Points nearer to an edge than three depths are flagged "
+      "(near_edge) and left out of maxima: a half-space has no edges. The "
+      "deeper, the fewer nodes remain, which alone makes a step in the "
+      "picture. 'Pad thickness' makes it a block.";
+
+
+
     void
     fill_report(HtmlReport    &report,
                 const Context &context,
@@ -298,14 +312,10 @@ namespace squeal::tribology
         {
           report.section("Below the face");
           report.paragraph(
-            "Half-space stresses under each node from the tractions of all "
-            "nodes, over the last " +
-            std::to_string(p.subsurface.n_samples) +
-            " samples. Points nearer to an edge than three depths are flagged "
-            "(near_edge) and left out of maxima: a half-space has no edges. "
-            "The "
-            "deeper, the fewer nodes remain, which alone makes a step in the "
-            "picture." +
+            "Stresses under each node from the tractions of all nodes, over "
+            "the last " +
+            std::to_string(p.subsurface.n_samples) + " samples, " +
+            (study.subsurface[0].is_in_block ? in_a_block : in_a_half_space) +
             (p.subsurface.axial_limit > 0.
                ? ""
                : " No fatigue limit was given: values are indices, relative to "
@@ -351,6 +361,9 @@ namespace squeal::tribology
     if (!study.grid.is_grid())
       context.log.warning("the contact nodes stand on no rectangular grid: "
                           "nodal cells are taken as squares");
+    if (!study.grid.is_grid() && p.subsurface.pad_thickness > 0.)
+      context.log.warning("stresses under the face are those of a half-space, "
+                          "in spite of 'Pad thickness'");
     if (!study.reader.layout().has_slip_rate)
       context.log.warning("the history has no slip rate: friction power, wear "
                           "and stick-slip are 0");

@@ -101,12 +101,20 @@ namespace squeal::tribology
           cells.push_back(
             {all_x[i] - h, all_x[i] + h, all_y[i] - h, all_y[i] + h});
       }
-    face = cells[0];
+    whole = cells[0];
     for (const Patch &c : cells)
-      face = {std::min(face.x_min, c.x_min),
-              std::max(face.x_max, c.x_max),
-              std::min(face.y_min, c.y_min),
-              std::max(face.y_max, c.y_max)};
+      whole = {std::min(whole.x_min, c.x_min),
+               std::max(whole.x_max, c.x_max),
+               std::min(whole.y_min, c.y_min),
+               std::max(whole.y_max, c.y_max)};
+  }
+
+
+
+  const Patch &
+  ContactGrid::face() const
+  {
+    return whole;
   }
 
 
@@ -171,8 +179,8 @@ namespace squeal::tribology
   ContactGrid::edge_distance(const std::size_t node) const
   {
     const auto [x, y] = places[node];
-    return std::min(std::min(x - face.x_min, face.x_max - x),
-                    std::min(y - face.y_min, face.y_max - y));
+    return std::min(std::min(x - whole.x_min, whole.x_max - x),
+                    std::min(y - whole.y_min, whole.y_max - y));
   }
 
 

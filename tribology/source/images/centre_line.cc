@@ -44,6 +44,27 @@ namespace squeal::tribology
 
 
 
+    /** The corner of a staircase, without which the line stays connected. */
+    bool
+    is_corner(const cv::Mat &m, const cv::Point &p)
+    {
+      bool n[8]; // from east, clockwise on the screen
+      for (int k = 0; k < 8; ++k)
+        n[k] = is_set(m, p + neighbour_steps[k]);
+      bool has_corner = false;
+      int  parts      = 0;
+      for (int k = 0; k < 8; k += 2)
+        {
+          const int diagonal = k + 1, next = (k + 2) % 8;
+          has_corner = has_corner || (n[k] && n[next]);
+          // Yokoi's number of 8-connected parts around the pixel.
+          parts += !n[k] && (n[diagonal] || n[next]);
+        }
+      return has_corner && parts == 1;
+    }
+
+
+
     /** The pixels of a branch from a line end, without its junction; empty
      * when it is longer than @p n or has no junction. */
     PixelPath
@@ -140,6 +161,10 @@ namespace squeal::tribology
                          active.end());
           }
       }
+    // Corners would look like junctions.
+    for (const cv::Point &p : active)
+      if (is_corner(result, p))
+        result.at<uchar>(p) = 0;
     return result;
   }
 

@@ -19,11 +19,11 @@ namespace squeal::tribology
       double local, path;
       double darkness; /**< of the darker flank's brightness */
     };
-    constexpr Need   to_start   = {3.5, 2.7, 0.045};
-    constexpr Need   to_belong  = {2.8, 2.0, 0.02};
+    constexpr Need   to_start   = {3.2, 2.7, 0.045};
+    constexpr Need   to_belong  = {2.9, 2.4, 0.02};
     constexpr double crest      = 2.;
     constexpr double counts     = 2.;  // local contrast above this adds up
-    constexpr double needed_sum = 40.; // over the pixels of a crack
+    constexpr double needed_sum = 80.; // over the pixels of a crack
     // In pixels.
     constexpr int    crest_spur      = 4;
     constexpr int    longest_spur    = 8;
@@ -38,6 +38,7 @@ namespace squeal::tribology
     constexpr double strong_scratch = 110., weak_scratch = 80.;
     constexpr double led_on_scratch = 140.;
     constexpr int    scratch_width  = 3;
+    constexpr int    scratch_part   = 40;
 
     cv::Mat
     find_crests(const RidgeField &ridges)
@@ -93,6 +94,32 @@ namespace squeal::tribology
 
 
 
+    /** Whether an edge, or half of its parts, lie on a straight line that is
+     * longer than @p longest. A scratch that leads into something else is bent
+     * as a whole. */
+    bool
+    lies_on_scratch(const cv::Mat   &crests,
+                    const LinePiece &piece,
+                    const double     longest)
+    {
+      if (straight_run(crests, piece) > longest)
+        return true;
+      const std::size_t n       = piece.axis.size();
+      const std::size_t n_parts = std::max<std::size_t>(1, n / scratch_part);
+      std::size_t       on      = 0;
+      for (std::size_t k = 0; k < n_parts; ++k)
+        {
+          LinePiece part;
+          part.axis.assign(piece.axis.begin() + k * n / n_parts,
+                           piece.axis.begin() + (k + 1) * n / n_parts);
+          if (straight_run(crests, part) > longest)
+            on += part.axis.size();
+        }
+      return 2 * on >= n;
+    }
+
+
+
     /** The crests of an image as edges with their weights. */
     class CrestGraph
     {
@@ -113,9 +140,10 @@ namespace squeal::tribology
                 w.path += ridges.strength.at<float>(p) / w.length;
                 w.darkness += darkness_at(smooth, ridges, p) / w.length;
               }
-            w.is_straight =
-              straight_run(crests, edge.piece) >
-              (w.local > strong_contrast ? strong_scratch : weak_scratch);
+            w.is_straight = lies_on_scratch(
+              crests,
+              edge.piece,
+              w.local > strong_contrast ? strong_scratch : weak_scratch);
             weights.push_back(w);
           }
       }

@@ -11,8 +11,8 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int    longest_gap   = 8;   // pixels
-    constexpr double line_distance = 0.8; // pixels, root mean square
+    constexpr int    longest_gap   = 8;    // pixels
+    constexpr double line_distance = 0.65; // pixels, root mean square
 
     /** Least-squares line through points. */
     struct StraightLine

@@ -149,8 +149,9 @@ namespace squeal::tribology
   declare_subsurface(prm::Schema &schema, SubsurfaceParameters &s)
   {
     schema.enter_section("Subsurface",
-                         "Stress below the face by half-space kernels and "
-                         "multiaxial criteria.");
+                         "Stress below the face by half-space kernels, in a "
+                         "block with finite elements, and multiaxial "
+                         "criteria.");
     schema.add("Compute", s.compute, "Whether it is computed.");
     schema.add("Depths",
                s.depths,
@@ -177,6 +178,19 @@ namespace squeal::tribology
                s.poisson_ratio,
                Allowed::number(0., 0.4999),
                "Of the pad.");
+    schema.add("Pad thickness",
+               s.pad_thickness,
+               Allowed::number(0., 1.),
+               "Of a rectangular pad that is held at its back: adds what a "
+               "half-space lacks, by finite elements; 0: half-space only, and "
+               "points near the edges are flagged.",
+               "m");
+    schema.add("Finest cell",
+               s.finest_cell,
+               Allowed::positive(1.),
+               "Of the finite elements, at the rim of the face: points nearer "
+               "to it than two cells are flagged.",
+               "m");
     schema.add("Axial limit",
                s.axial_limit,
                Allowed::number(0.),
@@ -264,6 +278,10 @@ namespace squeal::tribology
       prm::refuse_entry("Subsurface",
                         "Criteria",
                         "is empty: name one or set 'Compute = false'");
+    for (const double depth : s.depths)
+      if (s.pad_thickness > 0. && depth >= s.pad_thickness)
+        prm::refuse_entry(
+          "Subsurface", "Depths", "reach the 'Pad thickness' or beyond");
     if (s.compressive_strength > 0. && s.tensile_strength > 0. &&
         s.compressive_strength < s.tensile_strength)
       prm::refuse_entry(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/subsurface/half_space.h>
 
+#include <array>
 #include <cmath>
 
 namespace squeal::tribology
@@ -63,6 +64,37 @@ namespace squeal::tribology
         yyyz = -xxyz - yzzz;
       }
     };
+
+
+
+    /** Displacement times shear modulus at (x, y, z) from unit forces at the
+     * origin along x, y and z: Cerruti and Boussinesq, Johnson (1985), eqs.
+     * 3.18 and 3.75. */
+    Eigen::Matrix3d
+    point_displacement(const double x,
+                       const double y,
+                       const double z,
+                       const double nu)
+    {
+      const double r = std::sqrt(x * x + y * y + z * z), rrr = r * r * r;
+      const double m = 1. - 2. * nu, s = r + z;
+      // of the tangential forces along, across and down
+      const auto along = [&](const double a) {
+        return 1. / r + a * a / rrr + m * (1. / s - a * a / (r * s * s));
+      };
+      const double across = x * y / rrr - m * x * y / (r * s * s);
+      const auto   down   = [&](const double a) {
+        return a * z / rrr + m * a / (r * s);
+      };
+      const auto outward = [&](const double a) {
+        return a * z / rrr - m * a / (r * s);
+      };
+      Eigen::Matrix3d u;
+      u << along(x), across, outward(x), //
+        across, along(y), outward(y),    //
+        down(x), down(y), z * z / rrr + 2. * (1. - nu) / r;
+      return u / (4. * M_PI);
+    }
   } // namespace
 
 
@@ -93,6 +125,36 @@ namespace squeal::tribology
       2. * nu * d.zzz - m * d.yyz - z * d.yyzz, d.zzz - z * d.zzzz,
       -m * d.xyz - z * d.xyzz, -z * d.yzzz, -z * d.xzzz;
     return s / (2. * M_PI);
+  }
+
+
+
+  Eigen::Matrix3d
+  patch_displacement(const Patch &patch,
+                     const double x,
+                     const double y,
+                     const double z,
+                     const double nu)
+  {
+    constexpr std::array<double, 4> places{{-.8611363115940526,
+                                            -.3399810435848563,
+                                            .3399810435848563,
+                                            .8611363115940526}},
+      weights{{.3478548451374538,
+               .6521451548625461,
+               .6521451548625461,
+               .3478548451374538}};
+    const double    a = .5 * (patch.x_max - patch.x_min);
+    const double    b = .5 * (patch.y_max - patch.y_min);
+    Eigen::Matrix3d u = Eigen::Matrix3d::Zero();
+    for (unsigned int i = 0; i < places.size(); ++i)
+      for (unsigned int j = 0; j < places.size(); ++j)
+        u += a * b * weights[i] * weights[j] *
+             point_displacement(x - patch.x_min - a * (1. + places[i]),
+                                y - patch.y_min - b * (1. + places[j]),
+                                z,
+                                nu);
+    return u;
   }
 
 

@@ -17,15 +17,18 @@ namespace squeal::tribology
     std::size_t                 node         = 0;
     double                      depth        = 0.; /**< m */
     bool                        is_near_edge = false;
+    bool                        is_in_block  = false; /**< else half-space */
     std::vector<CriterionValue> values; /**< one for each criterion */
   };
 
   /**
    * Stress below every node at every depth from the tractions of the last
    * samples of a history (uniform on each nodal cell, with the nodal force of
-   * the tributary area), and the criteria on it. Points nearer to an edge of
-   * the face than three depths are flagged: there a half-space says nothing.
-   * Ordered by node, then depth.
+   * the tributary area), and the criteria on it. With a thickness of the pad
+   * the stress is that in a block, see block_correction(); points nearer to the
+   * rim of the face than two cells are flagged. Without, it is that in a
+   * half-space, which says nothing about points nearer to an edge than three
+   * depths: those are flagged. Ordered by node, then depth.
    */
   std::vector<SubsurfacePoint> evaluate_subsurface(
     const HistoryReader                    &reader,
@@ -36,10 +39,14 @@ namespace squeal::tribology
     const std::function<void(std::size_t)> &progress = {});
 
   /** Six rows for each point (node, depth), three columns (traction x, y,
-   * pressure) for each node. */
-  Eigen::MatrixXd subsurface_influence(const ContactGrid         &grid,
-                                       const std::vector<double> &depths,
-                                       double poisson_ratio);
+   * pressure) for each node: of a half-space, or of a block. */
+  Eigen::MatrixXd subsurface_influence(const ContactGrid          &grid,
+                                       const SubsurfaceParameters &subsurface);
+
+  /** Whether the stress is that in a block: a rectangular grid of nodes and a
+   * thickness are needed. */
+  bool is_block(const ContactGrid          &grid,
+                const SubsurfaceParameters &subsurface);
 } // namespace squeal::tribology
 
 #endif

@@ -35,6 +35,9 @@ namespace squeal::tribology
 
     double area(std::size_t node) const;
 
+    /** The whole face. */
+    const Patch &face() const;
+
     /** x and y of a node. */
     const std::array<double, 2> &place(std::size_t node) const;
 
@@ -64,7 +67,7 @@ namespace squeal::tribology
     std::vector<double>                areas, xs, ys;
     std::vector<Patch>                 cells;
     std::vector<std::size_t>           ordered;
-    Patch                              face{};
+    Patch                              whole{};
   };
 } // namespace squeal::tribology
 

@@ -10,7 +10,8 @@ namespace squeal::tribology
 {
   using PixelPath = std::vector<cv::Point>;
 
-  /** Skeleton of @p mask (CV_8U, 0 or 255) by Zhang and Suen's thinning. */
+  /** Skeleton of @p mask (CV_8U, 0 or 255) by Zhang and Suen's thinning,
+   * without the corners of staircases, which would look like junctions. */
   cv::Mat thin(const cv::Mat &mask);
 
   /** Removes branches of a skeleton of at most @p n pixels that end in a

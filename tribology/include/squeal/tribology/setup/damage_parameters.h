@@ -146,7 +146,9 @@ namespace squeal
       unsigned int           n_samples = 256;
       double                 youngs_modulus = 2.5e10; /**< Pa */
       double                 poisson_ratio  = 0.3;
-      double                 axial_limit    = 0.; /**< Pa; 0: an index */
+      double                 pad_thickness  = 0.;   /**< m; 0: half-space */
+      double                 finest_cell    = 2e-4; /**< m, of the block */
+      double                 axial_limit    = 0.;   /**< Pa; 0: an index */
       double torsion_ratio        = 0.6333; /**< torsion over axial limit */
       double repeated_limit       = 0.; /**< Pa, Sines; 0: the axial limit */
       double yield_stress         = 0.; /**< Pa, Fatemi-Socie */

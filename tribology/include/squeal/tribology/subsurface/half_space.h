@@ -30,6 +30,17 @@ namespace squeal::tribology
                                  double       z,
                                  double       poisson_ratio);
 
+  /**
+   * Displacement (x, y, z) times shear modulus at the same place for the same
+   * tractions. Point forces at 4 x 4 Gauss points of the patch: for places that
+   * are farther away than its size.
+   */
+  Eigen::Matrix3d patch_displacement(const Patch &patch,
+                                     double       x,
+                                     double       y,
+                                     double       z,
+                                     double       poisson_ratio);
+
   /** In-plane stress (xx, zz, xz) for tractions (x, pressure). */
   using StripInfluence = Eigen::Matrix<double, 3, 2>;
 

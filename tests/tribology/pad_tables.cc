@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Tables of damage and features on the cells of one pad: where features lie
+// when images are known from the pad's centre on and nodes from that of the
+// disc, how rows of a cell count, and places that lie nowhere.
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/statistics/pad_tables.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  constexpr unsigned int n = 5;
+
+  /** Place of a node or cell on a pad of 8 mm. */
+  double
+  place(const unsigned int i)
+  {
+    return 2e-3 * i - 4e-3;
+  }
+
+  double
+  value(const unsigned int i, const unsigned int j)
+  {
+    return 1. + i + 10. * j;
+  }
+
+  /** Damage on 5 x 5 nodes about (@p x, @p y). */
+  void
+  write_damage(const double x, const double y)
+  {
+    std::ofstream out("damage.csv");
+    out << "node,x_m,y_m,area_m2,index\n";
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        out << i + n * j << "," << x + place(i) << "," << y + place(j)
+            << ",4e-6," << value(i, j) << "\n";
+  }
+
+  /** The same values as a feature about (@p x, @p y), then @p more. */
+  void
+  write_features(const double x, const double y, const std::string &more = "")
+  {
+    std::ofstream out("features.csv");
+    out << "x_m,y_m,coverage,feature\n";
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        out << x + place(i) << "," << y + place(j) << ",1," << value(i, j)
+            << "\n";
+    out << more;
+  }
+
+  PadMaps
+  read()
+  {
+    CorrelationParameters p;
+    p.damage_tables  = {"damage.csv"};
+    p.feature_tables = {"features.csv"};
+    p.indices        = {"index"};
+    p.features       = {"feature"};
+    return std::move(read_pads(p)[0]);
+  }
+
+  double
+  largest_difference(const PadMaps &pad)
+  {
+    const auto &a = pad.indices.at("index").values;
+    const auto &b = pad.features.at("feature").values;
+    check(a.size() == n * n && b.size() == a.size(), "25 cells");
+    double largest = 0.;
+    for (std::size_t k = 0; k < a.size(); ++k)
+      largest = std::max(largest, std::abs(a[k] - b[k]));
+    return largest;
+  }
+
+
+
+  void
+  shifts()
+  {
+    write_features(0., 0.);
+    write_damage(0., 0.);
+    check(largest_difference(read()) == 0., "both about the pad's centre");
+    // where the brake's pad stands on the disc
+    write_damage(.13, -.02);
+    check(largest_difference(read()) == 0.,
+          "features about the centre, nodes about a place on the disc");
+    write_damage(0., .1);
+    check(largest_difference(read()) == 0., "shifted along one axis only");
+    write_features(.13, -.02);
+    write_damage(.13, -.02);
+    check(largest_difference(read()) == 0., "both about a place on the disc");
+    // A part of the face that lies on the nodes stays where it is.
+    write_damage(0., 0.);
+    std::ofstream("features.csv") << "x_m,y_m,coverage,feature\n"
+                                  << "0.004,0.004,1,7\n";
+    const auto one = read().features.at("feature").values;
+    for (std::size_t k = 0; k < one.size(); ++k)
+      check(k + 1 == one.size() ? one[k] == 7. : std::isnan(one[k]),
+            "one feature in the last cell, cell " + std::to_string(k));
+  }
+
+
+
+  void
+  rows_of_a_cell()
+  {
+    write_damage(0., 0.);
+    // value 1 with coverage 1, then 5 with coverage 3, in the first cell
+    write_features(0., 0., "-0.0038,-0.0036,3,5\n0.004,0.004,0,1e9\n");
+    const auto values = read().features.at("feature").values;
+    check_close(values.front(), 4., 1e-12, "rows count with their coverage");
+    check(values.back() == value(n - 1, n - 1), "not at all without coverage");
+  }
+
+
+
+  void
+  nowhere()
+  {
+    write_damage(.13, 0.);
+    write_features(.2, 0.);
+    check_throws<InputError>([] { read(); },
+                             "lies in no cell",
+                             "features on neither the pad nor its centre");
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  shifts();
+  rows_of_a_cell();
+  nowhere();
+}
