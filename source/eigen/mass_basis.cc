@@ -142,7 +142,10 @@ namespace squeal
 
 
   Block
-  MassBasis::extend(Block W, const double drop, Eigen::MatrixXd *coefficients)
+  MassBasis::extend(Block            W,
+                    const double     drop,
+                    Eigen::MatrixXd *coefficients,
+                    const bool       twice)
   {
     const RowSpace &space = *pencil.space();
     Block           MW    = pencil.multiply_mass(W);
@@ -181,7 +184,8 @@ namespace squeal
         else
           MW = (MW * T).eval();
         // Once is enough where little was taken away.
-        if (n > 0 && values[first] > once_is_enough * once_is_enough)
+        if (!twice && n > 0 &&
+            values[first] > once_is_enough * once_is_enough)
           break;
       }
     Q.append(W);

@@ -5,19 +5,68 @@
 
 #include "arpack_modes.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
 
+// deal.II declares it too, but its BLAS declarations contradict Eigen's.
+extern "C" void dsyevd_(const char *,
+                        const char *,
+                        const int *,
+                        double *,
+                        const int *,
+                        double *,
+                        double *,
+                        const int *,
+                        int *,
+                        const int *,
+                        int *);
+
 namespace squeal
 {
   namespace
   {
+    /** Eigenvalues, ascending, and orthonormal vectors of a symmetric matrix.
+     */
+    struct SymmetricPairs
+    {
+      Eigen::VectorXd values;
+      Eigen::MatrixXd vectors;
+
+      explicit SymmetricPairs(const Eigen::MatrixXd &A)
+        : values(A.rows())
+        , vectors(A)
+      {
+        const int           n = static_cast<int>(A.rows());
+        std::vector<double> work(1 + 6 * n + 2 * std::size_t(n) * n);
+        std::vector<int>    whole_work(3 + 5 * n);
+        const int           n_work = static_cast<int>(work.size()),
+                  n_whole          = static_cast<int>(whole_work.size());
+        int info                   = 0;
+        dsyevd_("V",
+                "L",
+                &n,
+                vectors.data(),
+                &n,
+                values.data(),
+                work.data(),
+                &n_work,
+                whole_work.data(),
+                &n_whole,
+                &info);
+        if (info != 0)
+          throw ComputationError("LAPACK found no eigenvalues of the projected "
+                                 "modes (info = " +
+                                 std::to_string(info) + ")");
+      }
+    };
+
     /** The space grows by one part in so many before it is looked at again. */
     constexpr Eigen::Index look_again = 12;
+
+    /** Two steps of so many project twice. */
+    constexpr unsigned int clean_again = 8;
 
     Block random_block(const RowSpace    &space,
                        const unsigned int n_columns,
@@ -175,7 +224,10 @@ namespace squeal
         Eigen::MatrixXd    h;
         const Block        W =
           inverse.solve(Block(basis.mass_products().rightCols(b)));
-        const Block next = basis.extend(W, 1e-13, &h);
+        // What one projection leaves of the last two blocks grows from step to
+        // step: two in a row without it begin anew.
+        const Block next =
+          basis.extend(W, 1e-13, &h, n_steps++ % clean_again < 2);
 
         Eigen::MatrixXd grown                   = Eigen::MatrixXd::Zero(n, n);
         grown.topLeftCorner(T.rows(), T.cols()) = T;
@@ -192,21 +244,21 @@ namespace squeal
       MassBasis                       basis;
       Eigen::MatrixXd                 T;
       Eigen::MatrixXd coupling; /**< of the last block to what is left out */
-      unsigned int    n_last = 0, n_deflated = 0, n_starts = 0;
+      unsigned int    n_last = 0, n_deflated = 0, n_starts = 0, n_steps = 0;
     };
 
 
 
     UndampedModes
-    ritz_modes(const Pencil                                         &pencil,
-               const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> &ritz,
-               const Eigen::VectorXd                                &errors,
-               const Eigen::Ref<const Block>                        &Q,
-               const Eigen::Ref<const Block>                        &MQ,
-               const double                                          shift,
-               const double                                          tolerance)
+    ritz_modes(const Pencil                  &pencil,
+               const SymmetricPairs          &ritz,
+               const Eigen::VectorXd         &errors,
+               const Eigen::Ref<const Block> &Q,
+               const Eigen::Ref<const Block> &MQ,
+               const double                   shift,
+               const double                   tolerance)
     {
-      const Eigen::VectorXd &theta = ritz.eigenvalues();
+      const Eigen::VectorXd &theta = ritz.values;
       std::vector<int>       kept, rest;
       for (Eigen::Index i = 0; i < theta.size(); ++i)
         if (theta[i] < 0. && errors[i] <= tolerance * std::abs(theta[i]))
@@ -227,11 +279,11 @@ namespace squeal
       modes.omega_squared.resize(kept.size());
       for (std::size_t k = 0; k < kept.size(); ++k)
         {
-          Y.col(k)               = ritz.eigenvectors().col(kept[k]);
+          Y.col(k)               = ritz.vectors.col(kept[k]);
           modes.omega_squared[k] = shift + 1. / theta[kept[k]];
         }
       for (std::size_t k = 0; k < rest.size(); ++k)
-        Z.col(k) = ritz.eigenvectors().col(rest[k]);
+        Z.col(k) = ritz.vectors.col(rest[k]);
       Eigen::MatrixXd all(theta.size(), kept.size() + rest.size());
       all << Y, Z;
       const Block both         = Q * all;
@@ -278,24 +330,23 @@ namespace squeal
           if (!whole && n < next_look)
             continue;
           next_look = n + n / look_again;
-          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(krylov.T);
-          Eigen::VectorXd errors = Eigen::VectorXd::Zero(n);
+          const SymmetricPairs ritz(krylov.T);
+          Eigen::VectorXd      errors = Eigen::VectorXd::Zero(n);
           if (!whole && krylov.coupling.rows() > 0)
             errors = (krylov.coupling *
-                      ritz.eigenvectors().bottomRows(krylov.coupling.cols()))
+                      ritz.vectors.bottomRows(krylov.coupling.cols()))
                        .colwise()
                        .norm();
           unsigned int n_converged = 0;
           for (Eigen::Index i = 0; i < n; ++i)
-            if (is_wanted(ritz.eigenvalues()[i]) &&
-                errors[i] <=
-                  options.tolerance * std::abs(ritz.eigenvalues()[i]))
+            if (is_wanted(ritz.values[i]) &&
+                errors[i] <= options.tolerance * std::abs(ritz.values[i]))
               ++n_converged;
           // Nothing may remain that has not converged below the limit, and a
           // hidden mode must not keep the iteration going for ever.
           unsigned int n_seen = 0;
           for (Eigen::Index i = 0; i < n; ++i)
-            if (const double theta = ritz.eigenvalues()[i];
+            if (const double theta = ritz.values[i];
                 is_wanted(theta) &&
                 std::abs(theta) > 1e-9 / std::abs(inverse.shift()))
               ++n_seen;

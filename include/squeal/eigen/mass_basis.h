@@ -47,11 +47,13 @@ namespace squeal
      * Orthonormalises the columns of @p W against the basis, then among
      * themselves, and appends them; directions that shrink below @p drop of
      * their own size are dropped. Returns the columns added; @p coefficients
-     * (optional) receives Q^T M W of the old basis.
+     * (optional) receives Q^T M W of the old basis. @p twice: projects a second
+     * time even where little was taken away.
      */
     Block extend(Block            W,
                  const double     drop,
-                 Eigen::MatrixXd *coefficients = nullptr);
+                 Eigen::MatrixXd *coefficients = nullptr,
+                 const bool       twice        = false);
 
     /** Starts an empty basis with columns that are mass-orthonormal already and
      * their products with the mass. */
