@@ -184,8 +184,7 @@ namespace squeal
         else
           MW = (MW * T).eval();
         // Once is enough where little was taken away.
-        if (!twice && n > 0 &&
-            values[first] > once_is_enough * once_is_enough)
+        if (!twice && n > 0 && values[first] > once_is_enough * once_is_enough)
           break;
       }
     Q.append(W);
