@@ -60,12 +60,16 @@ namespace squeal
     };
     double best = largest, best_share = share(largest);
     for (unsigned int k = 2; k <= 4 && largest / k > 40. * step; ++k)
-      if (const double s = share(largest / k);
-          largest / k >= lowest && s > best_share + least_gain)
-        {
-          best       = largest / k;
-          best_share = s;
-        }
+      {
+        // A denser comb holds more of a broad spectrum by chance alone.
+        const double f = largest / k, s = share(f),
+                     chance = 5. * step * (1. / f - 1. / best);
+        if (f >= lowest && s > best_share + least_gain + chance)
+          {
+            best       = f;
+            best_share = s;
+          }
+      }
     return best;
   }
 

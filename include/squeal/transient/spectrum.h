@@ -18,8 +18,9 @@ namespace squeal
     /**
      * Frequency of a periodic motion: its largest line, or that over 2, 3 or 4
      * where the multiples of the lower frequency hold at least 5 % of the power
-     * more than those of the higher one. A limit cycle whose second harmonic is
-     * the largest line has the period of its first. 0 if there is no line.
+     * more than those of the higher one, and than chance would give them. A
+     * limit cycle whose second harmonic is the largest line has the period of
+     * its first. 0 if there is no line.
      */
     double fundamental(const double lowest, const double highest) const;
     /** Root of the integral of the density within a relative width around a
