@@ -259,6 +259,15 @@ namespace squeal
 
 
 
+  Choices<TransientParameters::DiscFrame>
+  choices(const TransientParameters::DiscFrame)
+  {
+    using F = TransientParameters::DiscFrame;
+    return {{"eulerian", F::eulerian}, {"corotating", F::corotating}};
+  }
+
+
+
   Choices<DiscretizationParameters::Mass>
   choices(const DiscretizationParameters::Mass)
   {

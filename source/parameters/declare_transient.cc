@@ -85,6 +85,14 @@ namespace squeal
                    "runs others as well; 0: 'Time step'. A step above the "
                    "critical one is refused.",
                    "s");
+        schema.add("Disc frame",
+                   t.disc_frame,
+                   "The target's mesh stands still and its surface moves, the "
+                   "contact's matrices being those of the start (eulerian: for "
+                   "an axisymmetric disc), or it turns with the disc, the "
+                   "contact being integrated anew in every step (corotating: "
+                   "for a disc with features; implicit and explicit "
+                   "integrators).");
         schema.add("Contact method",
                    t.contact_method,
                    "How the contact of a step is solved: Newton iterations, or "
@@ -208,6 +216,12 @@ namespace squeal
                  "Time from which the fields of the contact nodes are kept in "
                  "contact_history.h5.",
                  "s");
+      schema.add("Animation frames",
+                 t.animation_frames,
+                 Allowed::integer(0, 10000),
+                 "The last samples whose motion of the bodies and contact "
+                 "fields are written for ParaView, as motion.pvd and "
+                 "contact.pvd; 0: none.");
       schema.add("Final speed ratio",
                  t.final_speed_ratio,
                  Allowed::number(),

@@ -294,6 +294,8 @@ namespace squeal
       SQUEAL_DESCRIBE(p, transient.integrators);
       SQUEAL_DESCRIBE(p, transient.contact_method);
       SQUEAL_DESCRIBE(p, transient.beta_2);
+      SQUEAL_DESCRIBE(p, transient.disc_frame);
+      SQUEAL_DESCRIBE(p, transient.animation_frames);
       SQUEAL_DESCRIBE(p, transient.explicit_step);
       SQUEAL_DESCRIBE(p, transient.interface_cut_off);
       SQUEAL_DESCRIBE(p, transient.disturbance);

@@ -51,6 +51,8 @@ namespace squeal
     TransientParameters::Integrator);
   Choices<TransientParameters::ContactMethod> choices(
     TransientParameters::ContactMethod);
+  Choices<TransientParameters::DiscFrame> choices(
+    TransientParameters::DiscFrame);
   Choices<FrequencyResponseParameters::Quantity> choices(
     FrequencyResponseParameters::Quantity);
   Choices<FrequencyResponseParameters::Residual> choices(

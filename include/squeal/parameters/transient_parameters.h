@@ -50,6 +50,11 @@ namespace squeal
       implicit, /**< finite elements, trapezoidal rule, contact velocities */
       explicit_ /**< finite elements, beta-2 scheme with forward multipliers */
     };
+    enum class DiscFrame
+    {
+      eulerian,  /**< contact matrices of the start: axisymmetric target */
+      corotating /**< the target's mesh turns, matrices of every step */
+    };
     enum class ContactMethod
     {
       newton,      /**< semi-smooth, Gauss-Seidel where it cycles */
@@ -58,19 +63,21 @@ namespace squeal
     Start         start             = Start::steady_sliding;
     Integrator    integrator        = Integrator::reduced;
     ContactMethod contact_method    = ContactMethod::newton;
+    DiscFrame     disc_frame        = DiscFrame::eulerian;
     double        beta_2            = 0.5; /**< of the explicit scheme */
     double        explicit_step     = 0.;  /**< s; 0: `time_step` */
     double        interface_cut_off = 0.;  /**< Hz, of the contact's own Ritz
                                               motions; 0: none moves */
-    double disturbance       = 1e-18;      /**< J, over all modes alike */
-    double cut_off           = 40e3;       /**< Hz, modes of the bodies */
-    double time_step         = 2e-6;       /**< s */
-    double end_time          = 0.05;       /**< s */
-    double tolerance         = 1e-8; /**< as PreloadParameters::tolerance */
-    double sample_interval   = 2e-5; /**< s, of all results */
-    double history_start     = 0.;   /**< s, of contact_history.h5 */
-    double final_speed_ratio = 1.;   /**< |V| at the end over that at the
-                                        start, linear in between */
+    double       disturbance     = 1e-18;  /**< J, over all modes alike */
+    double       cut_off         = 40e3;   /**< Hz, modes of the bodies */
+    double       time_step       = 2e-6;   /**< s */
+    double       end_time        = 0.05;   /**< s */
+    double       tolerance       = 1e-8; /**< as PreloadParameters::tolerance */
+    double       sample_interval = 2e-5; /**< s, of all results */
+    double       history_start   = 0.;   /**< s, of contact_history.h5 */
+    unsigned int animation_frames  = 0;  /**< the last samples, as motion.pvd */
+    double       final_speed_ratio = 1.; /**< |V| at the end over that at the
+                                            start, linear in between */
     HammerParameters hammer;
     double           friction_impulse      = 0.; /**< added to mu for a while */
     double           friction_impulse_time = 0.; /**< s */
