@@ -18,6 +18,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/sparse_matrix.cc
     source/base/stop_request.cc
     source/base/sum_operator.cc
+    source/base/symmetric_block_matrix.cc
     source/base/timers.cc)
 
 set(SQUEAL_SOURCES_PARAMETERS
@@ -139,7 +140,8 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduction_basis.cc
     source/transient/run_in.cc
     source/transient/spectrum.cc
-    source/transient/steady_sliding.cc)
+    source/transient/steady_sliding.cc
+    source/transient/time_step_error.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc

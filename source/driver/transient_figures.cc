@@ -8,6 +8,7 @@
 #include <squeal/driver/cea_solution.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/transient/time_step_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,11 +54,32 @@ namespace squeal
       return x.empty() ? 0. : std::sqrt(sum / x.size());
     }
 
+    /** What the time step adds to lambda of every recorded branch, 1/s. */
+    std::vector<std::complex<double>>
+    step_errors(const PreparedTransient &prepared, const TransientParameters &t)
+    {
+      using Integrator = TransientParameters::Integrator;
+      std::vector<std::complex<double>> result;
+      const Eigen::VectorXcd            reduced =
+        reduced_step_error(prepared.pressed.model(), prepared.linear, t.step());
+      for (const unsigned int k : prepared.branches)
+        {
+          const auto lambda = prepared.linear.lambda[k];
+          result.push_back(t.integrator == Integrator::implicit
+                             ? implicit_step_error(lambda, t.step())
+                           : t.integrator == Integrator::explicit_
+                             ? explicit_step_error(lambda, t.step(), t.beta_2)
+                             : reduced[k]);
+        }
+      return result;
+    }
+
     void
-    evaluate_branches(const PreparedTransient &prepared,
-                      const TransientRecord   &record,
-                      const ComplexPairs      *cea,
-                      TransientFigures        &f)
+    evaluate_branches(const PreparedTransient   &prepared,
+                      const TransientRecord     &record,
+                      const TransientParameters &settings,
+                      const ComplexPairs        *cea,
+                      TransientFigures          &f)
     {
       const auto   times    = record.times();
       const auto   linear   = linear_phase(record.samples);
@@ -67,7 +89,8 @@ namespace squeal
           f.linear_start = times[linear.first];
           f.linear_end   = times[linear.second - 1];
         }
-      const unsigned int n = prepared.branches.size();
+      const unsigned int n      = prepared.branches.size();
+      const auto         errors = step_errors(prepared, settings);
       for (unsigned int k = 0; k < n; ++k)
         {
           const auto   lambda = prepared.linear.lambda[prepared.branches[k]];
@@ -80,6 +103,7 @@ namespace squeal
           const auto window =
             fit_window(a, linear.first, linear.second, lambda.real() < 0.);
           b.fit = fit_growth(times, a, window.first, window.second);
+          b.fit.include(errors[k]);
           std::vector<double> sizes;
           for (std::size_t i = 0; i < a.size(); ++i)
             if (times[i] >= rms_from)
@@ -239,7 +263,7 @@ namespace squeal
                      const ComplexPairs      *cea)
   {
     TransientFigures f;
-    evaluate_branches(prepared, record, cea, f);
+    evaluate_branches(prepared, record, p.transient, cea, f);
     f.verdict = verdict_of(f);
     evaluate_limit_cycle(record, p, f);
     evaluate_nodes(record, f);

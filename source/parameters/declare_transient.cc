@@ -193,7 +193,8 @@ namespace squeal
       schema.add("Disturbance",
                  t.disturbance,
                  Allowed::number(0.),
-                 "Kinetic energy at the start, shared by all modes alike.",
+                 "Kinetic energy at the start, of an impulse spread at random "
+                 "over the contact nodes.",
                  "J");
       schema.add(
         "Time step", t.time_step, Allowed::positive(), "Time step.", "s");

@@ -103,6 +103,7 @@ namespace squeal
                                 alpha,
                                 beta,
                                 beta_2))
+    , stiffness(model.pencil->undamped_entries(0.), mass.size())
   {
     if (dt > stable_step)
       {
@@ -129,8 +130,8 @@ namespace squeal
   void
   ExplicitTransient::initialize()
   {
-    const Eigen::VectorXd K_u = stiffness_times(u);
-    a = (applied(0., lambda) - K_u - beta * stiffness_times(v))
+    K_u = stiffness_times(u);
+    a   = (applied(0., lambda) - K_u - beta * stiffness_times(v))
           .cwiseQuotient(mass) -
         alpha * v;
     w                = v - beta_2 * dt * a;
@@ -141,7 +142,7 @@ namespace squeal
   std::vector<Eigen::VectorXd *>
   ExplicitTransient::further_state()
   {
-    return {&w};
+    return {&w, &K_u};
   }
 
   double
@@ -152,42 +153,68 @@ namespace squeal
 
 
 
+  void
+  ExplicitTransient::multiply_by_stiffness()
+  {
+    if (n_steps > 0 && beta_2 == 0.5)
+      K_w = -K_u;
+    stiffness.multiply(u, K_u);
+    if (n_steps > 0 && beta_2 == 0.5)
+      K_w = (K_w + K_u) / dt;
+    else
+      stiffness.multiply(w, K_w);
+  }
+
+
+
   ContactReport
   ExplicitTransient::advance()
   {
-    const double t = time();
-    Block        x(u.size(), 2);
-    x << u, w;
-    const Block           K_x = model.pencil->multiply_undamped_stiffness(x);
-    const Eigen::VectorXd f   = external_force(t);
-    const Eigen::VectorXd force =
-      f - K_x.col(0) - beta * K_x.col(1) - alpha * mass.cwiseProduct(w);
-    const double    reach = (beta_2 + 0.5) * dt * dt;
-    Eigen::VectorXd a_now = force.cwiseQuotient(mass);
-    ContactStep     step  = contact_step(t + dt);
-    step.free_motion =
-      relative(u + dt * w + reach * a_now) + model.motion_offset;
+    const double          t     = time();
+    const Eigen::VectorXd f     = external_force(t);
+    const double          reach = (beta_2 + 0.5) * dt * dt;
+    const Eigen::Index    n     = u.size();
+    multiply_by_stiffness();
+    Eigen::VectorXd a_now(n);
+    predicted.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      {
+        a_now[i]     = (f[i] - K_u[i] - beta * K_w[i]) / mass[i] - alpha * w[i];
+        predicted[i] = u[i] + dt * w[i] + reach * a_now[i];
+      }
+    ContactStep step     = contact_step(t + dt);
+    step.free_motion     = relative(predicted) + model.motion_offset;
     step.previous_motion = nodes_motion;
 
     Eigen::VectorXd     next   = extrapolated_forces();
     const ContactReport report = solver->solve(step, next);
-    Block               pull   = Block::Zero(u.size(), 1);
+    Block               pull   = Block::Zero(n, 1);
     model.relative_motion->add_transposed(Eigen::MatrixXd(next), pull);
-    a_now -= pull.col(0).cwiseQuotient(mass);
 
-    const Eigen::VectorXd way    = dt * w + 0.5 * dt * dt * a_now;
-    const Eigen::VectorXd u_next = u + dt * w + reach * a_now;
-    energies.damping +=
-      way.dot(alpha * mass.cwiseProduct(w)) + beta * way.dot(K_x.col(1));
-    energies.load += way.dot(f);
-    energies.numerical -=
-      0.5 * (beta_2 - 0.5) * dt * dt * (a_now + a).dot(K_x.col(0));
+    // One pass over the vectors: a step is bound by memory traffic.
+    Eigen::VectorXd way(n), u_next(n);
+    double damping = 0., load = 0., numerical = 0., kinetic = 0., elastic = 0.;
+    for (Eigen::Index i = 0; i < n; ++i)
+      {
+        const double a_i = a_now[i] - pull(i) / mass[i];
+        way[i]           = dt * w[i] + 0.5 * dt * dt * a_i;
+        u_next[i]        = u[i] + dt * w[i] + reach * a_i;
+        damping += way[i] * (alpha * mass[i] * w[i] + beta * K_w[i]);
+        load += way[i] * f[i];
+        numerical += (a_i + a[i]) * K_u[i];
+        elastic += u_next[i] * K_u[i];
+        w[i] += dt * a_i;
+        kinetic += mass[i] * w[i] * w[i];
+        v[i]     = w[i] + beta_2 * dt * a_i;
+        a_now[i] = a_i;
+      }
+    energies.damping += damping;
+    energies.load += load;
+    energies.numerical -= 0.5 * (beta_2 - 0.5) * dt * dt * numerical;
     enter_contact_work(step, next, relative(way));
-    w += dt * a_now;
-    v                = w + beta_2 * dt * a_now;
     a                = a_now;
-    energies.kinetic = 0.5 * w.dot(mass.cwiseProduct(w));
-    energies.elastic = 0.5 * u_next.dot(K_x.col(0));
+    energies.kinetic = 0.5 * kinetic;
+    energies.elastic = 0.5 * elastic;
     finish_step(step, u_next, next);
     return report;
   }

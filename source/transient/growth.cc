@@ -61,6 +61,13 @@ namespace squeal
     return std::abs(rate) * (end - start);
   }
 
+  void
+  GrowthFit::include(const std::complex<double> error)
+  {
+    rate_ci += std::abs(error.real());
+    frequency_ci += std::abs(error.imag()) / (2. * M_PI);
+  }
+
 
 
   GrowthFit

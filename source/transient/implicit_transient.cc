@@ -63,13 +63,19 @@ namespace squeal
   ImplicitTransient::free_motion(const Eigen::VectorXd &right_hand_side) const
   {
     const Eigen::VectorXd rate = relative(v);
-    Eigen::VectorXd       motion =
-      2. * dt * (responses.transpose() * right_hand_side) - dt * rate;
+    // Nodes without contact in this step go on with their velocity: half of
+    // the time of a step is the product with the responses.
+    Eigen::VectorXd motion = dt * rate;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
         const double gap =
           model.initial_gap[j] - nodes_motion[3 * j] - 0.5 * dt * rate[3 * j];
         const bool may_touch = touching[j] > 0. || gap <= 0.;
+        if (may_touch)
+          motion.segment<3>(3 * j) =
+            2. * dt *
+              (responses.middleCols<3>(3 * j).transpose() * right_hand_side) -
+            dt * rate.segment<3>(3 * j);
         motion[3 * j] =
           model.initial_gap[j] + (may_touch ? motion[3 * j] : -far_away);
       }

@@ -305,14 +305,16 @@ namespace squeal
       LinearizedMotion result;
       result.lambda.resize(kept.size());
       result.left.resize(kept.size(), A.rows());
+      result.right.resize(A.rows(), kept.size());
       for (std::size_t i = 0; i < kept.size(); ++i)
         {
           result.lambda[i] = solver.eigenvalues()[kept[i]];
           const Eigen::VectorXcd x =
             unit.asDiagonal() * solver.eigenvectors().col(kept[i]);
-          result.left.row(i) = x.segment(n, n).norm() / std::sqrt(2.) *
-                               inverse.row(kept[i]) *
-                               unit.cwiseInverse().asDiagonal();
+          const double size = x.segment(n, n).norm() / std::sqrt(2.);
+          result.left.row(i) =
+            size * inverse.row(kept[i]) * unit.cwiseInverse().asDiagonal();
+          result.right.col(i) = x / size;
         }
       return result;
     }
@@ -431,6 +433,8 @@ namespace squeal
                             .partialPivLu()
                             .solve(rate);
       }
-    return left_vectors(A, n);
+    LinearizedMotion result = left_vectors(A, n);
+    result.across           = A.bottomRightCorner(n_s, n_s);
+    return result;
   }
 } // namespace squeal

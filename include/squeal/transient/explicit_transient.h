@@ -2,6 +2,7 @@
 #ifndef squeal_transient_explicit_transient_h
 #define squeal_transient_explicit_transient_h
 
+#include <squeal/base/symmetric_block_matrix.h>
 #include <squeal/transient/full_transient.h>
 
 namespace squeal
@@ -27,7 +28,8 @@ namespace squeal
    *   u_(n+1) = u_n + dt w_n + (beta_2 + 1/2) dt^2 u''_n,
    *   w_(n+1) = w_n + dt u''_n,
    * lambda such that gap and slip increment at t_(n+1) obey the law of contact.
-   * beta_2 = 1/2 is central differences.
+   * beta_2 = 1/2 is central differences; K w_(n+1) is then (K u_(n+1) - K u_n)
+   * / dt, and a step costs one product with K.
    *
    * Energies: kinetic w_n M w_n / 2, elastic u_(n-1) K u_n / 2, work over (w_n
    * + w_(n+1)) dt / 2: an identity of the scheme.
@@ -54,10 +56,16 @@ namespace squeal
     std::vector<Eigen::VectorXd *> further_state() override;
 
   private:
-    const double    beta_2;
-    Eigen::VectorXd mass;
-    double          stable_step;
-    Eigen::VectorXd w; /**< lagged velocity */
+    /** K u and K w of this step. */
+    void multiply_by_stiffness();
+
+    const double         beta_2;
+    Eigen::VectorXd      mass;
+    double               stable_step;
+    SymmetricBlockMatrix stiffness;
+    Eigen::VectorXd      w; /**< lagged velocity */
+    Eigen::VectorXd      K_u, K_w;
+    Eigen::VectorXd      predicted; /**< u_(n+1) without contact */
   };
 } // namespace squeal
 

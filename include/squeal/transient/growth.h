@@ -13,14 +13,19 @@ namespace squeal
    * in a window. */
   struct GrowthFit
   {
-    double rate         = 0.;    /**< 1/s */
-    double rate_ci      = 0.;    /**< half width of the 95 % interval, 1/s */
+    double rate    = 0.;         /**< 1/s */
+    double rate_ci = 0.;         /**< half width of the interval, 1/s: 95 % by
+                                    the scatter, and the time step's part */
     double frequency    = 0.;    /**< Hz */
     double frequency_ci = 0.;    /**< Hz */
     double start = 0., end = 0.; /**< of the window, s */
     bool   is_valid = false;
 
     double e_foldings() const;
+
+    /** Widens the intervals by what the time step adds to sigma + i omega, @p
+     * error in 1/s (time_step_error.h). */
+    void include(const std::complex<double> error);
   };
 
   /**

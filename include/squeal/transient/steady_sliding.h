@@ -60,6 +60,11 @@ namespace squeal
      * the amplitude of pair k in a motion, scaled so that an eigenmotion of
      * kinetic energy amplitude 1 J has amplitude 1. */
     Eigen::MatrixXcd left;
+    /** Columns: the eigenmotions of amplitude 1, left * right has a unit
+     * diagonal. */
+    Eigen::MatrixXcd right;
+    /** What lambda across the sliding has part in its own rate, 1/s. */
+    Eigen::MatrixXd across;
 
     /** Amplitudes of all pairs in what a motion is away from @p steady. */
     Eigen::VectorXcd amplitudes(const SteadySliding   &steady,

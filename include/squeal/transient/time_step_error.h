@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_time_step_error_h
+#define squeal_transient_time_step_error_h
+
+#include <squeal/transient/steady_sliding.h>
+
+namespace squeal
+{
+  /** @name What steps of @p dt seconds add to lambda = sigma + i omega of the
+   * linear motion, 1/s, to leading order in dt: doc/theory.md. */
+  //@{
+  /** Of the reduced integrator, for every pair of @p linear: contact forces
+   * that are linear within a step, and slip rates across the sliding that are
+   * those of the middle of a step. */
+  Eigen::VectorXcd reduced_step_error(const ReducedContactModel &model,
+                                      const LinearizedMotion    &linear,
+                                      const double               dt);
+
+  /** Of the implicit integrator: (lambda dt)^2 / 12 of lambda. */
+  std::complex<double> implicit_step_error(const std::complex<double> lambda,
+                                           const double               dt);
+
+  /** Of the explicit integrator. */
+  std::complex<double> explicit_step_error(const std::complex<double> lambda,
+                                           const double               dt,
+                                           const double               beta_2);
+  //@}
+} // namespace squeal
+
+#endif
