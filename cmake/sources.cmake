@@ -149,6 +149,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/contact_map.cc
     source/results/cost_at_error.cc
     source/results/display_mesh.cc
+    source/results/drawn_bodies.cc
     source/results/hdf5_file.cc
     source/results/history_reader.cc
     source/results/history_writer.cc
@@ -156,6 +157,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/label_layout.cc
     source/results/matrix_market.cc
     source/results/measured_shapes.cc
+    source/results/motion_writer.cc
     source/results/plots.cc
     source/results/plotter.cc
     source/results/read_csv.cc
@@ -171,6 +173,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/wav_file.cc)
 
 set(SQUEAL_SOURCES_DRIVER
+    source/driver/campaign_amplitudes.cc
     source/driver/campaign_plots.cc
     source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
@@ -183,6 +186,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/measured_points.cc
     source/driver/mode_solution.cc
     source/driver/model.cc
+    source/driver/motion_output.cc
     source/driver/pressed_model.cc
     source/driver/response_solution.cc
     source/driver/response_tables.cc
@@ -212,6 +216,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/transient_checkpoint.cc
     source/driver/transient_figures.cc
     source/driver/transient_output.cc
+    source/driver/transient_phase.cc
     source/driver/transient_plots.cc
     source/driver/transient_run.cc
     source/driver/updating_fit.cc
