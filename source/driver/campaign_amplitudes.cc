@@ -40,7 +40,8 @@ namespace squeal
       for (const auto &axis : axes)
         if (axis.name != left_out)
           name += (name.empty() ? "" : ", ") + axis.name + " " +
-                  rounded_text(table.real(row, axis.name), 4);
+                  shortest_text(
+                    std::stod(rounded_text(table.real(row, axis.name), 4)));
       const std::string top = table.text(row, "top");
       return name + (name.empty() || top.empty() ? "" : ", ") + top;
     }
@@ -125,8 +126,10 @@ namespace squeal
              "sigma_cea_per_s",
              "rms_normal_n",
              runs,
-             [&](const std::size_t i) { return table.text(i, "top"); }) >=
-        least_points)
+             [&](const std::size_t i) {
+               return curve_name(
+                 table, i, axes, axes.empty() ? "" : axes.front().name);
+             }) >= least_points)
       draw(context,
            "amplitude_over_sigma",
            {over_sigma},

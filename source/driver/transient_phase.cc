@@ -157,7 +157,7 @@ namespace squeal
     Chart            amplitude, phase;
     amplitude.title   = "Amplitude of the normal force at the largest line";
     amplitude.x.label = "time in ms";
-    amplitude.y.label = "N";
+    amplitude.y.label = "amplitude in N";
     amplitude.y.scale = AxisSettings::Scale::logarithmic;
     phase.title       = "Phase of the tangential against the normal force";
     phase.x.label     = "time in ms";
