@@ -17,6 +17,9 @@ namespace squeal
     /** Fewer points make no curve. */
     constexpr std::size_t least_points = 3;
 
+    /** Least range of the normal force in squeal over its largest value. */
+    constexpr double squeal_range = 0.05;
+
     bool
     is_speed(const SweepAxisParameters &axis)
     {
@@ -111,8 +114,11 @@ namespace squeal
   draw_amplitudes(RunContext &context, const Table &table, HtmlReport &report)
   {
     const auto &axes = context.parameters.sweep.axes;
-    const auto  runs = [&](const std::size_t i) {
-      return table.text(i, "limit_cycle") == "yes";
+    // What rings on slowly looks steady, but is small.
+    const auto runs = [&](const std::size_t i) {
+      return table.text(i, "limit_cycle") == "yes" &&
+             table.real(i, "max_normal_n") - table.real(i, "min_normal_n") >
+               squeal_range * std::abs(table.real(i, "max_normal_n"));
     };
     Chart over_sigma;
     over_sigma.title   = "Amplitude of the limit cycle over growth rate";
