@@ -151,6 +151,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/contact_map.cc
     source/results/cost_at_error.cc
     source/results/display_mesh.cc
+    source/results/drawn_bodies.cc
     source/results/hdf5_file.cc
     source/results/history_reader.cc
     source/results/history_writer.cc
@@ -158,6 +159,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/label_layout.cc
     source/results/matrix_market.cc
     source/results/measured_shapes.cc
+    source/results/motion_writer.cc
     source/results/plots.cc
     source/results/plotter.cc
     source/results/read_csv.cc
@@ -173,6 +175,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/wav_file.cc)
 
 set(SQUEAL_SOURCES_DRIVER
+    source/driver/campaign_amplitudes.cc
     source/driver/campaign_plots.cc
     source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
@@ -185,6 +188,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/measured_points.cc
     source/driver/mode_solution.cc
     source/driver/model.cc
+    source/driver/motion_output.cc
     source/driver/pressed_model.cc
     source/driver/response_solution.cc
     source/driver/response_tables.cc
@@ -214,6 +218,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/transient_checkpoint.cc
     source/driver/transient_figures.cc
     source/driver/transient_output.cc
+    source/driver/transient_phase.cc
     source/driver/transient_plots.cc
     source/driver/transient_run.cc
     source/driver/updating_fit.cc

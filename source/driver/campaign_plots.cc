@@ -165,6 +165,8 @@ namespace squeal
     const Parameters &p = context.parameters;
     if (p.transient.compare_with_cea)
       draw_comparison(context, table, report);
+    else
+      draw_amplitudes(context, table, report);
     if (p.sweep.axes.size() == 2)
       draw_stability(context, table, report);
   }

@@ -84,11 +84,21 @@ namespace squeal
         {"integrator", Type::text, "", ""},
         {"frequency_ci_hz", Type::real, "Hz", "of the quarters", 2},
         {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
-        {"sigma_full_contact_per_s",
-         Type::real,
-         "1/s",
-         "whole face closed",
-         4}};
+        {"sigma_full_contact_per_s", Type::real, "1/s", "whole face closed", 4},
+        {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
+        {"phase_deg", Type::real, "deg", "tangential against normal", 4}};
+    if (!p.transient.compare_with_cea && has_trigger(p.transient))
+      for (const Table::Column &column : std::vector<Table::Column>{
+             {"outcome", Type::text, "", "squeal by itself, after the trigger"},
+             {"before_trigger_n",
+              Type::real,
+              "N",
+              "rms of the normal force",
+              3},
+             {"after_trigger_n", Type::real, "N", "the tenth that follows", 3},
+             {"end_n", Type::real, "N", "the last tenth of the run", 3},
+             {"lasting_s", Type::real, "s", "above 10 % of the mean force", 3}})
+        columns.push_back(column);
     for (const auto &column : columns)
       table.add_column(column);
     return table;
@@ -99,9 +109,10 @@ namespace squeal
   std::vector<Cell>
   campaign_row(const CampaignRun       &run,
                const PreparedTransient &prepared,
-               const TransientFigures  &f,
-               const bool               compares)
+               const TransientRecord   &record,
+               const TransientFigures  &f)
   {
+    const bool        compares = run.parameters.transient.compare_with_cea;
     std::vector<Cell> row(run.shown.begin(), run.shown.end());
     row.emplace_back(run.top);
     const BranchResult *b   = leading_branch(f);
@@ -165,6 +176,17 @@ namespace squeal
     row.push_back(known(is_unstable ? f.frequency_ci : nan));
     row.push_back(known(is_unstable ? f.largest_line : nan));
     row.push_back(known(sigma_with_full_contact(prepared, run.parameters)));
+    row.push_back(known(f.macroscopic_friction));
+    row.push_back(known(f.phase));
+    if (has_trigger(run.parameters.transient))
+      {
+        const TriggerOutcome trigger =
+          evaluate_trigger(record, run.parameters.transient);
+        row.emplace_back(trigger.text);
+        for (const double value :
+             {trigger.before, trigger.after, trigger.end, trigger.lasting})
+          row.push_back(known(value));
+      }
     return row;
   }
 
@@ -206,7 +228,7 @@ namespace squeal
                      std::vector<Cell> &row) const
   {
     const auto found = rows.find(key);
-    if (found == rows.end() || found->size() != n_columns)
+    if (found == rows.end() || (n_columns > 0 && found->size() != n_columns))
       return false;
     row.clear();
     for (const auto &cell : *found)

@@ -316,6 +316,14 @@ namespace squeal
 
 
 
+  Block
+  PressedModel::expand(const Block &unknowns) const
+  {
+    return separated.expand(unknowns);
+  }
+
+
+
   ContactState
   PressedModel::state_of(const SteadySliding &steady) const
   {

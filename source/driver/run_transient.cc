@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "motion_output.h"
+
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/driver/analyses.h>
@@ -82,6 +84,7 @@ namespace squeal
 
     void
     report_run(RunContext              &context,
+               const Model             &model,
                const PreparedTransient &prepared,
                const TransientRecord   &record,
                const TransientFigures  &f)
@@ -95,6 +98,8 @@ namespace squeal
       context.write_table("probes.csv", probe_table(record));
       const Table zones = zone_table(prepared, record);
       context.write_table("zones.csv", zones);
+      const Table phases = phase_table(record, f);
+      context.write_table("phase.csv", phases);
       if (context.is_root)
         {
           Timers::Section section(context.timers, "Write: history");
@@ -130,6 +135,20 @@ namespace squeal
         {"steps per second",
          shown("steps_per_second") + ", " + shown("iterations_per_step") +
            " iterations a step"}};
+      const bool  has_ramp = p.transient.final_speed_ratio != 1.;
+      const Table speeds   = speed_table(record, p);
+      if (has_ramp)
+        context.write_table("speeds.csv", speeds);
+      if (const TriggerOutcome trigger = evaluate_trigger(record, p.transient);
+          !trigger.text.empty())
+        context.record.figures.emplace_back(
+          "outcome",
+          trigger.text + ": rms of the normal force " +
+            rounded_text(trigger.before, 3) + " N before the trigger, " +
+            rounded_text(trigger.after, 3) + " N after it, " +
+            rounded_text(trigger.end, 3) + " N at the end");
+      const std::string animation =
+        write_animation(context, model, prepared, record);
       context.log.heading("Pairs about steady sliding and in time");
       std::ostringstream text;
       branches.print(text,
@@ -158,13 +177,17 @@ namespace squeal
         {
           Timers::Section section(context.timers, "Write: charts");
           draw_transient(context, prepared, record, f, report);
+          draw_phases(context, {{"", phases}}, report);
+          if (has_ramp)
+            draw_speeds(context, speeds, report);
         }
       report.section("Pairs");
       report.table(branches, "Pairs about steady sliding and in time");
       report.section("Contact zones");
       report.table(zones, "Second half of the run", {}, {}, false);
-      context.finish(p.output.report ? &report : nullptr, "");
+      context.finish(p.output.report ? &report : nullptr, animation);
     }
+
     /** What grows fastest in the reduced model about steady sliding, in the
      * band or not. */
     void
@@ -225,6 +248,7 @@ namespace squeal
                               context.log,
                               context.timers);
     report_run(context,
+               model,
                prepared,
                run.record(),
                evaluate_transient(

@@ -21,6 +21,9 @@ namespace squeal
   {
     using Kind = SupportParameters::Kind;
 
+    /** What the key of a run's phases ends with. */
+    const std::string phase_key = "phases";
+
     std::vector<double>
     axis_values(const SweepAxisParameters &a)
     {
@@ -118,7 +121,7 @@ namespace squeal
       struct Outcome
       {
         std::vector<Cell> row;
-        bool              finished = false;
+        Table             phases;
       };
 
       /** Steady sliding and its linearisation; null where there is none. */
@@ -173,9 +176,7 @@ namespace squeal
                                   context.timers);
         const TransientFigures f = evaluate_transient(
           prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
-        return {campaign_row(
-                  run, prepared, f, run.parameters.transient.compare_with_cea),
-                true};
+        return {campaign_row(run, prepared, record, f), phase_table(record, f)};
       }
 
     private:
@@ -238,23 +239,95 @@ namespace squeal
       return result;
     }
 
+    /** What a campaign gathers. */
+    struct CampaignResults
+    {
+      explicit CampaignResults(const Parameters &p)
+        : table(campaign_columns(p))
+        , keeps_phases(has_trigger(p.transient) &&
+                       !p.transient.compare_with_cea)
+      {
+      }
+
+      Table table;
+      /** Phases over time are kept where a trigger is there. */
+      bool                                       keeps_phases;
+      std::vector<std::pair<std::string, Table>> phases;
+    };
+
+    /** The values of a run's axes, "mu 0.35". */
+    std::string
+    run_label(const CampaignRun &run, const Table &table)
+    {
+      std::string label;
+      for (std::size_t i = 0; i < run.shown.size(); ++i)
+        label += (label.empty() ? "" : ", ") + table.columns()[i].name + " " +
+                 rounded_text(run.shown[i], 4);
+      return label + (label.empty() ? "" : " ") + run.top;
+    }
+
+    /** All rows of a table of numbers one after the other, and back. */
+    std::vector<Cell>
+    joined(const Table &table)
+    {
+      std::vector<Cell> all;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        for (std::size_t c = 0; c < table.columns().size(); ++c)
+          all.push_back(table.cell(i, c));
+      return all;
+    }
+
+    Table
+    phases_of(const std::vector<Cell> &all)
+    {
+      Table             table = phase_table(TransientRecord(), {});
+      const std::size_t n     = table.columns().size();
+      for (std::size_t i = 0; i + n <= all.size(); i += n)
+        table.add_row({all.begin() + i, all.begin() + i + n});
+      return table;
+    }
+
+    /** The phases of all runs as one table with the axes in front. */
+    Table
+    all_phases(const CampaignResults          &results,
+               const std::vector<CampaignRun> &runs)
+    {
+      Table table;
+      for (std::size_t k = 0; k < results.phases.size(); ++k)
+        {
+          Table part = results.phases[k].second;
+          for (std::size_t i = runs[k].shown.size(); i-- > 0;)
+            part.put_first(results.table.columns()[i], runs[k].shown[i]);
+          table.append(part);
+        }
+      return table;
+    }
+
     /** Runs of one group that are still to be done, a few at a time. */
     void
     run_group(const std::vector<CampaignRun> &runs,
               RunContext                     &context,
               FinishedRuns                   &finished,
               Progress                       &progress,
-              Table                          &table)
+              CampaignResults                &results)
     {
+      Table             &table = results.table;
       const unsigned int side_by_side =
         n_threads(runs, context.parameters.transient.threads);
       std::unique_ptr<CampaignGroup> group;
       const auto                     add = [&](const CampaignRun       &run,
                            const std::vector<Cell> &row,
+                           const std::vector<Cell> &phases,
                            const bool               is_new) {
         table.add_row(row);
+        if (results.keeps_phases)
+          results.phases.emplace_back(run_label(run, table), phases_of(phases));
         if (is_new && context.is_root)
-          finished.add(run.key, row);
+          {
+            if (results.keeps_phases)
+              finished.add(run.key + phase_key, phases);
+            finished.add(run.key, row);
+          }
         progress.advance(1, run.top);
       };
       for (std::size_t first = 0; first < runs.size(); first += side_by_side)
@@ -288,12 +361,14 @@ namespace squeal
               const bool is_known = !rows[i - first].empty();
               if (is_known)
                 {
-                  add(runs[i], rows[i - first], false);
+                  std::vector<Cell> phases;
+                  finished.find(runs[i].key + phase_key, 0, phases);
+                  add(runs[i], rows[i - first], phases, false);
                   continue;
                 }
               if (!prepared[i - first])
                 {
-                  add(runs[i], row_without_sliding(runs[i], table), true);
+                  add(runs[i], row_without_sliding(runs[i], table), {}, true);
                   continue;
                 }
               TransientRecord record;
@@ -310,9 +385,9 @@ namespace squeal
                                    "runs that are left");
                   stop.repeat();
                 }
-              add(runs[i],
-                  group->evaluate(runs[i], *prepared[i - first], record).row,
-                  true);
+              const auto outcome =
+                group->evaluate(runs[i], *prepared[i - first], record);
+              add(runs[i], outcome.row, joined(outcome.phases), true);
             }
         }
     }
@@ -328,7 +403,7 @@ namespace squeal
     std::vector<std::string> tops = p.transient.tops;
     if (tops.empty())
       tops.push_back("");
-    Table                                 table = campaign_columns(p);
+    CampaignResults                       results(p);
     std::vector<std::vector<CampaignRun>> groups;
     std::size_t                           n_runs = 0;
     for (const std::string &top : tops)
@@ -349,12 +424,17 @@ namespace squeal
                   for (const auto &[name, kind] : choices(Kind()))
                     if (name == top)
                       support.kind = kind;
-              // Node fields are not kept in a campaign.
+              // Node fields and frames are not kept in a campaign.
               run.parameters.transient.history_start       = 1e300;
+              run.parameters.transient.animation_frames    = 0;
               run.parameters.discretization.estimate_error = false;
               for (CampaignRun &each : by_integrators(run))
                 {
                   each.key = key_of_motion(each.parameters);
+                  // Axes may be numbers that the key does not name.
+                  for (std::size_t i = 0; i < axes.size(); ++i)
+                    each.key +=
+                      axes[i].name + " " + shortest_text(each.shown[i]) + "\n";
                   groups.back().push_back(each);
                   ++n_runs;
                 }
@@ -367,8 +447,9 @@ namespace squeal
     {
       Progress progress(context.log, "transients", n_runs);
       for (const auto &runs : groups)
-        run_group(runs, context, finished, progress, table);
+        run_group(runs, context, finished, progress, results);
     }
+    const Table &table = results.table;
     context.write_table(p.transient.campaign_table, table);
     std::ostringstream text;
     table.print(text);
@@ -380,8 +461,19 @@ namespace squeal
     report.set_verdict(HtmlReport::Verdict::neutral,
                        std::to_string(table.n_rows()) + " runs",
                        context.record.figures);
+    if (results.keeps_phases)
+      {
+        std::vector<CampaignRun> runs;
+        for (const auto &group : groups)
+          runs.insert(runs.end(), group.begin(), group.end());
+        context.write_table("phases.csv", all_phases(results, runs));
+      }
     if (p.output.plots && context.is_root)
-      draw_campaign(context, table, report);
+      {
+        draw_campaign(context, table, report);
+        if (results.keeps_phases)
+          draw_phases(context, results.phases, report);
+      }
     report.section("Runs");
     report.table(table, "One row for each run");
     context.finish(p.output.report ? &report : nullptr, "");

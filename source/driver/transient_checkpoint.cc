@@ -57,6 +57,38 @@ namespace squeal
               {"energies", &h.energies}};
     }
 
+    /** The vectors of frames one after the other, all of the same size. */
+    std::vector<double>
+    joined(const std::vector<MotionFrame> &frames,
+           Eigen::VectorXd MotionFrame::*const part)
+    {
+      std::vector<double> result;
+      for (const auto &frame : frames)
+        result.insert(result.end(),
+                      (frame.*part).data(),
+                      (frame.*part).data() + (frame.*part).size());
+      return result;
+    }
+
+    void
+    divide(const std::vector<double> &values,
+           std::vector<MotionFrame>  &frames,
+           Eigen::VectorXd MotionFrame::*const part)
+    {
+      const std::size_t n = frames.empty() ? 0 : values.size() / frames.size();
+      for (std::size_t k = 0; k < frames.size(); ++k)
+        frames[k].*part =
+          Eigen::Map<const Eigen::VectorXd>(values.data() + k * n, n);
+    }
+
+    std::vector<std::pair<std::string, Eigen::VectorXd MotionFrame::*>>
+    frame_parts()
+    {
+      return {{"coordinates", &MotionFrame::coordinates},
+              {"forces", &MotionFrame::forces},
+              {"unknowns", &MotionFrame::unknowns}};
+    }
+
     std::vector<double>
     counters_of(const TransientRecord &r)
     {
@@ -106,6 +138,11 @@ namespace squeal
       HistorySamples history = kept.history;
       for (const auto &[name, values] : arrays(history))
         write("history/" + name, *values);
+      HistorySamples nodes = kept.frame_nodes;
+      for (const auto &[name, values] : arrays(nodes))
+        write("frames/" + name, *values);
+      for (const auto &[name, part] : frame_parts())
+        write("frames/" + name, joined(kept.frames, part));
       file.close();
     }
     target.commit();
@@ -157,6 +194,13 @@ namespace squeal
     linear_since_sample = read("linear_since_sample").at(0) == 1.;
     for (const auto &[name, values] : arrays(kept.history))
       *values = read("history/" + name);
+    for (const auto &[name, values] : arrays(kept.frame_nodes))
+      *values = read("frames/" + name);
+    kept.frames.assign(kept.frame_nodes.n_samples(), MotionFrame());
+    for (std::size_t k = 0; k < kept.frames.size(); ++k)
+      kept.frames[k].time = kept.frame_nodes.time[k];
+    for (const auto &[name, part] : frame_parts())
+      divide(read("frames/" + name), kept.frames, part);
     return true;
   }
 } // namespace squeal

@@ -274,6 +274,44 @@ namespace squeal
 
 
 
+  Table
+  speed_table(const TransientRecord &record, const Parameters &p)
+  {
+    constexpr std::size_t n_parts = 50;
+    Table        table({{"time_s", Type::real, "s", "middle of a stretch"},
+                        {"speed_m_per_s", Type::real, "m/s", "sliding, there"},
+                        {"macroscopic_friction",
+                         Type::real,
+                         "",
+                         "mean tangential over mean normal force"},
+                        {"mean_normal_n", Type::real, "N", ""},
+                        {"rms_normal_n", Type::real, "N", "about the mean"}});
+    const auto  &s = record.samples;
+    const double v = std::abs(p.scene.contacts[0].sliding_speed);
+    for (std::size_t k = 0; k < n_parts && s.size() >= 4 * n_parts; ++k)
+      {
+        const std::size_t first = k * s.size() / n_parts,
+                          end   = (k + 1) * s.size() / n_parts;
+        double n = 0., t = 0., squares = 0.;
+        for (std::size_t i = first; i < end; ++i)
+          {
+            n += s[i].normal / (end - first);
+            t += s[i].tangential / (end - first);
+            squares += s[i].normal * s[i].normal / (end - first);
+          }
+        const double time = 0.5 * (s[first].time + s[end - 1].time);
+        table.add_row({time,
+                       v * (1. + (p.transient.final_speed_ratio - 1.) * time /
+                                   p.transient.end_time),
+                       t / n,
+                       n,
+                       std::sqrt(std::max(0., squares - n * n))});
+      }
+    return table;
+  }
+
+
+
   void
   write_transient_json(const TransientFigures &f, const std::string &path)
   {

@@ -259,4 +259,37 @@ namespace squeal
                   "Contact pressure over the last period, arrows: tractions on "
                   "the pad; the disc's surface moves to +y");
   }
+
+
+
+  void
+  draw_speeds(RunContext &context, const Table &speeds, HtmlReport &report)
+  {
+    if (speeds.n_rows() == 0)
+      return;
+    Chart friction, amplitude;
+    friction.title    = "Macroscopic friction over sliding speed";
+    friction.y.label  = "tangential over normal force";
+    amplitude.title   = "Vibration over sliding speed";
+    amplitude.y.label = "rms of the normal force in N";
+    for (const auto &[chart, column] :
+         {std::make_pair(&friction, "macroscopic_friction"),
+          std::make_pair(&amplitude, "rms_normal_n")})
+      {
+        ChartSeries s  = line("", Ink::blue);
+        s.style        = ChartSeries::Style::lines_points;
+        s.x            = speeds.reals("speed_m_per_s");
+        s.y            = speeds.reals(column);
+        chart->x.label = "sliding speed in m/s";
+        chart->series  = {s};
+        chart->legend  = Chart::Legend::none;
+      }
+    context.output.file("plots/over_speed.png");
+    const std::string path = context.output.path() + "/plots/over_speed";
+    context.plotter.draw(draw_charts({friction, amplitude}, 1100, 1100), path);
+    report.figure(path + ".png",
+                  "Macroscopic friction coefficient and vibration over the "
+                  "sliding speed, which changes with time",
+                  true);
+  }
 } // namespace squeal

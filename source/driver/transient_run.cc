@@ -319,7 +319,6 @@ namespace squeal
   {
     const auto            &g      = pressed.geometry();
     const Eigen::VectorXd &lambda = motion->forces();
-    const Eigen::VectorXd &u      = motion->motion();
     const auto             q      = tractions(g, lambda);
     TransientSample        s;
     s.time            = motion->time();
@@ -360,9 +359,37 @@ namespace squeal
         for (const unsigned int k : branches)
           kept.amplitudes.push_back(all[k]);
       }
-    if (s.time < settings.history_start - 1e-9)
-      return;
-    auto &h = kept.history;
+    if (s.time >= settings.history_start - 1e-9)
+      take_node_fields(s, kept.history);
+    if (kept.samples.size() + settings.animation_frames > n_steps / stride + 1)
+      take_frame(s);
+  }
+
+
+
+  void
+  TransientRun::take_frame(const TransientSample &s)
+  {
+    MotionFrame frame;
+    frame.time        = s.time;
+    frame.coordinates = motion->coordinates();
+    frame.forces      = motion->forces();
+    if (const Eigen::VectorXd *all = motion->unknowns())
+      frame.unknowns = *all;
+    kept.frames.push_back(frame);
+    take_node_fields(s, kept.frame_nodes);
+  }
+
+
+
+  void
+  TransientRun::take_node_fields(const TransientSample &s,
+                                 HistorySamples        &h) const
+  {
+    const auto            &g      = pressed.geometry();
+    const Eigen::VectorXd &lambda = motion->forces();
+    const Eigen::VectorXd &u      = motion->motion();
+    const auto             q      = tractions(g, lambda);
     h.time.push_back(s.time);
     const double step = motion->time() > 0. ? settings.step() : 1.;
     for (std::size_t j = 0; j < status.size(); ++j)

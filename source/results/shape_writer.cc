@@ -11,30 +11,7 @@ namespace squeal
 {
   namespace
   {
-    /** Multiples of a power of two near 2^-bits of @p largest: the float's
-     * last bits are zero, which zlib makes use of. */
-    class Rounding
-    {
-    public:
-      Rounding(const double largest, const int bits)
-      {
-        int exponent = 0;
-        std::frexp(largest, &exponent);
-        step = largest > 0. ? std::ldexp(1., exponent - bits) : 1.;
-      }
-
-      float
-      operator()(const double value) const
-      {
-        // adding zero turns -0 into 0
-        return static_cast<float>(std::nearbyint(value / step) * step + 0.);
-      }
-
-    private:
-      double step;
-    };
-
-    constexpr int displacement_bits = 13, position_bits = 20;
+    constexpr int displacement_bits = 13;
 
 
 
@@ -58,41 +35,6 @@ namespace squeal
 
 
 
-    /** Runs @p action on rank 0; what it throws, every rank throws. */
-    template <typename Action>
-    void
-    on_root(const RowSpace &space, const Action &action)
-    {
-      std::string   text;
-      unsigned long head[2] = {0, 0}; // kind of failure, length of the text
-      if (space.rank() == 0)
-        try
-          {
-            action();
-          }
-        catch (const InputError &e)
-          {
-            text    = e.what();
-            head[0] = 1;
-          }
-        catch (const std::exception &e)
-          {
-            text    = e.what();
-            head[0] = 2;
-          }
-      head[1] = text.size();
-      MPI_Bcast(head, 2, MPI_UNSIGNED_LONG, 0, space.communicator());
-      if (head[0] == 0)
-        return;
-      text.resize(head[1]);
-      MPI_Bcast(&text[0], head[1], MPI_CHAR, 0, space.communicator());
-      if (head[0] == 1)
-        throw InputError(text);
-      throw ComputationError(text);
-    }
-
-
-
     std::string
     two_digits(const unsigned int i)
     {
@@ -110,61 +52,10 @@ namespace squeal
     , options(options)
     , mesh(discretization, options.n_subdivisions)
   {
-    on_root(*discretization.space(), [&]() { set_geometry(); });
-  }
-
-
-
-  void
-  ShapeWriter::set_geometry()
-  {
-    const auto &g       = mesh.geometry();
-    const bool  surface = options.surface_only;
-    auto        corners = surface ? g.quads : g.hexahedra;
-
-    std::vector<std::int32_t> number(g.n_points(), -1);
-    for (auto &corner : corners)
-      {
-        if (number[corner] < 0)
-          {
-            number[corner] = drawn_points.size();
-            drawn_points.push_back(corner);
-          }
-        corner = number[corner];
-      }
-
-    const Rounding     rounded(mesh.size(), position_bits);
-    std::vector<float> positions;
-    for (const unsigned int p : drawn_points)
-      for (unsigned int c = 0; c < 3; ++c)
-        positions.push_back(rounded(g.points[3 * p + c]));
-
-    const auto               &body = surface ? g.quad_body : g.hexahedron_body;
-    const unsigned int        n_corners = surface ? 4 : 8;
-    const std::uint8_t        vtk_quad = 9, vtk_hexahedron = 12;
-    std::vector<std::int32_t> ends(body.size());
-    for (unsigned int i = 0; i < ends.size(); ++i)
-      ends[i] = (i + 1) * n_corners;
-
-    grid.n_points  = drawn_points.size();
-    grid.n_cells   = body.size();
-    grid.vectors   = "displacement";
-    grid.scalars   = "body";
-    grid.points    = vtk::data_array("Points", 3, positions);
-    grid.cell_data = vtk::data_array("body", 1, body);
-    if (discretization.space()->n_ranks() > 1 && !surface)
-      grid.cell_data += vtk::data_array("subdomain", 1, g.hexahedron_rank);
-    grid.cells =
-      vtk::data_array("connectivity", 1, corners) +
-      vtk::data_array("offsets", 1, ends) +
-      vtk::data_array("types",
-                      1,
-                      std::vector<std::uint8_t>(
-                        body.size(), surface ? vtk_quad : vtk_hexahedron));
-    std::vector<std::string> names;
-    for (const auto &b : discretization.scene().bodies)
-      names.push_back(b.name);
-    grid.field_data = vtk::texts("body_names", names);
+    on_root(*discretization.space(), [&]() {
+      bodies = std::make_unique<DrawnBodies>(
+        discretization, mesh, options.surface_only);
+    });
   }
 
 
@@ -214,21 +105,21 @@ namespace squeal
     const Rounding rounded(drawn, displacement_bits);
 
     const auto at_phase = [&](const char *field, const double phase) {
-      const double       c = factor * std::cos(phase_offset + phase);
-      const double       s = factor * std::sin(phase_offset + phase);
-      std::vector<float> values;
-      values.reserve(3 * drawn_points.size());
-      for (const unsigned int p : drawn_points)
-        for (unsigned int i = 3 * p; i < 3 * p + 3; ++i)
-          values.push_back(
-            rounded(c * displacements(i, 0) - s * displacements(i, 1)));
-      return vtk::data_array(field, 3, values);
+      const double c = factor * std::cos(phase_offset + phase);
+      const double s = factor * std::sin(phase_offset + phase);
+      return bodies->point_vector(
+        field,
+        [&](const unsigned int i) {
+          return c * displacements(i, 0) - s * displacements(i, 1);
+        },
+        rounded);
     };
 
     const std::string real_and_imaginary =
       at_phase("displacement_real", 0.) +
       at_phase("displacement_imag", -0.5 * M_PI);
-    vtk::UnstructuredGrid frame = grid;
+    vtk::UnstructuredGrid frame = bodies->grid();
+    frame.vectors               = "displacement";
     frame.field_data += field_data + vtk::number("display_factor", factor) +
                         vtk::number("phase_offset_rad", phase_offset);
     const std::string common_field_data = frame.field_data;

@@ -4,21 +4,30 @@
 
 namespace squeal
 {
+  Block
+  static_motions(const FullContactModel &model,
+                 const Eigen::MatrixXd  &q,
+                 const Block            &forces)
+  {
+    const ResidualResponse residual_response(*model.pencil, *model.basis);
+    Block u = model.basis->shapes * q + residual_response(forces);
+    // The response is one beside a shift of zero: once more for what is left.
+    const Block rest = forces - model.pencil->multiply_undamped_stiffness(u);
+    u += residual_response(rest);
+    return u;
+  }
+
   Eigen::VectorXd
   static_motion(const FullContactModel &model,
                 const Eigen::VectorXd  &q,
                 const double            share,
                 const Eigen::VectorXd  &lambda)
   {
-    const ResidualResponse residual_response(*model.pencil, *model.basis);
-    const Block            f =
+    return static_motions(
+      model,
+      q,
       share * model.load -
-      model.relative_motion->apply_transposed(Eigen::MatrixXd(lambda));
-    Block u = model.basis->shapes * q + residual_response(f);
-    // The response is one beside a shift of zero: once more for what is left.
-    const Block rest = f - model.pencil->multiply_undamped_stiffness(u);
-    u += residual_response(rest);
-    return u;
+        model.relative_motion->apply_transposed(Eigen::MatrixXd(lambda)));
   }
 
 
@@ -221,6 +230,12 @@ namespace squeal
   FullTransient::motion() const
   {
     return nodes_motion;
+  }
+
+  const Eigen::VectorXd *
+  FullTransient::unknowns() const
+  {
+    return &u;
   }
 
   const std::vector<ContactStatus> &

@@ -3,6 +3,7 @@
 
 #include <unsupported/Eigen/FFT>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -12,6 +13,31 @@ namespace squeal
   {
     /** Share of the power that a lower fundamental must add. */
     constexpr double least_gain = 0.05;
+
+    /** Complex amplitude of samples first .. first + n - 1 about their mean at
+     * a frequency in turns a sample, under a Hann window. */
+    std::complex<double>
+    demodulated(const std::vector<double> &x,
+                const std::size_t          first,
+                const std::size_t          n,
+                const double               frequency)
+    {
+      double     weights = 0., mean = 0.;
+      const auto window = [n](const std::size_t i) {
+        return 0.5 * (1. - std::cos(2. * M_PI * (i + 0.5) / n));
+      };
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          weights += window(i);
+          mean += window(i) * x[first + i];
+        }
+      mean /= weights;
+      std::complex<double> sum = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        sum += window(i) * (x[first + i] - mean) *
+               std::polar(1., -2. * M_PI * frequency * (first + i));
+      return 2. / weights * sum;
+    }
   } // namespace
 
 
@@ -133,22 +159,38 @@ namespace squeal
                    const double               interval,
                    const double               frequency)
   {
-    std::complex<double> A = 0., B = 0.;
-    double               mean_a = 0., mean_b = 0.;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        mean_a += a[i] / a.size();
-        mean_b += b[i] / b.size();
-      }
-    for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        const double window =
-          0.5 * (1. - std::cos(2. * M_PI * (i + 0.5) / a.size()));
-        const auto turn =
-          window * std::polar(1., -2. * M_PI * frequency * interval * i);
-        A += (a[i] - mean_a) * turn;
-        B += (b[i] - mean_b) * turn;
-      }
+    const auto A = demodulated(a, 0, a.size(), interval * frequency),
+               B = demodulated(b, 0, b.size(), interval * frequency);
     return std::arg(B * std::conj(A)) * 180. / M_PI;
+  }
+
+
+
+  PhaseHistory
+  phase_history(const std::vector<double> &a,
+                const std::vector<double> &b,
+                const double               start,
+                const double               interval,
+                const double               frequency,
+                const double               gate,
+                const double               n_periods)
+  {
+    PhaseHistory history;
+    if (!(frequency > 0.))
+      return history;
+    const std::size_t n = std::lround(n_periods / frequency / interval);
+    for (std::size_t first = 0; n > 1 && first + n <= a.size();
+         first += std::max<std::size_t>(1, n / 2))
+      {
+        const auto A = demodulated(a, first, n, interval * frequency),
+                   B = demodulated(b, first, n, interval * frequency);
+        history.time.push_back(start + interval * (first + 0.5 * (n - 1)));
+        history.amplitude_a.push_back(std::abs(A));
+        history.amplitude_b.push_back(std::abs(B));
+        history.phase.push_back(std::min(std::abs(A), std::abs(B)) < gate
+                                  ? std::nan("")
+                                  : std::arg(B * std::conj(A)) * 180. / M_PI);
+      }
+    return history;
   }
 } // namespace squeal

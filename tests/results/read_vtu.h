@@ -77,7 +77,8 @@ namespace squeal
           if (c == '=')
             break;
           const auto value = letters.find(c);
-          check(value != std::string::npos || !bytes.size(), "base64 text");
+          if (value == std::string::npos)
+            check(false, "base64 text");
           bits = bits << 6 | value;
           n_bits += 6;
           if (n_bits >= 8)

@@ -81,6 +81,17 @@ namespace
           "no frequency below the band");
     check(std::abs(phase_difference(x, y, dt, f) + 180. / M_PI) < 0.5,
           "the second signal lags by 1 rad");
+    const PhaseHistory h     = phase_history(x, y, 0.5, dt, f + 5., 1e-3);
+    bool               right = h.time.size() > 20;
+    for (std::size_t i = 0; i < h.time.size(); ++i)
+      right = right && std::abs(h.phase[i] + 180. / M_PI) < 0.5 &&
+              std::abs(h.amplitude_a[i] - 3.) < 0.01 &&
+              std::abs(h.amplitude_b[i] - 2.) < 0.01;
+    check(right, "the same lag and amplitudes in every window, 5 Hz beside");
+    check(std::abs(h.time.front() - 0.5 - 0.5 * 20. / f) < 2. * dt,
+          "the time is the middle of the window");
+    check(std::isnan(phase_history(x, y, 0., dt, f, 2.5).phase.front()),
+          "no phase below the gate");
     double       sum   = 0.;
     const auto   parts = power_spectrum(x, dt, 5);
     const double df    = parts.frequency[1];

@@ -27,8 +27,8 @@ namespace squeal
 
   std::vector<Cell> campaign_row(const CampaignRun       &run,
                                  const PreparedTransient &prepared,
-                                 const TransientFigures  &figures,
-                                 const bool               compares_with_cea);
+                                 const TransientRecord   &record,
+                                 const TransientFigures  &figures);
 
   /** The row of a point that has no steady sliding. */
   std::vector<Cell> row_without_sliding(const CampaignRun &run,
@@ -40,6 +40,13 @@ namespace squeal
                      const Table &table,
                      HtmlReport  &report);
 
+  /** Draws the amplitude of the limit cycles over the growth rate and, with an
+   * axis of it, vibration and macroscopic friction over the sliding speed;
+   * where there are points enough. Not for a comparison with the CEA. */
+  void draw_amplitudes(RunContext  &context,
+                       const Table &table,
+                       HtmlReport  &report);
+
   /** Rows of runs that an earlier campaign has finished, by their keys, in a
    * file that is rewritten after each run. */
   class FinishedRuns
@@ -49,7 +56,8 @@ namespace squeal
      * cannot be read. */
     FinishedRuns(const std::string &path, const bool resume);
 
-    /** False if there is no run @p key with @p n_columns numbers. */
+    /** False if there is no run @p key with @p n_columns numbers; 0: with any
+     * number of them. */
     bool find(const std::string &key,
               const std::size_t  n_columns,
               std::vector<Cell> &row) const;

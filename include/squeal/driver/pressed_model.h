@@ -73,6 +73,10 @@ namespace squeal
     /** All unknowns of the same scene, about @p steady. */
     FullContactModel full_model(const SteadySliding &steady) const;
 
+    /** Free unknowns of the discretisation from those of full_model(), column
+     * by column. */
+    Block expand(const Block &unknowns) const;
+
     /** The contact state that @p steady gives to linearised operators. */
     ContactState state_of(const SteadySliding &steady) const;
 

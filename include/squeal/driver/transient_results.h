@@ -80,6 +80,28 @@ namespace squeal
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
 
+  /** What a trigger, hammer or friction impulse, has made of a run. Roots of
+   * mean squares of the normal force about its mean, N. */
+  struct TriggerOutcome
+  {
+    double before = 0.; /**< over the last quarter of the time before it */
+    double after  = 0.; /**< over the tenth of the run that follows it */
+    double end    = 0.; /**< over the last tenth of the run */
+    /** Time from the end of the trigger to the last window of a hundredth of
+     * the run in which the vibration exceeds 10 % of the mean force, s. */
+    double lasting = 0.;
+    /** `squeal by itself`: it is there before the trigger, above 1 % of the
+     * mean force; `squeal after the trigger`: it lasts to the end; `temporary
+     * after the trigger`: it decays; `none`: no vibration above 1 % follows;
+     * empty: no trigger. */
+    std::string text;
+  };
+
+  /** Whether a hammer or a friction impulse is there. */
+  bool           has_trigger(const TransientParameters &parameters);
+  TriggerOutcome evaluate_trigger(const TransientRecord     &record,
+                                  const TransientParameters &parameters);
+
   /** Largest real part in the band with the whole face closed under an even
    * pressure, whatever the steady sliding, 1/s. */
   double sigma_with_full_contact(const PreparedTransient &prepared,
@@ -98,8 +120,16 @@ namespace squeal
   Table force_table(const TransientRecord &record);
   Table energy_table(const TransientRecord &record);
   Table probe_table(const TransientRecord &record);
+  /** Phase between tangential and normal resultant at the largest line of the
+   * run, over time. */
+  Table phase_table(const TransientRecord  &record,
+                    const TransientFigures &figures);
   Table zone_table(const PreparedTransient &prepared,
                    const TransientRecord   &record);
+  /** Vibration and friction over the sliding speed of a run whose speed
+   * changes: means over equal stretches of it. */
+  Table speed_table(const TransientRecord &record,
+                    const Parameters      &parameters);
   void  write_transient_json(const TransientFigures &figures,
                              const std::string      &path);
   void  write_contact_history(const PreparedTransient &prepared,
@@ -111,6 +141,13 @@ namespace squeal
                        const TransientRecord   &record,
                        const TransientFigures  &figures,
                        HtmlReport              &report);
+  void  draw_speeds(RunContext  &context,
+                    const Table &speeds,
+                    HtmlReport  &report);
+  /** Amplitudes and phases of phase tables, each with its label. */
+  void draw_phases(RunContext                                       &context,
+                   const std::vector<std::pair<std::string, Table>> &runs,
+                   HtmlReport                                       &report);
   //@}
 
   /** One run for each point of the axes of `Sweep` and each top. */

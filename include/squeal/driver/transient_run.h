@@ -39,6 +39,15 @@ namespace squeal
     double peak_pressure = 0.;               /**< Pa */
   };
 
+  /** A moment of the animation: what the motion of the bodies follows from. */
+  struct MotionFrame
+  {
+    double          time = 0.;   /**< s */
+    Eigen::VectorXd coordinates; /**< of the modes */
+    Eigen::VectorXd forces;      /**< of the contact, N */
+    Eigen::VectorXd unknowns;    /**< all of them, m; empty: only modes move */
+  };
+
   /** All that a transient leaves. */
   struct TransientRecord
   {
@@ -46,6 +55,9 @@ namespace squeal
     std::vector<std::complex<double>> amplitudes; /**< samples x branches */
     HistorySamples                    history;
     std::vector<StatusChange>         changes;
+    /** The last samples, as many as `Animation frames`, and their nodes. */
+    std::vector<MotionFrame> frames;
+    HistorySamples           frame_nodes;
     /** Over the second half of the run. */
     std::vector<NodeShares> nodes;
     double                  n_steps = 0., n_iterations = 0., n_sweeps = 0.;
@@ -91,6 +103,9 @@ namespace squeal
 
   private:
     void take_sample(const bool is_linear);
+    void take_node_fields(const TransientSample &sample,
+                          HistorySamples        &history) const;
+    void take_frame(const TransientSample &sample);
     void take_node_shares();
 
     const PressedModel                  &pressed;

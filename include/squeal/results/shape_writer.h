@@ -4,8 +4,7 @@
 
 #include <squeal/base/files.h>
 
-#include <squeal/results/display_mesh.h>
-#include <squeal/results/vtk_xml.h>
+#include <squeal/results/drawn_bodies.h>
 
 #include <string>
 #include <utility>
@@ -70,19 +69,17 @@ namespace squeal
                      const Metadata    &metadata = {});
 
   private:
-    void set_geometry();
     void write_files(const std::string     &name,
                      const Eigen::MatrixXd &displacements,
                      const double           phase_offset,
                      const unsigned int     frames,
                      const std::string     &field_data);
 
-    const Discretization     &discretization;
-    OutputDirectory          &output;
-    const ShapeOptions        options;
-    const DisplayMesh         mesh;
-    std::vector<unsigned int> drawn_points; /**< of the mesh */
-    vtk::UnstructuredGrid     grid; /**< what all shapes have in common */
+    const Discretization        &discretization;
+    OutputDirectory             &output;
+    const ShapeOptions           options;
+    const DisplayMesh            mesh;
+    std::unique_ptr<DrawnBodies> bodies; /**< what all shapes share */
   };
 
   /** `mode_017_5004Hz`, and `_unstable` where it is so: names sort by number.

@@ -32,8 +32,15 @@ namespace squeal
     }
   };
 
-  /** The motion of modes @p q with the static residual deformation under @p
-   * share of the load and the contact forces @p lambda. Factorises. */
+  /** The motion of all unknowns for each column of modes @p q, with the static
+   * residual deformation under the nodal forces of the same column of @p
+   * forces (loads and contact, N). Factorises once. */
+  Block static_motions(const FullContactModel &model,
+                       const Eigen::MatrixXd  &q,
+                       const Block            &forces);
+
+  /** The motion of modes @p q under @p share of the load and the contact forces
+   * @p lambda. Factorises. */
   Eigen::VectorXd static_motion(const FullContactModel &model,
                                 const Eigen::VectorXd  &q,
                                 const double            share,
@@ -57,6 +64,7 @@ namespace squeal
     void                   restore(const std::vector<double> &memory) override;
     const Eigen::VectorXd &forces() const override;
     const Eigen::VectorXd &motion() const override;
+    const Eigen::VectorXd *unknowns() const override;
     const std::vector<ContactStatus> &status() const override;
 
   protected:

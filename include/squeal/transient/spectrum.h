@@ -41,6 +41,34 @@ namespace squeal
                           const std::vector<double> &b,
                           const double               interval,
                           const double               frequency);
+
+  /** Two signals at one frequency over time. */
+  struct PhaseHistory
+  {
+    std::vector<double> time;        /**< s, middles of the windows */
+    std::vector<double> amplitude_a; /**< unit of the signal */
+    std::vector<double> amplitude_b;
+    /** Of b against a, degrees in (-180, 180]; NaN where an amplitude is below
+     * the gate. */
+    std::vector<double> phase;
+  };
+
+  /**
+   * Complex demodulation at @p frequency over half-overlapping Hann windows of
+   * @p n_periods. The mean of each window is taken off. The motion's own
+   * frequency may differ by a part of frequency / n_periods: both signals turn
+   * alike. Signals start at @p start. Empty where a window is longer than the
+   * signals.
+   *
+   * @param gate  least amplitude of both that has a phase
+   */
+  PhaseHistory phase_history(const std::vector<double> &a,
+                             const std::vector<double> &b,
+                             const double               start,
+                             const double               interval,
+                             const double               frequency,
+                             const double               gate,
+                             const double               n_periods = 20.);
 } // namespace squeal
 
 #endif

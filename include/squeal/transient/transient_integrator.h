@@ -74,6 +74,13 @@ namespace squeal
     virtual const Eigen::VectorXd            &forces() const      = 0; /**< N */
     virtual const Eigen::VectorXd            &motion() const      = 0; /**< m */
     virtual const std::vector<ContactStatus> &status() const      = 0;
+    /** The motion of all unknowns of the finite elements, m; null where only
+     * modes move. */
+    virtual const Eigen::VectorXd *
+    unknowns() const
+    {
+      return nullptr;
+    }
     /** Motions and accelerations of the observers. */
     virtual Eigen::VectorXd observed_motion() const        = 0;
     virtual Eigen::VectorXd observed_accelerations() const = 0;
