@@ -113,15 +113,26 @@ namespace squeal
              << stable_step << " s";
         throw InputError(text.str());
       }
-    const auto        &B = *model.relative_motion;
-    const Eigen::Index n = B.n_rows();
-    const Block        B_t =
-      B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)));
-    set_contact((beta_2 + 0.5) * dt * dt *
-                  B.apply(Block(mass.cwiseInverse().asDiagonal() * B_t)),
-                nodal_force,
-                tolerance,
-                method);
+    set_contact(nodal_force, tolerance, method);
+  }
+
+  Eigen::MatrixXd
+  ExplicitTransient::delassus()
+  {
+    // Unknown by unknown: each belongs to a few nodes.
+    std::vector<Eigen::Triplet<double>> entries;
+    for (unsigned int r = 0; r < B->n_rows(); ++r)
+      for (const auto &[column, weight] : B->rows()[r])
+        entries.emplace_back(r, column, weight);
+    Eigen::SparseMatrix<double> columns(B->n_rows(), mass.size());
+    columns.setFromTriplets(entries.begin(), entries.end());
+    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(B->n_rows(), B->n_rows());
+    using Entry       = Eigen::SparseMatrix<double>::InnerIterator;
+    for (Eigen::Index k = 0; k < columns.outerSize(); ++k)
+      for (Entry i(columns, k); i; ++i)
+        for (Entry j(columns, k); j; ++j)
+          W(j.row(), i.row()) += j.value() * i.value() / mass[k];
+    return (beta_2 + 0.5) * dt * dt * W;
   }
 
 
@@ -165,6 +176,7 @@ namespace squeal
     const double    reach = (beta_2 + 0.5) * dt * dt;
     Eigen::VectorXd a_now = force.cwiseQuotient(mass);
     ContactStep     step  = contact_step(t + dt);
+    turn(step);
     step.free_motion =
       relative(u + dt * w + reach * a_now) + model.motion_offset;
     step.previous_motion = nodes_motion;
@@ -172,7 +184,7 @@ namespace squeal
     Eigen::VectorXd     next   = extrapolated_forces();
     const ContactReport report = solver->solve(step, next);
     Block               pull   = Block::Zero(u.size(), 1);
-    model.relative_motion->add_transposed(Eigen::MatrixXd(next), pull);
+    B->add_transposed(Eigen::MatrixXd(next), pull);
     a_now -= pull.col(0).cwiseQuotient(mass);
 
     const Eigen::VectorXd way    = dt * w + 0.5 * dt * dt * a_now;

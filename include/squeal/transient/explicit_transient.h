@@ -52,6 +52,7 @@ namespace squeal
   protected:
     void                           initialize() override;
     std::vector<Eigen::VectorXd *> further_state() override;
+    Eigen::MatrixXd                delassus() override;
 
   private:
     const double    beta_2;
