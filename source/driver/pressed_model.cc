@@ -14,7 +14,7 @@ namespace squeal
   {
     /** Angles at which a turning target is integrated, on the way over the
      * narrowest cell. */
-    constexpr unsigned int knots_per_cell = 1000;
+    constexpr unsigned int knots_per_cell = 250;
 
     /** The same contact with sliding and transverse direction reversed. */
     void
