@@ -250,6 +250,18 @@ namespace
     check_below(errors[1], 1e-5, "between 250 knots a cell");
     check_below(errors[1], errors[0] / 10., "falls with their number");
 
+    ContactGeometry backwards = pair.separated.contacts[0];
+    for (auto &direction : backwards.slip_direction)
+      direction = {{-direction[0], -direction[1]}};
+    check_close(exact->angle(.1075), 1., 2e-3, "it turns the way it slides");
+    check_close(
+      TurningContact(
+        pair.d, pair.scene.contacts[0], backwards, pair.separated.reduce)
+        .angle(.1075),
+      -exact->angle(.1075),
+      1e-12,
+      "and back where it slides back");
+
     SceneParameters wrong = pair.scene;
     wrong.contacts[0].friction_direction =
       ContactParameters::FrictionDirection::fixed_y;
