@@ -92,8 +92,11 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/linearized_system.cc
     source/contact/mortar.cc
     source/contact/mortar_faces.cc
+    source/contact/mortar_integrals.cc
     source/contact/segments.cc
-    source/contact/surface_face.cc)
+    source/contact/surface_face.cc
+    source/contact/turning_contact.cc
+    source/contact/turning_mortar.cc)
 
 set(SQUEAL_SOURCES_EIGEN
     source/eigen/arpack_modes.cc
@@ -126,6 +129,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/sweep_grid.cc)
 
 set(SQUEAL_SOURCES_TRANSIENT
+    source/transient/contact_compliance.cc
     source/transient/contact_solver.cc
     source/transient/contact_solver_memory.cc
     source/transient/explicit_transient.cc

@@ -178,6 +178,9 @@ namespace squeal
       result.restrict_forces = [elimination](const Block &f) {
         return elimination->restrict_forces(f);
       };
+      result.reduce = [elimination](const Functionals &functionals) {
+        return elimination->reduce(functionals);
+      };
       return elimination;
     }
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/contact/face_overlap.h>
 #include <squeal/contact/mortar.h>
-#include <squeal/contact/mortar_faces.h>
+#include <squeal/contact/mortar_integrals.h>
 #include <squeal/discretization/face_quadrature.h>
 
 #include <deal.II/distributed/tria.h>
 
 #include <deal.II/numerics/rtree.h>
 
-#include <Eigen/Dense>
-
-#include <cstdio>
 #include <map>
 
 namespace squeal
@@ -19,60 +15,6 @@ namespace squeal
   namespace
   {
     constexpr unsigned int ground = -1u;
-
-    /** Share of a source face that may lie beside the target: meshes of one
-     * curved edge that differ leave slivers. */
-    constexpr double allowed_gap = 1e-4;
-
-    /** int phi_a phi_b of a source face with a target face of this rank. */
-    struct SharedIntegrals
-    {
-      unsigned int    target;
-      Eigen::MatrixXd products; /**< source nodes x target nodes, m^2 */
-    };
-
-    struct SourceIntegrals
-    {
-      Eigen::MatrixXd              mass;         /**< int phi_a phi_b, m^2 */
-      double                       covered = 0.; /**< share of the face */
-      std::vector<SharedIntegrals> shared;
-    };
-
-
-
-    /** int phi_a phi_b over points of a source face, phi_b taken at the source
-     * or at the target coordinates. */
-    Eigen::MatrixXd
-    products(const FaceBasis                 &basis,
-             const SurfaceFace               &face,
-             const std::vector<OverlapPoint> &points,
-             dealii::Point<2> OverlapPoint::*side)
-    {
-      Eigen::MatrixXd result =
-        Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
-      for (const auto &point : points)
-        result += point.weight * face.frame(point.source).area_vector().norm() *
-                  basis.evaluate(point.source).value *
-                  basis.evaluate(point.*side).value.transpose();
-      return result;
-    }
-
-    std::vector<SourceIntegrals>
-    integrals_of_whole_faces(const FaceBasis               &basis,
-                             const std::vector<SourceFace> &sources)
-    {
-      std::vector<SourceIntegrals> result;
-      for (const auto &source : sources)
-        result.push_back({products(basis,
-                                   source.geometry,
-                                   whole_face(source.geometry, basis.degree()),
-                                   &OverlapPoint::source),
-                          1.,
-                          {}});
-      return result;
-    }
-
-
 
     dealii::BoundingBox<3>
     box_round(const std::vector<SourceFace> &sources)
@@ -113,10 +55,10 @@ namespace squeal
     /** Every source face with the target faces of this rank, segment by
      * segment; masses over all ranks. */
     std::vector<SourceIntegrals>
-    integrals_of_segments(const FaceBasis               &basis,
-                          const std::vector<SourceFace> &sources,
-                          const std::vector<TargetFace> &targets,
-                          const MPI_Comm                 comm)
+    integrals_of_all_faces(const FaceBasis               &basis,
+                           const std::vector<SourceFace> &sources,
+                           const std::vector<TargetFace> &targets,
+                           const MPI_Comm                 comm)
     {
       std::vector<dealii::BoundingBox<3>> boxes;
       for (const auto &target : targets)
@@ -126,87 +68,19 @@ namespace squeal
       std::vector<SourceIntegrals> result;
       for (const auto &source : sources)
         {
-          SourceIntegrals sum;
-          sum.mass = Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
           std::vector<std::size_t> near;
           tree.query(
             boost::geometry::index::intersects(bounding_box(source.geometry)),
             std::back_inserter(near));
           std::sort(near.begin(), near.end());
-          for (const std::size_t t : near)
-            {
-              const auto points = face_overlap(
-                source.geometry, targets[t].geometry, basis.degree());
-              if (points.empty())
-                continue;
-              for (const auto &point : points)
-                sum.covered += point.weight;
-              sum.mass +=
-                products(basis, source.geometry, points, &OverlapPoint::source);
-              sum.shared.push_back(
-                {static_cast<unsigned int>(t),
-                 products(
-                   basis, source.geometry, points, &OverlapPoint::target)});
-            }
-          result.push_back(std::move(sum));
+          result.push_back(
+            integrals_of_segments(basis, source.geometry, targets, near));
         }
       sum_over_ranks(result, comm);
       return result;
     }
 
-    void
-    check_covered(const std::vector<SourceFace>      &sources,
-                  const std::vector<SourceIntegrals> &integrals,
-                  const std::string                  &where)
-    {
-      std::size_t worst = 0;
-      for (std::size_t e = 0; e < sources.size(); ++e)
-        if (std::abs(integrals[e].covered - 1.) >
-            std::abs(integrals[worst].covered - 1.))
-          worst = e;
-      const double missing = 1. - integrals[worst].covered;
-      if (std::abs(missing) <= allowed_gap)
-        return;
-      const auto x = sources[worst].geometry.point({.5, .5});
-      char       text[200];
-      std::snprintf(text,
-                    sizeof text,
-                    ": the faces do not meet at (%g, %g, %g) m: %.3g %% of the "
-                    "cell's face there %s",
-                    x[0],
-                    x[1],
-                    x[2],
-                    100. * std::abs(missing),
-                    missing > 0. ? "has no target opposite"
-                                 : "has more than one target opposite");
-      throw InputError(where + text);
-    }
 
-
-
-    /** Numbers the nodes of all source faces. */
-    std::vector<std::vector<unsigned int>>
-    number_nodes(const std::vector<SourceFace> &sources, MortarCoupling &result)
-    {
-      std::map<unsigned int, unsigned int>   number;
-      std::vector<std::vector<unsigned int>> nodes;
-      for (const auto &source : sources)
-        {
-          nodes.emplace_back();
-          for (std::size_t a = 0; a < source.keys.size(); ++a)
-            {
-              const auto [it, is_new] =
-                number.emplace(source.keys[a], result.nodes.size());
-              if (is_new)
-                {
-                  result.nodes.push_back(source.geometry.nodes()[a]);
-                  result.source_rows.push_back(source.rows[a]);
-                }
-              nodes.back().push_back(it->second);
-            }
-        }
-      return nodes;
-    }
 
     using RowSums = std::vector<std::array<std::map<unsigned int, double>, 3>>;
 
@@ -215,17 +89,14 @@ namespace squeal
     add_target_rows(const Discretization            &d,
                     const std::vector<TargetFace>   &targets,
                     const SourceIntegrals           &face,
-                    const Eigen::VectorXd           &integrals,
                     const std::vector<unsigned int> &nodes,
                     RowSums                         &sums)
     {
-      const auto factor = face.mass.ldlt();
+      const DualMap dual(face);
       for (const auto &shared : face.shared)
         {
-          // The dual functions are psi = D_e M_e^-1 phi.
-          const Eigen::MatrixXd M =
-            integrals.asDiagonal() * factor.solve(shared.products);
-          const auto &dofs = targets[shared.target].dofs;
+          const Eigen::MatrixXd M    = dual(shared);
+          const auto           &dofs = targets[shared.target].dofs;
           for (Eigen::Index b = 0; b < M.cols(); ++b)
             for (unsigned int c = 0; c < 3; ++c)
               for (const auto &[row, weight] : d.expansion(dofs[b][c]))
@@ -277,23 +148,22 @@ namespace squeal
     if (is_meshed && !sources.empty())
       targets = target_faces(d, basis, target_body, box_round(sources));
     const auto integrals =
-      is_meshed ? integrals_of_segments(basis, sources, targets, comm)
+      is_meshed ? integrals_of_all_faces(basis, sources, targets, comm)
                 : integrals_of_whole_faces(basis, sources);
     if (is_meshed)
       check_covered(sources, integrals, where);
 
     MortarCoupling result;
-    const auto     nodes = number_nodes(sources, result);
+    const auto nodes = number_nodes(sources, result.nodes, result.source_rows);
     result.weights.resize(result.nodes.size(), 0.);
     result.target_rows.resize(result.nodes.size());
     RowSums sums(result.nodes.size());
     for (std::size_t e = 0; e < sources.size(); ++e)
       {
-        // The shape functions add up to one.
-        const Eigen::VectorXd areas = integrals[e].mass.rowwise().sum();
+        const Eigen::VectorXd areas = DualMap(integrals[e]).weights();
         for (std::size_t a = 0; a < nodes[e].size(); ++a)
           result.weights[nodes[e][a]] += areas[a];
-        add_target_rows(d, targets, integrals[e], areas, nodes[e], sums);
+        add_target_rows(d, targets, integrals[e], nodes[e], sums);
       }
     if (is_meshed)
       gather_rows(sums, comm, result);

@@ -12,6 +12,10 @@ namespace squeal
 {
   namespace
   {
+    /** Angles at which a turning target is integrated, on the way over the
+     * narrowest cell. */
+    constexpr unsigned int knots_per_cell = 250;
+
     /** The same contact with sliding and transverse direction reversed. */
     void
     reverse(ContactGeometry &g)
@@ -307,6 +311,13 @@ namespace squeal
     full.initial_gap   = reduced.initial_gap;
     full.speed_ratio   = reduced.speed_ratio;
     full.motion_offset = Eigen::VectorXd::Zero(steady.motion.size());
+    if (parameters.transient.disc_frame ==
+        TransientParameters::DiscFrame::corotating)
+      full.turning = std::make_shared<TurningContact>(discretization,
+                                                      scene.contacts[0],
+                                                      separated.contacts[0],
+                                                      separated.reduce,
+                                                      knots_per_cell);
     if (has_held_support(scene))
       full.motion_offset =
         steady.motion - full.relative_motion->apply(Block(static_motion(

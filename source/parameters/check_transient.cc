@@ -147,6 +147,65 @@ namespace squeal
                        "need mortar contact");
       }
 
+      /** Whether anything but the contact joins the body to another one. */
+      bool
+      is_joined(const SceneParameters &scene, const std::string &body)
+      {
+        return std::any_of(scene.ties.begin(),
+                           scene.ties.end(),
+                           [&](const auto &t) {
+                             return t.source_body == body ||
+                                    t.target_body == body;
+                           }) ||
+               std::any_of(scene.springs.begin(),
+                           scene.springs.end(),
+                           [&](const auto &s) {
+                             return s.other_body != "ground" &&
+                                    (s.body == body || s.other_body == body);
+                           });
+      }
+
+      /** A target whose mesh turns. */
+      void
+      check_disc_frame(const Parameters &p)
+      {
+        const TransientParameters &t = p.transient;
+        if (t.disc_frame != TransientParameters::DiscFrame::corotating)
+          return;
+        const auto refuse = [](const std::string &text) {
+          refuse_entry("Transient", "Disc frame", "= corotating " + text);
+        };
+        for (const auto &[name, value] :
+             choices(TransientParameters::Integrator()))
+          if (value == TransientParameters::Integrator::reduced &&
+              (t.integrators.empty() ? value == t.integrator
+                                     : std::find(t.integrators.begin(),
+                                                 t.integrators.end(),
+                                                 name) != t.integrators.end()))
+            refuse("needs 'Integrator = explicit' or 'implicit': the " + name +
+                   " model holds the disc's flexibility at the contact of the "
+                   "start only");
+        const ContactParameters &c = p.scene.contacts[0];
+        if (c.formulation != ContactParameters::Formulation::mortar)
+          refuse("needs 'Scene/Contact " + c.name + "/Formulation = mortar'");
+        if (c.friction_direction != ContactParameters::FrictionDirection::slip)
+          refuse("needs 'Scene/Contact " + c.name +
+                 "/Friction direction = slip': the target turns about z");
+        for (const auto &body : p.scene.bodies)
+          if (body.name == c.target_body)
+            {
+              if (body.shape == BodyParameters::Shape::rigid)
+                refuse("needs a meshed target: body '" + body.name +
+                       "' is rigid");
+              if (body.rotation_speed != 0.)
+                refuse("has the turning in its mesh: set 'Scene/Body " +
+                       body.name + "/Rotation speed = 0'");
+            }
+        if (is_joined(p.scene, c.target_body))
+          refuse("cannot turn body '" + c.target_body +
+                 "': a tie or a spring joins it to another body");
+      }
+
       void
       check_tops(const Parameters &p)
       {
@@ -223,6 +282,7 @@ namespace squeal
         {
           check_times(p);
           check_integrators(p);
+          check_disc_frame(p);
           check_tops(p);
         }
     }

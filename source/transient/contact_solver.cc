@@ -21,6 +21,9 @@ namespace squeal
     constexpr double worth_keeping = 0.4;
     /** More changed nodes than this, as a share of all, are no low rank. */
     constexpr double largest_share = 0.25;
+    /** Diagonal entries of an operator that differ by more, relatively, are
+     * those of another problem. */
+    constexpr double largest_change = 0.2;
   } // namespace
 
 
@@ -44,25 +47,57 @@ namespace squeal
                                const double    t,
                                const Precision precision,
                                const Method    m)
-    : W(std::move(delassus))
+    : now(std::move(delassus))
     , gap(std::move(initial_gap))
     , ratio(std::move(speed_ratio))
     , mean_force(force)
     , tolerance(t)
-    , rho_normal(gap.size())
-    , rho_tangential(gap.size())
-    , violation(Eigen::VectorXd::Zero(W.rows()))
+    , violation(Eigen::VectorXd::Zero(now.W.rows()))
     , states(gap.size(), ContactStatus::open)
     , rows(gap.size())
     , is_single(precision == Precision::single)
+    , starts_single(is_single)
     , method(m)
   {
-    for (Eigen::Index j = 0; j < gap.size(); ++j)
+  }
+
+  ContactSolver::Operator::Operator(Eigen::MatrixXd delassus)
+    : W(std::move(delassus))
+    , rho_normal(W.rows() / 3)
+    , rho_tangential(W.rows() / 3)
+  {
+    for (Eigen::Index j = 0; j < rho_normal.size(); ++j)
       {
         rho_normal[j] = 1. / W(3 * j, 3 * j);
         rho_tangential[j] =
           1. / std::max(W(3 * j + 1, 3 * j + 1), W(3 * j + 2, 3 * j + 2));
       }
+  }
+
+  const ContactSolver::Operator &
+  ContactSolver::kept_operator() const
+  {
+    return kept.W.size() > 0 ? kept : now;
+  }
+
+  void
+  ContactSolver::set_operator(const Eigen::MatrixXd &delassus)
+  {
+    if (has_inverse && kept.W.size() == 0)
+      kept = std::move(now);
+    now = Operator(delassus);
+    if (!has_inverse)
+      return;
+    const Eigen::ArrayXd change =
+      now.W.diagonal().array() / kept.W.diagonal().array() - 1.;
+    if (change.abs().maxCoeff() <= largest_change)
+      return;
+    has_inverse = false;
+    is_single   = starts_single;
+    kept        = {};
+    base.clear();
+    updated.clear();
+    changed.clear();
   }
 
 
@@ -74,7 +109,7 @@ namespace squeal
   {
     Projection p;
     p.friction = step.friction_at(j);
-    p.normal   = lambda[3 * j] - rho_normal[j] * (gap[j] - u[3 * j]);
+    p.normal   = lambda[3 * j] - now.rho_normal[j] * (gap[j] - u[3 * j]);
     p.forces.setZero();
     p.tried.setZero();
     if (p.normal <= 0.)
@@ -85,7 +120,7 @@ namespace squeal
     Eigen::Vector2d slip =
       u.segment<2>(3 * j + 1) - step.previous_motion.segment<2>(3 * j + 1);
     slip[0] += step.duration * step.speed * ratio[j];
-    p.tried           = lambda.segment<2>(3 * j + 1) + rho_tangential[j] * slip;
+    p.tried = lambda.segment<2>(3 * j + 1) + now.rho_tangential[j] * slip;
     const double size = p.tried.norm(), limit = p.friction * p.normal;
     p.forces[0] = p.normal;
     p.status    = size > limit ? ContactStatus::slip : ContactStatus::stick;
@@ -140,7 +175,7 @@ namespace squeal
                           const Eigen::VectorXd &lambda)
   {
     u = step.free_motion;
-    u.noalias() -= W * lambda;
+    u.noalias() -= now.W * lambda;
     return check_law(step, lambda);
   }
 
@@ -151,7 +186,9 @@ namespace squeal
                               const NodeRows                           &r,
                               Eigen::Ref<KeptInverse<double>::Jacobian> J) const
   {
-    const double rho_n = rho_normal[j], rho_t = rho_tangential[j];
+    const auto  &W     = kept_operator().W;
+    const double rho_n = kept_operator().rho_normal[j],
+                 rho_t = kept_operator().rho_tangential[j];
     J.setZero();
     if (r.status == ContactStatus::open)
       {
@@ -186,6 +223,7 @@ namespace squeal
   {
     base    = rows;
     updated = rows;
+    kept    = {};
     set_inverse();
     has_inverse = true;
     ++n_inverted;
@@ -197,7 +235,7 @@ namespace squeal
   void
   ContactSolver::set_inverse()
   {
-    KeptInverse<double>::Jacobian J(W.rows(), W.cols());
+    KeptInverse<double>::Jacobian J(now.W.rows(), now.W.cols());
     for (Eigen::Index j = 0; j < gap.size(); ++j)
       set_jacobian(j, base[j], J.middleRows<3>(3 * j));
     if (is_single)
@@ -227,8 +265,8 @@ namespace squeal
   ContactSolver::extend_update(const std::vector<unsigned int> &nodes)
   {
     std::vector<unsigned int>     places;
-    KeptInverse<double>::Jacobian difference(3 * nodes.size(), W.cols()),
-      before(3, W.cols());
+    KeptInverse<double>::Jacobian difference(3 * nodes.size(), now.W.cols()),
+      before(3, now.W.cols());
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
         const unsigned int j = nodes[k];
@@ -310,7 +348,7 @@ namespace squeal
         const Eigen::VectorXd change =
           is_single ? single.apply(violation) : full.apply(violation);
         lambda -= change;
-        u.noalias() += W * change;
+        u.noalias() += now.W * change;
         ++report.iterations;
         const std::vector<ContactStatus> before = states;
         const double                     next   = check_law(step, lambda);
@@ -337,7 +375,7 @@ namespace squeal
             const Eigen::Vector3d forces = project(step, lambda, j).forces;
             const Eigen::Vector3d change = forces - lambda.segment<3>(3 * j);
             lambda.segment<3>(3 * j)     = forces;
-            u.noalias() -= W.middleCols<3>(3 * j) * change;
+            u.noalias() -= now.W.middleCols<3>(3 * j) * change;
           }
       }
   }

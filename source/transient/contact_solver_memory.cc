@@ -39,6 +39,7 @@ namespace squeal
       keep(single);
     else
       keep(full);
+    append(kept.W);
     return result;
   }
 
@@ -64,14 +65,23 @@ namespace squeal
     std::vector<unsigned int> nodes(static_cast<std::size_t>(*next++));
     for (unsigned int &node : nodes)
       node = static_cast<unsigned int>(*next++);
-    const Eigen::Index n         = 3 * nodes.size();
-    const unsigned int n_applied = static_cast<unsigned int>(*next++);
-    AssertDimension(memory.end() - next, (W.rows() + n) * n);
-    const double         *rest    = memory.data() + (next - memory.begin());
-    const Eigen::MatrixXd columns = Eigen::Map<const Eigen::MatrixXd>(
-                            rest, W.rows(), n),
+    const Eigen::Index    n         = 3 * nodes.size();
+    const unsigned int    n_applied = static_cast<unsigned int>(*next++);
+    const Eigen::Index    n_rows    = now.W.rows();
+    const double         *rest      = memory.data() + (next - memory.begin());
+    const Eigen::MatrixXd columns =
+                            Eigen::Map<const Eigen::MatrixXd>(rest, n_rows, n),
                           small = Eigen::Map<const Eigen::MatrixXd>(
                             rest + columns.size(), n, n);
+    const double *before = rest + (n_rows + n) * n;
+    kept                 = {};
+    if (before != memory.data() + memory.size())
+      {
+        AssertDimension(memory.data() + memory.size() - before,
+                        n_rows * n_rows);
+        kept =
+          Operator(Eigen::Map<const Eigen::MatrixXd>(before, n_rows, n_rows));
+      }
     has_inverse = true;
     changed.clear();
     set_inverse();

@@ -114,15 +114,26 @@ namespace squeal
              << stable_step << " s";
         throw InputError(text.str());
       }
-    const auto        &B = *model.relative_motion;
-    const Eigen::Index n = B.n_rows();
-    const Block        B_t =
-      B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)));
-    set_contact((beta_2 + 0.5) * dt * dt *
-                  B.apply(Block(mass.cwiseInverse().asDiagonal() * B_t)),
-                nodal_force,
-                tolerance,
-                method);
+    set_contact(nodal_force, tolerance, method);
+  }
+
+  Eigen::MatrixXd
+  ExplicitTransient::delassus()
+  {
+    // Unknown by unknown: each belongs to a few nodes.
+    std::vector<Eigen::Triplet<double>> entries;
+    for (unsigned int r = 0; r < B->n_rows(); ++r)
+      for (const auto &[column, weight] : B->rows()[r])
+        entries.emplace_back(r, column, weight);
+    Eigen::SparseMatrix<double> columns(B->n_rows(), mass.size());
+    columns.setFromTriplets(entries.begin(), entries.end());
+    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(B->n_rows(), B->n_rows());
+    using Entry       = Eigen::SparseMatrix<double>::InnerIterator;
+    for (Eigen::Index k = 0; k < columns.outerSize(); ++k)
+      for (Entry i(columns, k); i; ++i)
+        for (Entry j(columns, k); j; ++j)
+          W(j.row(), i.row()) += j.value() * i.value() / mass[k];
+    return (beta_2 + 0.5) * dt * dt * W;
   }
 
 
@@ -182,14 +193,15 @@ namespace squeal
         a_now[i]     = (f[i] - K_u[i] - beta * K_w[i]) / mass[i] - alpha * w[i];
         predicted[i] = u[i] + dt * w[i] + reach * a_now[i];
       }
-    ContactStep step     = contact_step(t + dt);
+    ContactStep step = contact_step(t + dt);
+    turn(step);
     step.free_motion     = relative(predicted) + model.motion_offset;
     step.previous_motion = nodes_motion;
 
     Eigen::VectorXd     next   = extrapolated_forces();
     const ContactReport report = solver->solve(step, next);
     Block               pull   = Block::Zero(n, 1);
-    model.relative_motion->add_transposed(Eigen::MatrixXd(next), pull);
+    B->add_transposed(Eigen::MatrixXd(next), pull);
 
     // One pass over the vectors: a step is bound by memory traffic.
     Eigen::VectorXd way(n), u_next(n);

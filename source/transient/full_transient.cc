@@ -39,6 +39,9 @@ namespace squeal
     , dt(time_step)
     , drive(std::move(d))
     , friction(drive, model.speed_ratio)
+    , B(model.relative_motion)
+    , way(Eigen::VectorXd::Zero(model.turning ? 1 : 0))
+    , carried(Eigen::VectorXd::Zero(3 * model.n_nodes()))
   {
     if (model.pencil->space()->n_ranks() > 1)
       throw InputError("Transient/Integrator: implicit and explicit run on one "
@@ -64,7 +67,7 @@ namespace squeal
   Eigen::VectorXd
   FullTransient::relative(const Eigen::VectorXd &x) const
   {
-    return model.relative_motion->apply(Block(x));
+    return B->apply(Block(x));
   }
 
   Eigen::VectorXd
@@ -72,7 +75,7 @@ namespace squeal
                          const Eigen::VectorXd &contact_forces) const
   {
     Block f = external_force(time);
-    model.relative_motion->add_transposed(Eigen::MatrixXd(-contact_forces), f);
+    B->add_transposed(Eigen::MatrixXd(-contact_forces), f);
     return f;
   }
 
@@ -125,6 +128,27 @@ namespace squeal
 
 
   void
+  FullTransient::set_turn()
+  {
+    B = way[0] == 0.
+          ? model.relative_motion
+          : model.turning->relative_motion(model.turning->angle(way[0]));
+    solver->set_operator(symmetric_delassus());
+  }
+
+  void
+  FullTransient::turn(const ContactStep &step)
+  {
+    if (!model.turning)
+      return;
+    way[0] += step.duration * step.speed;
+    set_turn();
+    carried = relative(u) + model.motion_offset - nodes_motion;
+  }
+
+
+
+  void
   FullTransient::enter_contact_work(const ContactStep     &step,
                                     const Eigen::VectorXd &contact_forces,
                                     const Eigen::VectorXd &motion_of_nodes)
@@ -132,31 +156,39 @@ namespace squeal
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
         const Eigen::Vector3d force  = contact_forces.segment<3>(3 * j);
-        const Eigen::Vector3d change = motion_of_nodes.segment<3>(3 * j);
-        const double way = step.duration * step.speed * model.speed_ratio[j];
-        energies.driving += force[1] * way;
+        const Eigen::Vector3d turned = carried.segment<3>(3 * j),
+                              change =
+                                motion_of_nodes.segment<3>(3 * j) + turned;
+        const double sliding =
+          step.duration * step.speed * model.speed_ratio[j];
+        energies.driving += force[1] * sliding + force.dot(turned);
         energies.friction +=
-          force[1] * (way + change[1]) + force[2] * change[2];
+          force[1] * (sliding + change[1]) + force[2] * change[2];
         energies.numerical += force[0] * change[0];
       }
   }
 
 
 
+  Eigen::MatrixXd
+  FullTransient::symmetric_delassus()
+  {
+    const Eigen::MatrixXd W = delassus();
+    return 0.5 * (W + W.transpose());
+  }
+
   void
-  FullTransient::set_contact(const Eigen::MatrixXd      &W,
-                             const double                nodal_force,
+  FullTransient::set_contact(const double                nodal_force,
                              const double                tolerance,
                              const ContactSolver::Method method)
   {
-    solver = std::make_unique<ContactSolver>(
-      Eigen::MatrixXd(0.5 * (W + W.transpose())),
-      model.initial_gap,
-      model.speed_ratio,
-      nodal_force,
-      tolerance,
-      ContactSolver::Precision::single,
-      method);
+    solver = std::make_unique<ContactSolver>(symmetric_delassus(),
+                                             model.initial_gap,
+                                             model.speed_ratio,
+                                             nodal_force,
+                                             tolerance,
+                                             ContactSolver::Precision::single,
+                                             method);
   }
 
   void
@@ -165,9 +197,14 @@ namespace squeal
                        const Eigen::VectorXd &forces)
   {
     n_steps = 0;
-    u       = static_motion(model, q, drive.load(0.), forces);
-    v       = model.basis->shapes * velocity;
-    a       = Eigen::VectorXd::Zero(u.size());
+    if (model.turning)
+      {
+        way.setZero();
+        set_turn();
+      }
+    u      = static_motion(model, q, drive.load(0.), forces);
+    v      = model.basis->shapes * velocity;
+    a      = Eigen::VectorXd::Zero(u.size());
     lambda = lambda_1 = lambda_2 = forces;
     nodes_motion                 = relative(u) + model.motion_offset;
     energies                     = {};
@@ -256,6 +293,7 @@ namespace squeal
                                              &lambda_1,
                                              &lambda_2,
                                              &nodes_motion,
+                                             &way,
                                              &friction.state()};
     for (auto *x : further_state())
       result.push_back(x);
@@ -301,6 +339,8 @@ namespace squeal
         *x = Eigen::Map<const Eigen::VectorXd>(&*next, x->size());
         next += x->size();
       }
+    if (model.turning)
+      set_turn();
     solver->restore({next, memory.end()});
   }
 } // namespace squeal

@@ -22,12 +22,23 @@ namespace squeal
   {
     inverse = std::make_unique<ShiftedInverse>(
       *model.pencil, -(1. + 0.5 * dt * alpha) / stiffness_factor);
-    const auto        &B = *model.relative_motion;
-    const Eigen::Index n = B.n_rows();
-    responses            = inverse->solve(B.apply_transposed(
-                  Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)))) /
-                stiffness_factor;
-    set_contact(dt * dt * B.apply(responses), nodal_force, tolerance, method);
+    const Eigen::Index n = B->n_rows();
+    if (model.turning)
+      compliance = std::make_unique<ContactCompliance>(
+        *inverse, model.turning->unknowns(), model.load.size());
+    else
+      responses = inverse->solve(B->apply_transposed(
+                    Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)))) /
+                  stiffness_factor;
+    set_contact(nodal_force, tolerance, method);
+  }
+
+  Eigen::MatrixXd
+  ImplicitTransient::delassus()
+  {
+    if (compliance)
+      return dt * dt / stiffness_factor * compliance->product(*B);
+    return dt * dt * B->apply(responses);
   }
 
 
@@ -63,19 +74,25 @@ namespace squeal
   ImplicitTransient::free_motion(const Eigen::VectorXd &right_hand_side) const
   {
     const Eigen::VectorXd rate = relative(v);
+    Eigen::VectorXd       motion;
     // Nodes without contact in this step go on with their velocity: half of
     // the time of a step is the product with the responses.
-    Eigen::VectorXd motion = dt * rate;
+    if (compliance)
+      motion = 2. * dt / stiffness_factor *
+                 relative(inverse->solve(Block(right_hand_side))) -
+               dt * rate + carried;
+    else
+      motion = dt * rate + carried;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
-        const double gap =
-          model.initial_gap[j] - nodes_motion[3 * j] - 0.5 * dt * rate[3 * j];
+        const double gap = model.initial_gap[j] - nodes_motion[3 * j] -
+                           0.5 * (dt * rate[3 * j] + carried[3 * j]);
         const bool may_touch = touching[j] > 0. || gap <= 0.;
-        if (may_touch)
-          motion.segment<3>(3 * j) =
+        if (may_touch && !compliance)
+          motion.segment<3>(3 * j) +=
             2. * dt *
-              (responses.middleCols<3>(3 * j).transpose() * right_hand_side) -
-            dt * rate.segment<3>(3 * j);
+            (responses.middleCols<3>(3 * j).transpose() * right_hand_side -
+             rate.segment<3>(3 * j));
         motion[3 * j] =
           model.initial_gap[j] + (may_touch ? motion[3 * j] : -far_away);
       }
@@ -90,15 +107,15 @@ namespace squeal
     const double          t = time();
     const Eigen::VectorXd f =
       0.5 * (external_force(t) + external_force(t + dt));
-    Block       rhs      = M_v + 0.5 * dt * (f - K_u);
-    ContactStep step     = contact_step(t + dt);
+    Block       rhs  = M_v + 0.5 * dt * (f - K_u);
+    ContactStep step = contact_step(t + dt);
+    turn(step);
     step.free_motion     = free_motion(rhs);
     step.previous_motion = Eigen::VectorXd::Zero(step.free_motion.size());
 
     Eigen::VectorXd     next   = extrapolated_forces();
     const ContactReport report = solver->solve(step, next);
-    model.relative_motion->add_transposed(Eigen::MatrixXd(-0.5 * dt * next),
-                                          rhs);
+    B->add_transposed(Eigen::MatrixXd(-0.5 * dt * next), rhs);
     const Eigen::VectorXd v_h  = inverse->solve(rhs) / stiffness_factor;
     const Eigen::VectorXd K_vh = stiffness_times(v_h);
     a                          = (2. / dt) * (v_h - v);

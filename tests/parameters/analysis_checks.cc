@@ -68,6 +68,42 @@ namespace
 
 
 
+  /** A target whose mesh turns. */
+  void
+  disc_frame()
+  {
+    const std::vector<std::string> turning = {
+      "Analysis = transient",
+      "Scene/Contact pad_disc/Formulation = mortar",
+      "Scene/Contact pad_disc/Friction direction = slip",
+      "Discretization/Mass = lumped",
+      "Discretization/Estimate error = false",
+      "Transient/Disc frame = corotating"};
+    const auto with = [&](const std::string &change) {
+      std::vector<std::string> result = turning;
+      result.push_back("Transient/Integrator = explicit");
+      result.push_back(change);
+      return result;
+    };
+    read_parameters("example.prm", with("Transient/Integrator = implicit"))
+      .check();
+    check_change_refused(with("Transient/Integrator = reduced"),
+                         {"'Transient/Disc frame'",
+                          "the reduced model holds the disc's flexibility"});
+    check_change_refused(with("Scene/Contact pad_disc/Formulation = node to "
+                              "surface"),
+                         {"'Transient/Disc frame'", "Formulation = mortar"});
+    check_change_refused(
+      with("Scene/Contact pad_disc/Friction direction = fixed y"),
+      {"'Transient/Disc frame'", "Friction direction = slip"});
+    check_change_refused(with("Scene/Body disc/Rotation speed = 3"),
+                         {"'Transient/Disc frame'", "Rotation speed = 0"});
+    check_change_refused(with("Scene/Spring row_exit/Other body = disc"),
+                         {"'Transient/Disc frame'", "joins it"});
+  }
+
+
+
   void
   result_checks()
   {
@@ -163,6 +199,7 @@ main()
   write_example();
   band();
   ladders();
+  disc_frame();
   result_checks();
   imported_models();
 }

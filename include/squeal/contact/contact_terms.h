@@ -59,6 +59,10 @@ namespace squeal
     /** Forces on the unknowns of the discretisation as forces on those of the
      * system: the transposed map. */
     std::function<Block(const Block &)> restrict_forces;
+    /** Functionals of the unknowns of the discretisation as functionals of
+     * those of the system; empty where they are the same. */
+    std::function<std::shared_ptr<const Functionals>(const Functionals &)>
+      reduce;
   };
   /** The contact states are those of the scene's parameters (the whole face
    * slips or sticks under an even pressure) unless @p states are given, one

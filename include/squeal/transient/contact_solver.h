@@ -80,6 +80,12 @@ namespace squeal
                   const Precision precision = Precision::single,
                   const Method    method    = Method::newton);
 
+    /** Another operator for the solutions to come. What is kept of the one
+     * before still serves where the two are close, as it only has to contract;
+     * it is renewed where iterations become slow, and dropped where the nodes
+     * have become much stiffer or softer. */
+    void set_operator(const Eigen::MatrixXd &delassus);
+
     /** Starts at @p lambda and improves it. Throws ComputationError where no
      * solution is found. */
     ContactReport solve(const ContactStep &step, Eigen::VectorXd &lambda);
@@ -131,10 +137,22 @@ namespace squeal
                                               Eigen::VectorXd   &lambda);
     [[noreturn]] static void throw_no_solution(const ContactReport &report);
 
-    const Eigen::MatrixXd W;
+    /** An operator and what the law is scaled by at each node. */
+    struct Operator
+    {
+      Operator() = default;
+      explicit Operator(Eigen::MatrixXd delassus);
+
+      Eigen::MatrixXd W;
+      Eigen::VectorXd rho_normal, rho_tangential; /**< N/m */
+    };
+    /** The one that the inverse and its changes are made of. */
+    const Operator &kept_operator() const;
+
+    Operator              now;
+    Operator              kept; /**< empty: `now` */
     const Eigen::VectorXd gap, ratio;
     const double          mean_force, tolerance;
-    Eigen::VectorXd       rho_normal, rho_tangential; /**< N/m, of each node */
 
     Eigen::VectorXd            u, violation;
     std::vector<ContactStatus> states;
@@ -144,6 +162,7 @@ namespace squeal
     KeptInverse<float>        single;
     KeptInverse<double>       full;
     bool                      is_single;
+    const bool                starts_single;
     const Method              method;
     bool                      has_inverse = false;
     std::vector<NodeRows>     base, updated;

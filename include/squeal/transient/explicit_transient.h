@@ -54,6 +54,7 @@ namespace squeal
   protected:
     void                           initialize() override;
     std::vector<Eigen::VectorXd *> further_state() override;
+    Eigen::MatrixXd                delassus() override;
 
   private:
     /** K u and K w of this step. */

@@ -2,6 +2,7 @@
 #ifndef squeal_transient_full_transient_h
 #define squeal_transient_full_transient_h
 
+#include <squeal/contact/turning_contact.h>
 #include <squeal/transient/lagged_friction.h>
 
 #include <memory>
@@ -24,6 +25,9 @@ namespace squeal
     Eigen::VectorXd speed_ratio; /**< as ReducedContactModel::speed_ratio */
     /** Relative motion of the nodes that held supports add, m. */
     Eigen::VectorXd motion_offset;
+    /** B in every step where the target's mesh turns, its unknowns being
+     * displacements in axes that turn with it; null: B stays. */
+    std::shared_ptr<TurningContact> turning = {};
 
     unsigned int
     n_nodes() const
@@ -72,10 +76,9 @@ namespace squeal
                   const double     time_step,
                   TransientDrive   drive);
 
-    /** The solver of a step's contact with the Delassus operator @p W, m/N,
-     * symmetric but for rounding. */
-    void set_contact(const Eigen::MatrixXd      &W,
-                     const double                nodal_force,
+    /** The solver of a step's contact with delassus(), m/N, symmetric but for
+     * rounding. */
+    void set_contact(const double                nodal_force,
                      const double                tolerance,
                      const ContactSolver::Method method);
 
@@ -98,7 +101,13 @@ namespace squeal
     void finish_step(const ContactStep     &step,
                      const Eigen::VectorXd &next,
                      const Eigen::VectorXd &contact_forces);
-    /** Enters the work of @p contact_forces over a motion of the nodes. */
+    /** Turns the target to the end of @p step. */
+    void turn(const ContactStep &step);
+    /** The operator of the solver for B as it is, m/N. */
+    virtual Eigen::MatrixXd delassus() = 0;
+    /** Enters the work of @p contact_forces over a motion of the nodes. What
+     * the turning alone has moved them in the step is work of the target that
+     * turns, whatever the direction. */
     void enter_contact_work(const ContactStep     &step,
                             const Eigen::VectorXd &contact_forces,
                             const Eigen::VectorXd &motion_of_nodes);
@@ -116,7 +125,16 @@ namespace squeal
     Eigen::VectorXd nodes_motion;               /**< B u + motion_offset, m */
     EnergyLedger    energies;
 
+    std::shared_ptr<const Functionals> B; /**< at the end of the last step */
+    /** Of the target's surface at the centre so far, m; empty where its mesh
+     * does not turn. */
+    Eigen::VectorXd way;
+    Eigen::VectorXd carried; /**< what the turning alone moves the nodes in the
+                                  step at hand, m */
+
   private:
+    void                           set_turn();
+    Eigen::MatrixXd                symmetric_delassus();
     std::vector<Eigen::VectorXd *> state();
   };
 } // namespace squeal

@@ -2,6 +2,7 @@
 #ifndef squeal_transient_implicit_transient_h
 #define squeal_transient_implicit_transient_h
 
+#include <squeal/transient/contact_compliance.h>
 #include <squeal/transient/full_transient.h>
 
 namespace squeal
@@ -15,6 +16,9 @@ namespace squeal
    * Nodes that were closed, or that would touch within half a step, obey
    * 0 <= lambda_n complementary to -(B_n v_1) >= 0, and Coulomb's law with the
    * slip rate of v_1. A is factorised once.
+   *
+   * Where the target turns B is that of the end of the step, and what the
+   * turning alone moves the nodes in a step adds to dt B v_1.
    *
    * Multiplied by v_h the scheme is an exact balance of energy; what it loses
    * at impacts is lambda_n (B_n v_h) dt.
@@ -35,6 +39,7 @@ namespace squeal
   protected:
     void                           initialize() override;
     std::vector<Eigen::VectorXd *> further_state() override;
+    Eigen::MatrixXd                delassus() override;
 
   private:
     /** Motion of the nodes in a step without contact forces, as the solver
@@ -42,11 +47,13 @@ namespace squeal
     Eigen::VectorXd free_motion(const Eigen::VectorXd &right_hand_side) const;
     void            set_stored_energy();
 
-    const double                    stiffness_factor; /**< of K in A */
-    std::unique_ptr<ShiftedInverse> inverse;   /**< stiffness_factor A^-1 */
-    Block                           responses; /**< A^-1 B^T */
-    Eigen::VectorXd                 K_u, M_v;
-    Eigen::VectorXd                 touching; /**< 1 for closed nodes */
+    const double                       stiffness_factor; /**< of K in A */
+    std::unique_ptr<ShiftedInverse>    inverse;   /**< stiffness_factor A^-1 */
+    Block                              responses; /**< A^-1 B^T where B stays */
+    std::unique_ptr<ContactCompliance> compliance; /**< where it turns; of
+                                                        `inverse` */
+    Eigen::VectorXd K_u, M_v;
+    Eigen::VectorXd touching; /**< 1 for closed nodes */
   };
 } // namespace squeal
 

@@ -36,9 +36,11 @@ namespace squeal
   struct EnergyLedger
   {
     double kinetic = 0., elastic = 0.;
-    double damping   = 0.; /**< lost in the bodies' viscous damping */
-    double friction  = 0.; /**< lost in slip */
-    double driving   = 0.; /**< work of the sliding target on the bodies */
+    double damping  = 0.;  /**< lost in the bodies' viscous damping */
+    double friction = 0.;  /**< lost in slip */
+    double driving  = 0.;  /**< work of the sliding target on the bodies, also
+                              by what its turning mesh carries past the source
+                            */
     double load      = 0.; /**< work of the loads */
     double numerical = 0.; /**< lost by the scheme, from its own identity:
                               nodal forces that open or close a gap within a
