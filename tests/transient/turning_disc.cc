@@ -6,6 +6,7 @@
 
 #include "transient/pressed_brake.h"
 
+#include <squeal/base/exceptions.h>
 #include <squeal/contact/turning_contact.h>
 #include <squeal/transient/explicit_transient.h>
 #include <squeal/transient/implicit_transient.h>
@@ -357,6 +358,13 @@ namespace
     };
     compare(explicit_run, "explicit");
     compare(implicit_run, "implicit");
+    const ShiftedInverse inverse(r.pencil, -1e12);
+    check_throws<InputError>(
+      [&]() {
+        ContactCompliance(inverse, std::vector<unsigned int>(30000), 30000);
+      },
+      "Transient/Disc frame",
+      "a ring of too many unknowns for the memory is refused");
   }
 
 
