@@ -78,14 +78,62 @@ namespace
     check(fit.is_valid && fit.e_foldings() >= 3., "three e-foldings and more");
     return fit;
   }
+
+  /** What the schemes make of e^(lambda t), from their amplification: the rule
+   * misses terms of the next order only. */
+  void
+  schemes()
+  {
+    using Complex        = std::complex<double>;
+    const Complex lambda = {300., 2. * M_PI * 5e3};
+    // Smallest orders of what is left: lambda (lambda dt)^4 and, with loss,
+    // lambda (lambda dt)^2.
+    for (const auto &[beta_2, order] : {std::make_pair(0., 4.),
+                                        std::make_pair(.5, 4.),
+                                        std::make_pair(.7, 2.)})
+      {
+        double before = 0.;
+        for (const double dt : {4e-6, 2e-6, 1e-6})
+          {
+            const Complex z = lambda * dt;
+            Complex       factor, error;
+            if (beta_2 == 0.)
+              {
+                factor = (1. + z / 2.) / (1. - z / 2.);
+                error  = implicit_step_error(lambda, dt);
+              }
+            else
+              {
+                const Complex b = 1. + .5 * z * z * (beta_2 + .5);
+                const Complex root =
+                  std::sqrt(b * b - 1. + z * z * (.5 - beta_2));
+                factor = std::abs(b + root - std::exp(z)) <
+                             std::abs(b - root - std::exp(z))
+                           ? b + root
+                           : b - root;
+                error  = explicit_step_error(lambda, dt, beta_2);
+              }
+            const double rest =
+              std::abs(std::log(factor) / dt - lambda - error);
+            if (before > 0.)
+              check(std::abs(std::log2(before / rest) - order) < .1,
+                    (beta_2 == 0. ? std::string("implicit")
+                                  : "explicit, beta_2 = " + number(beta_2)) +
+                      ": what is left of the time step's part falls by order " +
+                      number(order));
+            before = rest;
+          }
+      }
+  }
 } // namespace
 
 int
 main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  SceneParameters                          scene = pressed_brake(mu);
-  scene.bodies[1].young_modulus                  = 1.6e10;
+  schemes();
+  SceneParameters scene         = pressed_brake(mu);
+  scene.bodies[1].young_modulus = 1.6e10;
   const Reduced          r(scene, 24e3);
   const SteadySliding    s           = steady_sliding(r.model, mu);
   const LinearizedMotion linear      = linearize(r.model, s, mu, speed);
