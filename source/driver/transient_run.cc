@@ -199,15 +199,29 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Some of the pairs, without their right vectors. */
+    LinearizedMotion
+    only(const LinearizedMotion &all, const std::vector<unsigned int> &pairs)
+    {
+      LinearizedMotion result;
+      result.lambda = all.lambda(pairs);
+      result.left   = all.left(pairs, Eigen::all);
+      return result;
+    }
+  } // namespace
+
+
+
   TransientRun::TransientRun(const PressedModel              &model,
                              const SteadySliding             &state,
                              const LinearizedMotion          &linearized,
-                             const std::vector<unsigned int> &recorded,
+                             const std::vector<unsigned int> &branches,
                              const Parameters                &p)
     : pressed(model)
     , steady(state)
-    , linear(linearized)
-    , branches(recorded)
+    , recorded(only(linearized, branches))
     , settings(p.transient)
     , key(key_of_motion(p))
     , edge(leading_edge(model.geometry()))
@@ -352,13 +366,9 @@ namespace squeal
     s.numerical          = e.numerical;
     s.imbalance          = e.imbalance();
     kept.samples.push_back(s);
-    if (!branches.empty())
-      {
-        const Eigen::VectorXcd all = linear.amplitudes(
-          steady, motion->coordinates(), motion->velocities(), lambda);
-        for (const unsigned int k : branches)
-          kept.amplitudes.push_back(all[k]);
-      }
+    for (const auto &a : recorded.amplitudes(
+           steady, motion->coordinates(), motion->velocities(), lambda))
+      kept.amplitudes.push_back(a);
     if (s.time >= settings.history_start - 1e-9)
       take_node_fields(s, kept.history);
     if (kept.samples.size() + settings.animation_frames > n_steps / stride + 1)

@@ -110,8 +110,7 @@ namespace squeal
 
     const PressedModel                  &pressed;
     const SteadySliding                 &steady;
-    const LinearizedMotion              &linear;
-    const std::vector<unsigned int>      branches;
+    const LinearizedMotion               recorded; /**< the branches only */
     const TransientParameters           &settings;
     const std::string                    key; /**< of the parameters */
     const std::vector<bool>              edge;
