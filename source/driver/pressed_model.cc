@@ -4,9 +4,11 @@
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/load_vector.h>
 #include <squeal/driver/pressed_model.h>
+#include <squeal/eigen/mass_basis.h>
 #include <squeal/transient/run_in.h>
 
 #include <cmath>
+#include <random>
 
 namespace squeal
 {
@@ -55,6 +57,9 @@ namespace squeal
             model.flexibility(3 * j + c, 3 * j + c) += 1. / tangential;
         }
     }
+
+    /** Points of a body that a disturbance strikes. */
+    constexpr unsigned int n_struck = 24;
 
     void
     add_row(const RowSpace             &space,
@@ -127,7 +132,10 @@ namespace squeal
       nodal += load_vector(d, evaluator, l);
     load     = separated.restrict_forces(nodal);
     observed = separated.restrict_forces(observers(bodies));
-    reduced  = reduce_contact_model(
+    struck =
+      inner_products(*pencil->space(), basis->shapes, struck_points()).col(0);
+    struck.normalize();
+    reduced = reduce_contact_model(
       *pencil, *basis, cut_off, separated.contacts[0], load, observed);
     add_springs(scene.contacts[0], reduced);
   }
@@ -232,6 +240,46 @@ namespace squeal
   }
 
 
+
+  Block
+  PressedModel::struck_points() const
+  {
+    const PointEvaluator evaluator(discretization);
+    const auto          &mesh = discretization.coarse_mesh();
+    Block                f = Block::Zero(discretization.space()->n_owned(), 1);
+    std::mt19937         generator(1);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        std::vector<unsigned int> corners;
+        for (const auto &cell : mesh.cells)
+          if (cell.material_id == b)
+            corners.insert(
+              corners.end(), cell.vertices.begin(), cell.vertices.end());
+        std::vector<dealii::Point<3>> points;
+        for (unsigned int i = 0; i < n_struck && !corners.empty(); ++i)
+          points.push_back(
+            mesh.vertices[corners[generator() % corners.size()]]);
+        if (corners.empty()) // a rigid body
+          points.emplace_back(scene.bodies[b].position[0],
+                              scene.bodies[b].position[1],
+                              scene.bodies[b].position[2]);
+        const auto found = evaluator.displacements(b, points);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          for (unsigned int c = 0; c < 3; ++c)
+            if (found.found[i])
+              add_row(*discretization.space(),
+                      found.rows[i][c],
+                      generator() / 4294967296. - 0.5,
+                      f.col(0));
+      }
+    return separated.restrict_forces(f);
+  }
+
+  Eigen::VectorXd
+  PressedModel::disturbance(const double energy) const
+  {
+    return std::sqrt(2. * energy) * struck;
+  }
 
   ModalForce
   PressedModel::force(const LoadParameters &load) const

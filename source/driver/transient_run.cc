@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
-#include <random>
 
 namespace squeal
 {
@@ -43,27 +42,6 @@ namespace squeal
       timespec now;
       ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
       return now.tv_sec + 1e-9 * now.tv_nsec;
-    }
-  } // namespace
-
-
-
-  namespace
-  {
-    /** Velocities of the modes, of kinetic energy @p energy, after an impulse
-     * spread at random over the contact nodes. An impulse of the nodes does
-     * not depend on the signs of the modes nor on how those of one frequency
-     * share their plane, as equal velocities of all modes would. */
-    Eigen::VectorXd
-    disturbance(const ReducedContactModel &model, const double energy)
-    {
-      std::mt19937    generator(1);
-      Eigen::VectorXd impulse(3 * model.n_nodes());
-      for (auto &entry : impulse)
-        entry = generator() / 4294967296. - 0.5;
-      const Eigen::VectorXd v    = model.participation.transpose() * impulse;
-      const double          size = v.norm();
-      return size > 0. ? Eigen::VectorXd(std::sqrt(2. * energy) / size * v) : v;
     }
   } // namespace
 
@@ -238,7 +216,7 @@ namespace squeal
         area += model.geometry().areas[j];
         edge_area += edge[j] ? model.geometry().areas[j] : 0.;
       }
-    const Eigen::VectorXd v = disturbance(model.model(), settings.disturbance);
+    const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
       motion->start(Eigen::VectorXd::Zero(n),
                     v,

@@ -194,7 +194,7 @@ namespace squeal
                  t.disturbance,
                  Allowed::number(0.),
                  "Kinetic energy at the start, of an impulse spread at random "
-                 "over the contact nodes.",
+                 "over points of all bodies.",
                  "J");
       schema.add(
         "Time step", t.time_step, Allowed::positive(), "Time step.", "s");

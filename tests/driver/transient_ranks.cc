@@ -51,7 +51,7 @@ namespace
                                       "Scene/Body support/Cells = 2, 2, 6",
                                       "Scene/Support top/Kind = free",
                                       "Scene/Body pad/Young modulus = 1.6e10",
-                                      "Transient/Disturbance = 1e-7",
+                                      "Transient/Disturbance = 1e-6",
                                       "Transient/Time step = 1e-6",
                                       "Transient/End time = 0.08",
                                       "Transient/Tolerance = 1e-12",

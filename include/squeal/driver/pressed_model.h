@@ -62,6 +62,12 @@ namespace squeal
     /** Forces of @p load as modal forces. */
     ModalForce force(const LoadParameters &load) const;
 
+    /** Velocities of the modes, of kinetic energy @p energy, J, after an
+     * impulse spread at random over points of all bodies. It does not depend
+     * on the signs of the modes nor on how those of one frequency share their
+     * plane, as equal velocities of all modes would. */
+    Eigen::VectorXd disturbance(const double energy) const;
+
     /**
      * Steady sliding under the full load. Where a support is `held` it is that
      * of the same scene with the support guided, whose position along z is
@@ -82,6 +88,8 @@ namespace squeal
 
   private:
     Block observers(const std::vector<BodyMatrices> &bodies) const;
+    /** Nodal forces at random at some points of every body. */
+    Block struck_points() const;
 
     const Parameters                     &parameters;
     const SceneParameters                &scene;
@@ -90,8 +98,9 @@ namespace squeal
     std::shared_ptr<const Pencil>         pencil;
     std::shared_ptr<const ReductionBasis> basis;
     Block                                 load, observed; /**< nodal forces */
-    ReducedContactModel                   reduced;
-    double                                cut_off, interface_cut_off, mu;
+    Eigen::VectorXd struck; /**< velocities of a disturbance, of unit size */
+    ReducedContactModel reduced;
+    double              cut_off, interface_cut_off, mu;
     struct MovingScene;
     std::shared_ptr<MovingScene> moving; /**< of held supports */
   };
