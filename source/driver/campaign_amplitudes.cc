@@ -60,13 +60,7 @@ namespace squeal
          const Shows       &shows,
          const Name        &name)
     {
-      static const Ink inks[] = {Ink::blue,
-                                 Ink::vermillion,
-                                 Ink::green,
-                                 Ink::orange,
-                                 Ink::purple,
-                                 Ink::sky};
-      std::size_t      n      = 0;
+      std::size_t n = 0;
       for (std::size_t i = 0; i < table.n_rows(); ++i)
         {
           const double a = table.real(i, x), b = table.real(i, y);
@@ -81,7 +75,7 @@ namespace squeal
             {
               ChartSeries next;
               next.label = label;
-              next.ink   = inks[chart.series.size() % 6];
+              next.ink   = series_ink(chart.series.size());
               s          = chart.series.insert(chart.series.end(), next);
             }
           s->x.push_back(a);

@@ -133,13 +133,7 @@ namespace squeal
   Chart
   boundary_chart(const SweepModel &model, const Table &boundary)
   {
-    const SweepGrid &grid   = model.grid();
-    static const Ink inks[] = {Ink::vermillion,
-                               Ink::blue,
-                               Ink::green,
-                               Ink::orange,
-                               Ink::purple,
-                               Ink::sky};
+    const SweepGrid &grid = model.grid();
     Chart            chart;
     chart.title   = "Boundary of the unstable regions";
     chart.x.label = (grid.is_logarithmic(0) ? "log10 of " : "") +
@@ -161,7 +155,7 @@ namespace squeal
             frequencies.push_back(f);
             ChartSeries next;
             next.label       = "near " + rounded_text(f, 2) + " Hz";
-            next.ink         = inks[k % 6];
+            next.ink         = series_ink(k);
             next.marker      = static_cast<ChartSeries::Marker>(k % 4);
             next.marker_size = 0.8;
             chart.series.push_back(next);

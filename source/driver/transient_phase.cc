@@ -148,13 +148,7 @@ namespace squeal
               const std::vector<std::pair<std::string, Table>> &runs,
               HtmlReport                                       &report)
   {
-    static const Ink inks[] = {Ink::vermillion,
-                               Ink::blue,
-                               Ink::green,
-                               Ink::orange,
-                               Ink::purple,
-                               Ink::sky};
-    Chart            amplitude, phase;
+    Chart amplitude, phase;
     amplitude.title   = "Amplitude of the normal force at the largest line";
     amplitude.x.label = "time in ms";
     amplitude.y.label = "amplitude in N";
@@ -167,8 +161,9 @@ namespace squeal
     for (std::size_t k = 0; k < std::min<std::size_t>(runs.size(), 6); ++k)
       {
         const auto &[label, table] = runs[k];
-        ChartSeries a = dots(label, inks[k]), p = dots(label, inks[k]);
-        a.style = ChartSeries::Style::lines;
+        ChartSeries a              = dots(label, series_ink(k)),
+                    p              = dots(label, series_ink(k));
+        a.style                    = ChartSeries::Style::lines;
         for (std::size_t i = 0; i < table.n_rows(); ++i)
           {
             const double t    = 1e3 * table.real(i, "time_s"),

@@ -113,12 +113,6 @@ namespace squeal
     Chart
     branch_chart(const TransientRecord &record, const TransientFigures &f)
     {
-      static const Ink          inks[] = {Ink::vermillion,
-                                          Ink::blue,
-                                          Ink::green,
-                                          Ink::orange,
-                                          Ink::purple,
-                                          Ink::sky};
       std::vector<unsigned int> order;
       for (unsigned int k = 0; k < f.branches.size(); ++k)
         order.push_back(k);
@@ -138,7 +132,7 @@ namespace squeal
           const BranchResult &b = f.branches[order[i]];
           ChartSeries         s = line(rounded_text(b.frequency, 4) + " Hz, " +
                                  rounded_text(b.sigma, 3) + " 1/s",
-                               inks[i]);
+                               series_ink(i));
           const auto          a = record.branch(order[i], f.branches.size());
           for (std::size_t k = 0; k < a.size(); k += step)
             if (std::abs(a[k]) > 0.)

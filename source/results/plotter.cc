@@ -126,6 +126,18 @@ namespace squeal
 
 
 
+  Ink
+  series_ink(const std::size_t k)
+  {
+    static const Ink inks[] = {Ink::vermillion,
+                               Ink::blue,
+                               Ink::green,
+                               Ink::orange,
+                               Ink::purple,
+                               Ink::sky};
+    return inks[k % 6];
+  }
+
   std::string
   colour_code(const Ink ink)
   {

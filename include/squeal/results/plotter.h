@@ -25,6 +25,9 @@ namespace squeal
     grey
   };
 
+  /** That of series @p k of a chart; from the seventh on they repeat. */
+  Ink series_ink(const std::size_t k);
+
   /** "#0072b2". */
   std::string colour_code(Ink ink);
 
