@@ -74,6 +74,29 @@ namespace squeal
       return result;
     }
 
+    /** Growth of the pair of @p lambda over the samples @p linear. */
+    GrowthFit
+    fit_linear_phase(const std::vector<double>                 &times,
+                     const std::vector<std::complex<double>>   &amplitudes,
+                     const std::pair<std::size_t, std::size_t> &linear,
+                     const std::complex<double>                 lambda)
+    {
+      if (linear.second < linear.first + 2)
+        return {};
+      const auto period  = static_cast<std::size_t>(std::round(
+        2. * M_PI / std::abs(lambda.imag()) / (times[1] - times[0])));
+      const auto turning = without_drift(
+        {amplitudes.begin() + linear.first, amplitudes.begin() + linear.second},
+        period);
+      const auto window =
+        fit_window(turning, 0, turning.size(), lambda.real() < 0.);
+      return fit_growth(
+        {times.begin() + linear.first, times.begin() + linear.second},
+        turning,
+        window.first,
+        window.second);
+    }
+
     void
     evaluate_branches(const PreparedTransient   &prepared,
                       const TransientRecord     &record,
@@ -100,9 +123,7 @@ namespace squeal
           b.sigma_cea     = not_known;
           b.frequency_cea = not_known;
           const auto a    = record.branch(k, n);
-          const auto window =
-            fit_window(a, linear.first, linear.second, lambda.real() < 0.);
-          b.fit = fit_growth(times, a, window.first, window.second);
+          b.fit           = fit_linear_phase(times, a, linear, lambda);
           b.fit.include(errors[k]);
           std::vector<double> sizes;
           for (std::size_t i = 0; i < a.size(); ++i)

@@ -105,6 +105,28 @@ namespace squeal
 
 
 
+  std::vector<std::complex<double>>
+  without_drift(const std::vector<std::complex<double>> &amplitudes,
+                const std::size_t                        period)
+  {
+    const std::size_t n = amplitudes.size();
+    if (period < 4 || n < period)
+      return amplitudes;
+    std::vector<std::complex<double>> sums(1), result(n);
+    for (const auto &amplitude : amplitudes)
+      sums.push_back(sums.back() + amplitude);
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const std::size_t first =
+          std::min(i - std::min(i, period / 2), n - period);
+        result[i] = amplitudes[i] - (sums[first + period] - sums[first]) /
+                                      static_cast<double>(period);
+      }
+    return result;
+  }
+
+
+
   std::pair<std::size_t, std::size_t>
   fit_window(const std::vector<std::complex<double>> &amplitudes,
              const std::size_t                        first,

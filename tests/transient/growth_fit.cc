@@ -49,6 +49,36 @@ namespace
           "two samples are no window");
   }
 
+  // A turning mesh shifts the steady sliding by far more than the disturbance.
+  void
+  rates_beside_a_drift()
+  {
+    const Complex        lambda(400., 2. * M_PI * 6620.);
+    std::vector<double>  times;
+    std::vector<Complex> a, pure;
+    for (unsigned int i = 0; i < 5000; ++i)
+      {
+        const double t = 4e-6 * i;
+        times.push_back(t);
+        pure.push_back(1e-4 * std::exp(lambda * t));
+        a.push_back(pure.back() +
+                    Complex(1., 0.5) * (1. + 20. * t + 4e3 * t * t));
+      }
+    const GrowthFit drifting = fit_growth(times, a, 1667, 5000);
+    check(std::abs(drifting.rate - 400.) > 100. &&
+            std::abs(drifting.frequency) < 1000.,
+          "the drift hides the pair");
+    const GrowthFit fit = fit_growth(times, without_drift(a, 38), 1667, 5000);
+    check(std::abs(fit.rate - 400.) < 0.2 && fit.rate_ci < 2.,
+          "without it the rate is there");
+    check(std::abs(fit.frequency - 6620.) < 0.05, "and the frequency");
+    const GrowthFit alone =
+      fit_growth(times, without_drift(pure, 38), 1667, 4980);
+    check(std::abs(alone.rate - 400.) < 1e-8 &&
+            std::abs(alone.frequency - 6620.) < 1e-9,
+          "taking a drift away changes no rate and no frequency");
+  }
+
   void
   spectra()
   {
@@ -106,5 +136,6 @@ int
 main()
 {
   rates();
+  rates_beside_a_drift();
   spectra();
 }

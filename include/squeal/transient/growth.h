@@ -41,6 +41,19 @@ namespace squeal
                        const std::size_t                        last);
 
   /**
+   * Takes from each amplitude the mean over the @p period samples around it:
+   * what is left turns. The mean of exp(lambda t) is a constant times
+   * exp(lambda t), so that rate and frequency stay what they are; what goes is
+   * the trace of a steady sliding that shifts slowly, with the turning mesh of
+   * a corotating disc or a ramp. Within half a period of either end the nearest
+   * whole one counts. Returns @p amplitudes for fewer than four samples a
+   * period or less than one of them.
+   */
+  std::vector<std::complex<double>> without_drift(
+    const std::vector<std::complex<double>> &amplitudes,
+    const std::size_t                        period);
+
+  /**
    * The window of a fit within the linear phase, samples @p first to @p last:
    * its last two thirds; of a motion that decays, from the start until it has
    * fallen to a thousandth. Returns {first, last}.
