@@ -114,20 +114,23 @@ namespace squeal
       const auto shown = [&](const std::string &name) {
         return summary.display(0, summary.column_index(name));
       };
+      const bool has_fit     = !summary.is_missing(0, "growth_rate_per_s");
       context.record.figures = {
         {"verdict", f.verdict},
         {"growth rate",
-         shown("growth_rate_per_s") + " +- " + shown("growth_rate_ci_per_s") +
-           " 1/s at " + shown("growth_frequency_hz") + " Hz"},
+         has_fit ? shown("growth_rate_per_s") + " +- " +
+                     shown("growth_rate_ci_per_s") + " 1/s at " +
+                     shown("growth_frequency_hz") + " Hz"
+                 : "not fitted: the leading pair has no linear phase "
+                   "of its own"},
         {"linearised about steady sliding",
          shown("sigma_linear_per_s") + " 1/s at " +
            shown("frequency_linear_hz") + " Hz"},
-        {"limit cycle",
-         f.has_limit_cycle ? shown("limit_cycle_frequency_hz") + " Hz"
-                           : "none in the second half of the run"},
+        {"limit cycle", limit_cycle_text(f)},
         {"normal force",
          shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") + " N, " +
-           shown("min_normal_n") + " to " + shown("max_normal_n") + " N"},
+           (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
+           " to " + shown("max_normal_n") + " N"},
         {"nodes: slip, stick-slip, separating, never closed",
          shown("n_slip") + ", " + shown("n_stick_slip") + ", " +
            shown("n_separating") + ", " + shown("n_never")},
@@ -169,9 +172,8 @@ namespace squeal
         : f.verdict == "stable" ? HtmlReport::Verdict::good
                                 : HtmlReport::Verdict::neutral,
         f.verdict +
-          (f.has_limit_cycle
-             ? ", limit cycle at " + shown("limit_cycle_frequency_hz") + " Hz"
-             : ""),
+          (f.has_limit_cycle ? ", limit cycle at " : ", limit cycle: ") +
+          limit_cycle_text(f),
         context.record.figures);
       if (p.output.plots && context.is_root)
         {

@@ -20,6 +20,9 @@ namespace squeal
   {
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+    /** Share by which the frequency of a fit may be off that of its pair. */
+    constexpr double same_frequency = 0.02;
+
     /** The longest stretch of samples without a change of status. */
     std::pair<std::size_t, std::size_t>
     linear_phase(const std::vector<TransientSample> &samples)
@@ -125,6 +128,12 @@ namespace squeal
           const auto a    = record.branch(k, n);
           b.fit           = fit_linear_phase(times, a, linear, lambda);
           b.fit.include(errors[k]);
+          // In the linear phase a pair turns at its own frequency. What does
+          // not is a trace of other motions, and its slope nobody's rate.
+          if (std::abs(b.fit.frequency - b.frequency) >
+              same_frequency * b.frequency +
+                std::abs(errors[k].imag()) / (2. * M_PI))
+            b.fit.is_valid = false;
           std::vector<double> sizes;
           for (std::size_t i = 0; i < a.size(); ++i)
             if (times[i] >= rms_from)
@@ -208,10 +217,15 @@ namespace squeal
         }
     }
 
+    /** Vibration of the normal force, over its mean, that is more than the
+     * noise of the solver. */
+    constexpr double least_vibration = 1e-4;
+
     void
-    evaluate_limit_cycle(const TransientRecord &record,
-                         const Parameters      &p,
-                         TransientFigures      &f)
+    evaluate_limit_cycle(const PreparedTransient &prepared,
+                         const TransientRecord   &record,
+                         const Parameters        &p,
+                         TransientFigures        &f)
     {
       const auto         &samples = record.samples;
       const std::size_t   first   = samples.size() / 2;
@@ -238,22 +252,29 @@ namespace squeal
       f.macroscopic_friction = f.mean_tangential / f.mean_normal;
       f.mean_leading_edge_factor = mean_of(edge) / f.mean_normal;
       f.rms_acceleration         = std::sqrt(mean_of(acceleration));
-      // Four quarters alike, and more than the noise of the solver.
-      double least = 1e300, most = 0.;
+      f.least_rms                = f.rms_normal;
       for (unsigned int k = 0; k < 4; ++k)
         {
           const double rms =
             rms_about_mean({normal.begin() + k * normal.size() / 4,
                             normal.begin() + (k + 1) * normal.size() / 4});
-          least = std::min(least, rms);
-          most  = std::max(most, rms);
+          f.least_rms = std::min(f.least_rms, rms);
+          f.most_rms  = std::max(f.most_rms, rms);
         }
-      f.has_limit_cycle = most > 1e-4 * f.mean_normal && least > 0.8 * most;
+      // Weakly damped motion loses less than that in the half of a run.
+      f.dies_out = prepared.linear.lambda.real().maxCoeff() < 0. &&
+                   std::all_of(samples.begin() + first,
+                               samples.end(),
+                               [](const auto &s) { return s.is_linear != 0.; });
+      f.has_limit_cycle = !f.dies_out &&
+                          f.most_rms > least_vibration * f.mean_normal &&
+                          f.least_rms > 0.8 * f.most_rms;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
       evaluate_lines(normal, interval, p.eigen.lowest_frequency, f);
-      if (f.frequency > 0.)
-        f.phase = phase_difference(normal, tangential, interval, f.frequency);
+      if (f.largest_line > 0.)
+        f.phase =
+          phase_difference(normal, tangential, interval, f.largest_line);
     }
   } // namespace
 
@@ -286,7 +307,7 @@ namespace squeal
     TransientFigures f;
     evaluate_branches(prepared, record, p.transient, cea, f);
     f.verdict = verdict_of(f);
-    evaluate_limit_cycle(record, p, f);
+    evaluate_limit_cycle(prepared, record, p, f);
     evaluate_nodes(record, f);
     // Against the work of the whole run: at the start there is next to none.
     const auto work = [&](const TransientSample &s) {
@@ -302,6 +323,26 @@ namespace squeal
     f.n_inversions        = record.n_inversions;
     f.iterations_per_step = record.n_iterations / std::max(record.n_steps, 1.);
     return f;
+  }
+
+
+
+  std::string
+  limit_cycle_text(const TransientFigures &f)
+  {
+    if (f.has_limit_cycle)
+      return rounded_text(f.frequency, 5) + " +- " +
+             rounded_text(f.frequency_ci, 2) + " Hz" +
+             (f.largest_line > 1.5 * f.frequency
+                ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
+                : "");
+    if (f.most_rms <= least_vibration * f.mean_normal)
+      return "none: no vibration";
+    if (f.dies_out)
+      return "none: the vibration dies out";
+    return "none yet: vibration of " + rounded_text(f.least_rms, 3) + " to " +
+           rounded_text(f.most_rms, 3) +
+           " N rms in the quarters of the second half of the run";
   }
 
 

@@ -84,7 +84,7 @@ namespace squeal
       chart.x.label  = "frequency in kHz";
       chart.y.label  = "N^2/Hz";
       chart.y.scale  = AxisSettings::Scale::logarithmic;
-      double largest = 0.;
+      double largest = 0., least = 1e300;
       for (const auto &[signal, label, ink] :
            {std::make_tuple(&normal, "normal", Ink::blue),
             std::make_tuple(&tangential, "tangential", Ink::vermillion)})
@@ -96,10 +96,11 @@ namespace squeal
               curve.x.push_back(1e-3 * s.frequency[k]);
               curve.y.push_back(s.density[k]);
               largest = std::max(largest, s.density[k]);
+              least   = std::min(least, s.density[k]);
             }
           chart.series.push_back(curve);
         }
-      chart.y.lower = std::max(1e-30, 1e-12 * largest);
+      chart.y.lower = std::max({1e-30, 1e-12 * largest, 0.5 * least});
       if (f.has_limit_cycle)
         chart.lines = {{true,
                         1e-3 * f.frequency,
@@ -157,7 +158,7 @@ namespace squeal
     phase_portrait(const TransientRecord &record, const std::size_t first)
     {
       Chart chart;
-      chart.title   = "Limit cycle";
+      chart.title   = "Tangential over normal force, last periods";
       chart.x.label = "normal force in N";
       chart.y.label = "tangential force in N";
       ChartSeries s = line("", Ink::blue);
@@ -171,7 +172,8 @@ namespace squeal
       return chart;
     }
 
-    /** Pressure at eight moments of the last period kept. */
+    /** Pressure at eight moments of the last period kept, or fewer where that
+     * has fewer samples. */
     std::vector<ContactMap::Panel>
     pressure_panels(const TransientRecord &record, const double frequency)
     {
@@ -182,6 +184,7 @@ namespace squeal
         return panels;
       const double period = frequency > 0. ? 1. / frequency : 0.;
       double       upper  = 0.;
+      std::size_t  before = h.n_samples();
       for (unsigned int k = 0; k < 8; ++k)
         {
           const double time = h.time.back() - period * (7. - k) / 8.;
@@ -189,6 +192,9 @@ namespace squeal
             std::lower_bound(h.time.begin(), h.time.end(), time - 1e-12) -
             h.time.begin();
           i = std::min(i, h.n_samples() - 1);
+          if (i == before)
+            continue;
+          before = i;
           ContactMap::Panel panel;
           panel.title = rounded_text(1e3 * h.time[i], 6) + " ms";
           panel.label = "MPa";
@@ -241,17 +247,26 @@ namespace squeal
          "Forces, last periods");
     draw("spectrum", {spectrum_chart(record, f)}, "Spectrum");
     if (!f.branches.empty())
-      draw("branches", {branch_chart(record, f)}, "Competing pairs");
-    draw("limit_cycle", {phase_portrait(record, n - periods)}, "Limit cycle");
+      draw("branches",
+           {branch_chart(record, f)},
+           "Pairs of the largest sigma; shaded: the linear phase, in which "
+           "growth rates are fitted");
+    draw(
+      "limit_cycle",
+      {phase_portrait(record, n - periods)},
+      "Tangential over normal force, last periods: a closed curve in a limit "
+      "cycle");
     const auto panels = pressure_panels(record, f.frequency);
     if (panels.empty())
       return;
     const std::string file = path("pressure");
     contact_map(prepared.pressed.geometry())
       .plot(context.plotter, panels, file, 4);
-    report.figure(file + ".png",
-                  "Contact pressure over the last period, arrows: tractions on "
-                  "the pad; the disc's surface moves to +y");
+    report.figure(
+      file + ".png",
+      "Contact pressure over the last period, white: none; arrows: "
+      "tractions on the pad, on one scale; the disc's surface moves "
+      "to +y");
   }
 
 

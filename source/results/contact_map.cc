@@ -113,10 +113,21 @@ namespace squeal
                 "'#6baed6', 0.75 '#2171b5', 0.9 '#d55e00', 1 '#7f2704')");
     drawing.add("set size ratio -1\nunset key\nset style fill solid noborder");
     drawing.add("set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)'");
+    // One scale for all arrows: those of one traction are of one length,
+    // whatever the panel and the cell of the node.
+    double longest = 0., area = 0.;
+    for (const Panel &panel : panels)
+      for (std::size_t j = 0; j < panel.arrows_x.size(); ++j)
+        longest =
+          std::max(longest, std::hypot(panel.arrows_x[j], panel.arrows_y[j]));
+    for (const Box &b : boxes)
+      area += (b.x_max - b.x_min) * (b.y_max - b.y_min);
+    const double length =
+      std::min(2.4 * std::sqrt(area / boxes.size()), 0.3 * std::sqrt(area));
     for (const Panel &panel : panels)
       {
         std::string data, arrows;
-        double      lower = panel.lower, upper = panel.upper, longest = 0.;
+        double      lower = panel.lower, upper = panel.upper;
         if (!(lower < upper))
           {
             const auto ends =
@@ -124,9 +135,6 @@ namespace squeal
             lower = std::min(0., *ends.first);
             upper = *ends.second > lower ? *ends.second : lower + 1.;
           }
-        for (std::size_t j = 0; j < panel.arrows_x.size(); ++j)
-          longest =
-            std::max(longest, std::hypot(panel.arrows_x[j], panel.arrows_y[j]));
         for (std::size_t j = 0; j < boxes.size(); ++j)
           {
             const Box &b = boxes[j];
@@ -138,10 +146,9 @@ namespace squeal
                                        b.y_max})
               data += plot_number(1e3 * value) + ' ';
             data += plot_number(panel.values[j]) + '\n';
-            if (longest > 0.)
+            if (longest > 0. && !panel.arrows_x.empty())
               {
-                const double scale =
-                  1.2 * (b.x_max - b.x_min + b.y_max - b.y_min) / longest;
+                const double scale = length / longest;
                 arrows += plot_number(1e3 * points[j][0]) + ' ' +
                           plot_number(1e3 * points[j][1]) + ' ' +
                           plot_number(1e3 * scale * panel.arrows_x[j]) + ' ' +

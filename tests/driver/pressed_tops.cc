@@ -187,6 +187,51 @@ namespace
           "the ledger closes over ramp and blow: " + std::to_string(worst));
     check(struck > 5., "the blow is felt: " + std::to_string(struck));
   }
+  /** What rings on about a steady sliding that is stable is no limit cycle;
+   * what the contact bounds is one. */
+  void
+  limit_cycles()
+  {
+    for (const auto &[friction, squeals] :
+         {std::make_pair("0.1", false), std::make_pair("0.5", true)})
+      {
+        Brake                   brake(coarse("free",
+                           {"Scene/Contact pad_disc/Friction coefficient = " +
+                                                std::string(friction),
+                                              "Scene/Body pad/Young modulus = 1.6e10",
+                                              "Eigenvalues/Lowest frequency = 900",
+                                              "Eigenvalues/Highest frequency = 7000",
+                                              "Transient/Disturbance = 1e-6",
+                                              "Transient/End time = 0.08",
+                                              "Transient/Time step = 4e-6"}));
+        const PreparedTransient prepared(
+          brake.pressed, brake.parameters, brake.timers);
+        TransientRun run(prepared.pressed,
+                         prepared.steady,
+                         prepared.linear,
+                         prepared.branches,
+                         brake.parameters);
+        check(run.advance(), "to the end");
+        const TransientFigures f =
+          evaluate_transient(prepared, run.record(), brake.parameters);
+        const std::string name = std::string("friction ") + friction + ": ";
+        const std::string text = limit_cycle_text(f);
+        // How even the squeal is differs from machine to machine.
+        const bool looks_steady =
+          f.least_rms > .8 * f.most_rms && f.most_rms > 1e-4 * f.mean_normal;
+        check(squeals || looks_steady,
+              name + "quarters of " + std::to_string(f.least_rms) + " to " +
+                std::to_string(f.most_rms) + " N rms");
+        check(f.verdict == (squeals ? "unstable" : "stable"), name + f.verdict);
+        check(f.dies_out == !squeals, name + "dies out or not");
+        check(f.has_limit_cycle == (squeals && looks_steady), name + text);
+        check((text.find("dies out") != std::string::npos) == !squeals &&
+                (text.find("Hz") != std::string::npos) == f.has_limit_cycle,
+              name + "said in words: " + text);
+        if (!squeals)
+          check_close(f.phase, 0., 1e-2, name + "all slip: forces in phase");
+      }
+  }
 } // namespace
 
 int
@@ -202,6 +247,8 @@ main(int argc, char *argv[])
     springs();
   else if (which == "ramp")
     ramp_and_hammer();
+  else if (which == "limit_cycles")
+    limit_cycles();
   else
-    check(false, "an argument: tops, backwards, springs or ramp");
+    check(false, "an argument: tops, backwards, springs, ramp or limit_cycles");
 }

@@ -83,6 +83,36 @@ namespace squeal
               text_of("stderr.txt")};
     }
 
+    /**
+     * The command of a transient that takes seconds:
+     * prm/tribobrake/transient.prm on coarse meshes with a pad that squeals.
+     *
+     * @param words      the program, behind what starts it
+     * @param folder     the shipped parameter files
+     * @param directory  of the results
+     * @param settings   further ones, "Section/Entry = value"
+     */
+    inline std::vector<std::string>
+    coarse_transient(std::vector<std::string>        words,
+                     const std::string              &folder,
+                     const std::string              &directory,
+                     const std::vector<std::string> &settings)
+    {
+      std::vector<std::string> all = {"Scene/Body disc/Cells = 16, 3, 1",
+                                      "Scene/Body pad/Cells = 2, 2, 2",
+                                      "Scene/Body support/Cells = 2, 2, 6",
+                                      "Scene/Support top/Kind = free",
+                                      "Scene/Body pad/Young modulus = 1.6e10",
+                                      "Transient/Time step = 1e-6",
+                                      "Output/Plots = false",
+                                      "Output directory = " + directory};
+      all.insert(all.end(), settings.begin(), settings.end());
+      for (const std::string &setting : all)
+        words.insert(words.end(), {"--set", setting});
+      words.push_back(folder + "/tribobrake/transient.prm");
+      return words;
+    }
+
     /** Path, size and time of every file below @p directory. */
     inline std::map<std::string, std::string>
     files_below(const std::string &directory)

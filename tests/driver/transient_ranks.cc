@@ -43,28 +43,16 @@ namespace
       const std::string &folder,
       const std::string &ranks)
   {
-    std::vector<std::string> words = {mpirun, "-np", ranks, program};
     // The steady sliding of both is the same to some 1e-10 of the load, by the
     // rounding of the static solutions; that grows as the disturbance does.
-    for (const std::string setting : {"Scene/Body disc/Cells = 16, 3, 1",
-                                      "Scene/Body pad/Cells = 2, 2, 2",
-                                      "Scene/Body support/Cells = 2, 2, 6",
-                                      "Scene/Support top/Kind = free",
-                                      "Scene/Body pad/Young modulus = 1.6e10",
-                                      "Transient/Disturbance = 1e-6",
-                                      "Transient/Time step = 1e-6",
-                                      "Transient/End time = 0.08",
-                                      "Transient/Tolerance = 1e-12",
-                                      "Preload/Tolerance = 1e-13",
-                                      "Output/Plots = false"})
-      {
-        words.push_back("--set");
-        words.push_back(setting);
-      }
-    words.push_back("--set");
-    words.push_back("Output directory = ranks_" + ranks);
-    words.push_back(folder + "/tribobrake/transient.prm");
-    const Outcome outcome = run_program(words);
+    const Outcome outcome =
+      run_program(coarse_transient({mpirun, "-np", ranks, program},
+                                   folder,
+                                   "ranks_" + ranks,
+                                   {"Transient/Disturbance = 1e-6",
+                                    "Transient/End time = 0.08",
+                                    "Transient/Tolerance = 1e-12",
+                                    "Preload/Tolerance = 1e-13"}));
     check(outcome.code == 0, "runs on " + ranks + " ranks: " + outcome.errors);
   }
 } // namespace

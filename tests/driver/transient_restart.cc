@@ -20,25 +20,12 @@ namespace
           const std::string &folder,
           const std::string &directory)
   {
-    std::vector<std::string> words = {program};
-    for (const std::string setting : {"Scene/Body disc/Cells = 16, 3, 1",
-                                      "Scene/Body pad/Cells = 2, 2, 2",
-                                      "Scene/Body support/Cells = 2, 2, 6",
-                                      "Scene/Support top/Kind = free",
-                                      "Scene/Body pad/Young modulus = 1.6e10",
-                                      "Transient/Disturbance = 1e-10",
-                                      "Transient/Time step = 1e-6",
-                                      "Transient/End time = 0.06",
-                                      "Transient/History start = 0.03",
-                                      "Output/Plots = false"})
-      {
-        words.push_back("--set");
-        words.push_back(setting);
-      }
-    words.push_back("--set");
-    words.push_back("Output directory = " + directory);
-    words.push_back(folder + "/tribobrake/transient.prm");
-    return words;
+    return coarse_transient({program},
+                            folder,
+                            directory,
+                            {"Transient/Disturbance = 1e-10",
+                             "Transient/End time = 0.06",
+                             "Transient/History start = 0.03"});
   }
 
   void

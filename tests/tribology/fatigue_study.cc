@@ -90,6 +90,17 @@ namespace
       check(fs::file_size(results + file) > 0, file);
     const Table damage = read_csv(results + "damage/damage.csv");
     check(damage.n_rows() == 121, "121 contact nodes");
+    // Where the silent pad does not touch there is nothing to compare with.
+    double largest = 0.;
+    for (const double ratio : damage.reals("ratio_damage_m3_per_s"))
+      if (std::isfinite(ratio))
+        largest = std::max(largest, ratio);
+    check(largest > 1. && largest < 1e20,
+          "ratios are those of nodes that touch: at most " +
+            std::to_string(largest));
+    check(read_csv(results + "silent_transient/transient.csv")
+              .text(0, "limit_cycle") == "no",
+          "the silent transient has no limit cycle");
     const Table totals = read_csv(results + "damage/totals.csv");
     for (const char *m : {"m3", "m5", "m10"})
       {

@@ -52,22 +52,28 @@ namespace squeal
 
     /** @name Over the second half of the run */
     //@{
-    bool   has_limit_cycle = false;
-    double frequency       = 0.;   /**< of the periodic normal resultant, Hz */
-    double frequency_ci    = 0.;   /**< largest deviation of its quarters, Hz */
-    double largest_line    = 0.;   /**< this frequency or a multiple, Hz */
+    /** The vibration keeps its size and is none that only dies out slowly. */
+    bool has_limit_cycle = false;
+    /** No status other than that of steady sliding, about which every motion
+     * decays: what still vibrates dies out, however slowly. */
+    bool   dies_out  = false;
+    double least_rms = 0., most_rms = 0.; /**< of its four quarters, N */
+    double frequency    = 0.;      /**< of the periodic normal resultant, Hz */
+    double frequency_ci = 0.;      /**< largest deviation of its quarters, Hz */
+    double largest_line = 0.;      /**< this frequency or a multiple, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
     double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
     double min_normal = 0., max_normal = 0.;
     double mean_tangential = 0., rms_tangential = 0.;
     double macroscopic_friction = 0.; /**< mean tangential over mean normal */
-    double phase = 0.; /**< of the tangential against the normal force, deg */
-    bool   separates                = false; /**< all nodes open at a time */
-    double stick_fraction           = 0.;    /**< of closed node-time */
-    double max_slip_speed_ratio     = 0.;
-    double rms_acceleration         = 0.; /**< of the source's centre, m/s^2 */
-    double mean_leading_edge_factor = 0.;
-    double peak_pressure            = 0.; /**< Pa */
+    double phase = 0.; /**< of the tangential against the normal force at the
+                          largest line, deg */
+    bool         separates            = false; /**< all nodes open at a time */
+    double       stick_fraction       = 0.;    /**< of closed node-time */
+    double       max_slip_speed_ratio = 0.;
+    double       rms_acceleration = 0.; /**< of the source's centre, m/s^2 */
+    double       mean_leading_edge_factor = 0.;
+    double       peak_pressure            = 0.; /**< Pa */
     unsigned int n_never = 0, n_slip = 0, n_stick_slip = 0, n_separating = 0;
     //@}
 
@@ -79,6 +85,9 @@ namespace squeal
                                       const TransientRecord   &record,
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
+
+  /** The limit cycle in words, or why there is none. */
+  std::string limit_cycle_text(const TransientFigures &figures);
 
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
    * mean squares of the normal force about its mean, N. */

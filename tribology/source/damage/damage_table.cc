@@ -262,7 +262,10 @@ namespace squeal::tribology
                   return o.column.name == q.column.name;
                 });
               row.push_back(quiet);
-              row.push_back(ratio(same->value(squealing.nodes[k]), quiet));
+              // Where the silent pad does not touch, rounding alone is counted.
+              const bool touches = silent->nodes[k].surface.contact_time > 0.;
+              row.push_back(
+                touches ? ratio(same->value(squealing.nodes[k]), quiet) : NAN);
             }
         table.add_row(row);
       }

@@ -162,10 +162,13 @@ namespace squeal::tribology
     {
       const SubsurfaceParameters &p = context.parameters.subsurface;
       Chart                       chart;
-      chart.title   = "Largest value over its limit under the face";
+      const bool                  has_limit = p.axial_limit > 0.;
+      chart.title =
+        has_limit ? "Largest value over its limit under the face"
+                  : "Largest value over the reference stress (no limit given)";
       chart.x.label = "depth in um";
       chart.x.scale = AxisSettings::Scale::logarithmic;
-      chart.y.label = "value / limit";
+      chart.y.label = has_limit ? "value / limit" : "value / reference stress";
       for (std::size_t c = 0; c < p.criteria.size(); ++c)
         {
           ChartSeries series;

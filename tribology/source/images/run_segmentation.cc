@@ -95,8 +95,13 @@ namespace squeal::tribology
         summary_table(record).print(text);
         context.log.heading("Images");
         context.log.info(text.str());
+        const Table found  = summary_table(record);
+        double      length = 0.;
+        for (const double l : found.reals("crack_length_m"))
+          length += l;
         context.record.figures = {
-          {"images", std::to_string(record.images.size())}};
+          {"images", std::to_string(record.images.size())},
+          {"cracks found", rounded_text(1e3 * length, 3) + " mm"}};
         context.finish(nullptr, "");
       }
 
