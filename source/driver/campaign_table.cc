@@ -86,7 +86,8 @@ namespace squeal
         {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
         {"sigma_full_contact_per_s", Type::real, "1/s", "whole face closed", 4},
         {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
-        {"phase_deg", Type::real, "deg", "tangential against normal", 4}};
+        {"phase_deg", Type::real, "deg", "tangential against normal", 4},
+        {"repetition", Type::real, "", "of the normal force", 3}};
     if (!p.transient.compare_with_cea && has_trigger(p.transient))
       for (const Table::Column &column : std::vector<Table::Column>{
              {"outcome", Type::text, "", "squeal by itself, after the trigger"},
@@ -178,6 +179,7 @@ namespace squeal
     row.push_back(known(sigma_with_full_contact(prepared, run.parameters)));
     row.push_back(known(f.macroscopic_friction));
     row.push_back(known(f.phase));
+    row.push_back(known(is_unstable ? f.repetition : nan));
     if (has_trigger(run.parameters.transient))
       {
         const TriggerOutcome trigger =

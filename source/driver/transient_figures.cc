@@ -201,6 +201,7 @@ namespace squeal
       const Spectrum spectrum = power_spectrum(normal, interval);
       f.largest_line          = spectrum.peak(lowest, highest);
       f.frequency             = spectrum.fundamental(lowest, highest);
+      f.repetition            = repetition(normal, interval, f.frequency);
       for (unsigned int k = 1; k <= 5 && k * f.frequency < highest; ++k)
         f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
       // The largest line of each quarter, as a multiple of the frequency.
@@ -335,7 +336,8 @@ namespace squeal
              rounded_text(f.frequency_ci, 2) + " Hz" +
              (f.largest_line > 1.5 * f.frequency
                 ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
-                : "");
+                : "") +
+             ", repeats itself to " + rounded_text(f.repetition, 3);
     if (f.most_rms <= least_vibration * f.mean_normal)
       return "none: no vibration";
     if (f.dies_out)

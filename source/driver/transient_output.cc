@@ -83,7 +83,12 @@ namespace squeal
         "Hz",
         "largest deviation of its quarters",
         2},
-       {"largest_line_hz", Type::real, "Hz", "of the normal force", 6}});
+       {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
+       {"repetition",
+        Type::real,
+        "",
+        "correlation of the normal force periods later",
+        3}});
     const bool         has   = f.leading >= 0;
     const BranchResult b     = has ? f.branches[f.leading] : BranchResult();
     const auto         known = [&](const double value) {
@@ -125,7 +130,8 @@ namespace squeal
                    f.iterations_per_step,
                    f.n_inversions,
                    f.frequency_ci,
-                   f.largest_line});
+                   f.largest_line,
+                   f.repetition});
     return table;
   }
 

@@ -166,6 +166,33 @@ namespace squeal
 
 
 
+  double
+  repetition(const std::vector<double> &signal,
+             const double               interval,
+             const double               frequency)
+  {
+    using Part        = Eigen::Map<const Eigen::ArrayXd>;
+    const auto   n    = static_cast<Eigen::Index>(signal.size());
+    const double step = 1. / (frequency * interval);
+    double       best = 0.;
+    for (unsigned int m = 1; m <= 20 && frequency > 0.; ++m)
+      {
+        const auto lag = static_cast<Eigen::Index>(std::round(m * step));
+        if (2 * lag > n)
+          break;
+        const Eigen::ArrayXd now =
+          Part(signal.data(), n - lag) - Part(signal.data(), n - lag).mean();
+        const Eigen::ArrayXd later = Part(signal.data() + lag, n - lag) -
+                                     Part(signal.data() + lag, n - lag).mean();
+        const double size = now.matrix().norm() * later.matrix().norm();
+        if (size > 0.)
+          best = std::max(best, (now * later).sum() / size);
+      }
+    return best;
+  }
+
+
+
   PhaseHistory
   phase_history(const std::vector<double> &a,
                 const std::vector<double> &b,

@@ -122,6 +122,14 @@ namespace
           "the time is the middle of the window");
     check(std::isnan(phase_history(x, y, 0., dt, f, 2.5).phase.front()),
           "no phase below the gate");
+    check(repetition(x, dt, f) > 0.9999, "a periodic signal repeats itself");
+    std::vector<double> beating = x;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      beating[i] +=
+        3. * std::cos(2. * M_PI * 4877.3 * dt * i * (1. + 2e-5 * i));
+    const double half = repetition(beating, dt, f);
+    check(half > 0.4 && half < 0.75,
+          "one with as much power elsewhere to about a half");
     double       sum   = 0.;
     const auto   parts = power_spectrum(x, dt, 5);
     const double df    = parts.frequency[1];

@@ -62,6 +62,7 @@ namespace squeal
     double frequency_ci = 0.;      /**< largest deviation of its quarters, Hz */
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
+    double repetition  = 0.;       /**< of the normal resultant (spectrum.h) */
     double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
     double min_normal = 0., max_normal = 0.;
     double mean_tangential = 0., rms_tangential = 0.;

@@ -42,6 +42,16 @@ namespace squeal
                           const double               interval,
                           const double               frequency);
 
+  /**
+   * How well a signal repeats itself with a frequency: the largest correlation
+   * coefficient with itself 1 to 20 periods later, each to the next sample. 1
+   * for a periodic signal, less with every motion beside it; about 1/sqrt(n) at
+   * worst. 0 where fewer than two periods are there.
+   */
+  double repetition(const std::vector<double> &signal,
+                    const double               interval,
+                    const double               frequency);
+
   /** Two signals at one frequency over time. */
   struct PhaseHistory
   {
