@@ -262,11 +262,14 @@ namespace squeal
           f.least_rms = std::min(f.least_rms, rms);
           f.most_rms  = std::max(f.most_rms, rms);
         }
-      // Weakly damped motion loses less than that in the half of a run.
-      f.dies_out = prepared.linear.lambda.real().maxCoeff() < 0. &&
-                   std::all_of(samples.begin() + first,
-                               samples.end(),
-                               [](const auto &s) { return s.is_linear != 0.; });
+      // Weakly damped motion loses less than that in the half of a run; a mesh
+      // that turns goes on exciting it.
+      f.dies_out =
+        p.transient.disc_frame == TransientParameters::DiscFrame::eulerian &&
+        prepared.linear.lambda.real().maxCoeff() < 0. &&
+        std::all_of(samples.begin() + first, samples.end(), [](const auto &s) {
+          return s.is_linear != 0.;
+        });
       f.has_limit_cycle = !f.dies_out &&
                           f.most_rms > least_vibration * f.mean_normal &&
                           f.least_rms > 0.8 * f.most_rms;
@@ -342,8 +345,8 @@ namespace squeal
       return "none: no vibration";
     if (f.dies_out)
       return "none: the vibration dies out";
-    return "none yet: vibration of " + rounded_text(f.least_rms, 3) + " to " +
-           rounded_text(f.most_rms, 3) +
+    return "none: uneven vibration of " + rounded_text(f.least_rms, 3) +
+           " to " + rounded_text(f.most_rms, 3) +
            " N rms in the quarters of the second half of the run";
   }
 

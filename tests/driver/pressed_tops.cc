@@ -224,6 +224,14 @@ namespace
                 std::to_string(f.most_rms) + " N rms");
         check(f.verdict == (squeals ? "unstable" : "stable"), name + f.verdict);
         check(f.dies_out == !squeals, name + "dies out or not");
+        double worst = 0.;
+        for (const BranchResult &b : f.branches)
+          if (b.fit.is_valid)
+            worst =
+              std::max(worst, std::abs(b.fit.frequency / b.frequency - 1.));
+        check(f.branches[f.leading].fit.is_valid && worst < .025,
+              name + "rates of pairs that turn at their own frequency only: " +
+                std::to_string(worst));
         check(f.has_limit_cycle == (squeals && looks_steady), name + text);
         check((text.find("dies out") != std::string::npos) == !squeals &&
                 (text.find("Hz") != std::string::npos) == f.has_limit_cycle,

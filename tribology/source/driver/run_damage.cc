@@ -305,8 +305,10 @@ namespace squeal::tribology
                     "Range-mean matrix of the node with the largest damage.",
                     true);
       if (has_silent)
-        report.figure(plots + "ratio_maps.png",
-                      "Squealing over silent run, node by node.");
+        report.figure(
+          plots + "ratio_maps.png",
+          "Squealing over silent run, node by node; grey where the silent "
+          "pad does not touch.");
       report.section("Surface");
       report.figure(plots + "surface_maps.png",
                     "What works on third-body layers and edges: friction, "

@@ -128,8 +128,10 @@ namespace squeal::tribology
         report.figure(plots + "damage_maps.png",
                       "Damage of " + run.record.scene +
                         ", seen from the disc; the leading edge is below.");
-        report.figure(plots + "ratio_maps.png",
-                      "Squealing over silent run, node by node.");
+        report.figure(
+          plots + "ratio_maps.png",
+          "Squealing over silent run, node by node; grey where the silent "
+          "pad does not touch.");
         report.figure(plots + "depths.png",
                       "Largest value of each criterion against depth.",
                       true);

@@ -152,18 +152,19 @@ namespace squeal::tribology
     truth.print(text);
     context.log.heading("Synthetic specimens");
     context.log.info(text.str());
-    double n_cracks = 0., length = 0.;
+    long   n_cracks = 0;
+    double length   = 0.;
     for (std::size_t i = 0; i < truth.n_rows(); ++i)
       {
-        n_cracks += truth.real(i, "n_cracks");
+        n_cracks += std::lround(truth.real(i, "n_cracks"));
         length += truth.real(i, "crack_length_m");
       }
     // What a segmentation has to find.
     context.record.figures = {
       {"synthetic images", std::to_string(p.n_images)},
       {"cracks drawn",
-       rounded_text(n_cracks, 6) + " of " + rounded_text(1e3 * length, 3) +
-         " mm, " +
+       std::to_string(n_cracks) + ", together " +
+         rounded_text(1e3 * length, 3) + " mm, " +
          (p.link_strength > 0. ? "where the damage is" : "anywhere")}};
     context.finish(nullptr, "");
   }
