@@ -158,7 +158,7 @@ namespace squeal
                      : f.verdict == "stable" ? "yes"
                                              : "undecided");
     row.push_back(known(fit ? b->fit.rate : nan));
-    row.push_back(known(is_unstable ? f.frequency : nan));
+    row.push_back(known(f.vibrates ? f.frequency : nan));
     for (const double value : {f.rms_normal, f.min_normal, f.max_normal})
       row.push_back(known(value));
     row.emplace_back(f.separates ? "yes" : "no");
@@ -174,12 +174,12 @@ namespace squeal
     row.push_back(known(f.steps_per_second));
     row.emplace_back(pairs.empty() ? "none" : pairs);
     row.emplace_back(choice_name(run.parameters.transient.integrator));
-    row.push_back(known(is_unstable ? f.frequency_ci : nan));
-    row.push_back(known(is_unstable ? f.largest_line : nan));
+    row.push_back(known(f.vibrates ? f.frequency_ci : nan));
+    row.push_back(known(f.vibrates ? f.largest_line : nan));
     row.push_back(known(sigma_with_full_contact(prepared, run.parameters)));
     row.push_back(known(f.macroscopic_friction));
     row.push_back(known(f.phase));
-    row.push_back(known(is_unstable ? f.repetition : nan));
+    row.push_back(known(f.vibrates ? f.repetition : nan));
     if (has_trigger(run.parameters.transient))
       {
         const TriggerOutcome trigger =

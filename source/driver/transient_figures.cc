@@ -270,9 +270,8 @@ namespace squeal
         std::all_of(samples.begin() + first, samples.end(), [](const auto &s) {
           return s.is_linear != 0.;
         });
-      f.has_limit_cycle = !f.dies_out &&
-                          f.most_rms > least_vibration * f.mean_normal &&
-                          f.least_rms > 0.8 * f.most_rms;
+      f.vibrates = !f.dies_out && f.most_rms > least_vibration * f.mean_normal;
+      f.has_limit_cycle = f.vibrates && f.least_rms > 0.8 * f.most_rms;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
       evaluate_lines(normal, interval, p.eigen.lowest_frequency, f);

@@ -99,10 +99,15 @@ namespace squeal
       if (level(samples, from, from + window).rms > large_level * tail.mean)
         r.lasting = from + window - end;
     const double least = squeal_level * tail.mean;
+    // Small motion about steady sliding that shrinks ends, however slowly.
+    const bool ends =
+      r.end < earlier && std::all_of(samples.begin() + 9 * samples.size() / 10,
+                                     samples.end(),
+                                     [](const auto &s) { return s.is_linear; });
+    const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
     // A squeal that grows is not there to its full size at the trigger.
-    r.text = r.before > least                         ? "squeal by itself"
-             : r.end > least && r.end > 0.8 * earlier ? "squeal after the "
-                                                        "trigger"
+    r.text = r.before > least  ? "squeal by itself"
+             : lasts           ? "squeal after the trigger"
              : r.after > least ? "temporary after the trigger"
                                : "none";
     return r;

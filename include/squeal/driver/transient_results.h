@@ -57,6 +57,7 @@ namespace squeal
     /** No status other than that of steady sliding, about which every motion
      * decays: what still vibrates dies out, however slowly. */
     bool   dies_out  = false;
+    bool   vibrates  = false;             /**< more than noise, to stay */
     double least_rms = 0., most_rms = 0.; /**< of its four quarters, N */
     double frequency    = 0.;      /**< of the periodic normal resultant, Hz */
     double frequency_ci = 0.;      /**< largest deviation of its quarters, Hz */

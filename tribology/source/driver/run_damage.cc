@@ -309,6 +309,12 @@ namespace squeal::tribology
           plots + "ratio_maps.png",
           "Squealing over silent run, node by node; grey where the silent "
           "pad does not touch.");
+      if (has_silent)
+        report.paragraph(
+          "The ratio has no scale of its own: it compares with what this "
+          "silent run still vibrates, which depends on its disturbance and "
+          "damping. Damage grows with a power of the range, so that half the "
+          "silent vibration makes the ratio of slope m 2^m times larger.");
       report.section("Surface");
       report.figure(plots + "surface_maps.png",
                     "What works on third-body layers and edges: friction, "
