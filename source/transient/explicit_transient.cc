@@ -204,15 +204,15 @@ namespace squeal
     B->add_transposed(Eigen::MatrixXd(next), pull);
 
     // One pass over the vectors: a step is bound by memory traffic.
-    Eigen::VectorXd way(n), u_next(n);
+    Eigen::VectorXd moved(n), u_next(n);
     double damping = 0., load = 0., numerical = 0., kinetic = 0., elastic = 0.;
     for (Eigen::Index i = 0; i < n; ++i)
       {
         const double a_i = a_now[i] - pull(i) / mass[i];
-        way[i]           = dt * w[i] + 0.5 * dt * dt * a_i;
+        moved[i]           = dt * w[i] + 0.5 * dt * dt * a_i;
         u_next[i]        = u[i] + dt * w[i] + reach * a_i;
-        damping += way[i] * (alpha * mass[i] * w[i] + beta * K_w[i]);
-        load += way[i] * f[i];
+        damping += moved[i] * (alpha * mass[i] * w[i] + beta * K_w[i]);
+        load += moved[i] * f[i];
         numerical += (a_i + a[i]) * K_u[i];
         elastic += u_next[i] * K_u[i];
         w[i] += dt * a_i;
@@ -223,7 +223,7 @@ namespace squeal
     energies.damping += damping;
     energies.load += load;
     energies.numerical -= 0.5 * (beta_2 - 0.5) * dt * dt * numerical;
-    enter_contact_work(step, next, relative(way));
+    enter_contact_work(step, next, relative(moved));
     a                = a_now;
     energies.kinetic = 0.5 * kinetic;
     energies.elastic = 0.5 * elastic;

@@ -20,7 +20,8 @@ namespace squeal
   std::complex<double> implicit_step_error(const std::complex<double> lambda,
                                            const double               dt);
 
-  /** Of the explicit integrator. */
+  /** Of the explicit integrator, without what the lag of the bodies' damping
+   * adds. */
   std::complex<double> explicit_step_error(const std::complex<double> lambda,
                                            const double               dt,
                                            const double               beta_2);
