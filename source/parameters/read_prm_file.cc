@@ -81,7 +81,9 @@ namespace squeal
           throw InputError(start + quoted(file) + ": no such file");
         if (fs::is_directory(file, ignored))
           throw InputError(start + quoted(file) +
-                           " is a directory, not a parameter file");
+                           " is a directory, not a parameter file: name the "
+                           "files in it (" +
+                           file + "/*.prm)");
         if (fs::is_regular_file(file, ignored) &&
             fs::file_size(file, ignored) > (1u << 24))
           throw InputError(start + quoted(file) +

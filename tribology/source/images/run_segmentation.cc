@@ -286,9 +286,9 @@ namespace squeal::tribology
                 {1e-6 * band * (double(b) + 0.5), area, length, length / area});
           }
         context.write_table(m.stem + "_depth.csv", table);
-        entry.layer = {{s * profile.layer_10,
-                        s * profile.layer_median,
-                        s * profile.layer_90}};
+        entry.layer = std::array<double, 3>{{s * profile.layer_10,
+                                             s * profile.layer_median,
+                                             s * profile.layer_90}};
       }
 
       Context                      &context;
