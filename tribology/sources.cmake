@@ -56,6 +56,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/association.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
+    source/statistics/quantity_text.cc
     source/statistics/spatial.cc
     source/subsurface/half_space.cc
     source/subsurface/pad_block.cc)

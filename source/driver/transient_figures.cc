@@ -91,8 +91,10 @@ namespace squeal
       const auto turning = without_drift(
         {amplitudes.begin() + linear.first, amplitudes.begin() + linear.second},
         period);
-      const auto window =
-        fit_window(turning, 0, turning.size(), lambda.real() < 0.);
+      // What is left turns by its constant share a half period off the ends.
+      const std::size_t edge = std::min(period, turning.size()) / 2;
+      const auto        window =
+        fit_window(turning, edge, turning.size() - edge, lambda.real() < 0.);
       return fit_growth(
         {times.begin() + linear.first, times.begin() + linear.second},
         turning,

@@ -46,10 +46,11 @@ th { text-align: left; vertical-align: bottom; font-weight: 600;
 th small { display: block; font-weight: 400; color: var(--faint); }
 td { border-bottom: 1px solid var(--rule); padding: .2rem .7rem .2rem 0;
   vertical-align: top; }
-td.number, th.number { text-align: right; white-space: nowrap;
+th.number { text-align: right; padding-left: .7rem; vertical-align: bottom; }
+td.number { text-align: right; white-space: nowrap;
   font-variant-numeric: tabular-nums; padding-left: .7rem; }
 tr.marked td { background: #fdeadd; font-weight: 600; }
-table.data td { white-space: nowrap; }
+table.data td:not(.number) { min-width: 5.5em; }
 td.ok { color: var(--good); font-weight: 600; }
 td.failed { color: var(--bad); font-weight: 600; }
 dl.legend { font-size: .8rem; color: var(--faint); columns: 2; margin: .3rem 0; }

@@ -209,7 +209,7 @@ namespace squeal
     for (Eigen::Index i = 0; i < n; ++i)
       {
         const double a_i = a_now[i] - pull(i) / mass[i];
-        moved[i]           = dt * w[i] + 0.5 * dt * dt * a_i;
+        moved[i]         = dt * w[i] + 0.5 * dt * dt * a_i;
         u_next[i]        = u[i] + dt * w[i] + reach * a_i;
         damping += moved[i] * (alpha * mass[i] * w[i] + beta * K_w[i]);
         load += moved[i] * f[i];

@@ -5,6 +5,7 @@
 // disc, how rows of a cell count, and places that lie nowhere.
 #include <squeal/base/exceptions.h>
 #include <squeal/tribology/statistics/pad_tables.h>
+#include <squeal/tribology/statistics/quantity_text.h>
 
 #include <cmath>
 #include <fstream>
@@ -131,6 +132,22 @@ namespace
                              "lies in no cell",
                              "features on neither the pad nor its centre");
   }
+
+
+
+  void
+  names()
+  {
+    for (const auto &[column, text] :
+         {std::pair("damage_m5_per_s", "damage (slope 5) in 1/s"),
+          std::pair("friction_power_w_per_m2", "friction power in W/m^2"),
+          std::pair("wear_index_pa_m_per_s", "wear index in Pa m/s"),
+          std::pair("damage_m3_per_application",
+                    "damage (slope 3) per application"),
+          std::pair("crack_density_per_m", "crack density in 1/m"),
+          std::pair("contact_duty", "contact duty")})
+      check(QuantityText(column).with_unit() == text, text);
+  }
 } // namespace
 
 
@@ -141,4 +158,5 @@ main()
   shifts();
   rows_of_a_cell();
   nowhere();
+  names();
 }

@@ -9,6 +9,7 @@
 #include <squeal/tribology/driver/study_report.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
+#include <squeal/tribology/statistics/quantity_text.h>
 
 #include <nlohmann/json.hpp>
 
@@ -45,6 +46,7 @@ namespace squeal::tribology
         {{"pad", Table::Type::integer, "", "pad, from 1"},
          {"index", Table::Type::text, "", "column of the damage table"},
          {"feature", Table::Type::text, "", "column of the features"},
+         {"verdict", Table::Type::text, "", "what follows"},
          {"cells", Table::Type::integer, "", "cells with both"},
          real("pearson", "correlation"),
          real("spearman", "correlation of the ranks"),
@@ -60,12 +62,12 @@ namespace squeal::tribology
          real("r_upper", "interval with the effective cells"),
          real("bootstrap_lower", "interval from 3 x 3 blocks"),
          real("bootstrap_upper", "interval from 3 x 3 blocks"),
-         real("power", "of finding the relevant link"),
-         {"verdict", Table::Type::text, "", "what follows"}});
+         real("power", "of finding the relevant link")});
       for (const PadLink &l : links)
         table.add_row({l.pad + 1,
                        l.index,
                        l.feature,
+                       verdict_text(l.test.verdict, is_synthetic),
                        l.test.n_cells,
                        l.test.r,
                        l.test.rho,
@@ -79,8 +81,7 @@ namespace squeal::tribology
                        l.test.interval[1],
                        l.test.bootstrap[0],
                        l.test.bootstrap[1],
-                       l.test.power,
-                       verdict_text(l.test.verdict, is_synthetic)});
+                       l.test.power});
       return table;
     }
 
@@ -218,8 +219,8 @@ namespace squeal::tribology
                     ": r = " + rounded_text(best->test.r, 2) + ", " +
                     rounded_text(best->test.n_effective, 2) +
                     " independent cells";
-      chart.x.label = best->index;
-      chart.y.label = best->feature;
+      chart.x.label = QuantityText(best->index).with_unit();
+      chart.y.label = QuantityText(best->feature).with_unit();
       ChartSeries series;
       const auto  values = common_values(index, feature);
       series.x           = values[0];
@@ -232,11 +233,16 @@ namespace squeal::tribology
           v[pad.grid->order()[i]] = map.values[i];
         return v;
       };
-      draw(context,
-           draw_maps(*pad.grid,
-                     {{best->index, "", by_node(index)},
-                      {best->feature, "", by_node(feature)}}),
-           "maps");
+      const auto map_of = [&by_node](const std::string &column,
+                                     const GridMap     &map) {
+        const QuantityText quantity(column);
+        return FaceMap{quantity.name, quantity.unit, by_node(map)};
+      };
+      draw(
+        context,
+        draw_maps(*pad.grid,
+                  {map_of(best->index, index), map_of(best->feature, feature)}),
+        "maps");
     }
 
 
@@ -258,7 +264,7 @@ namespace squeal::tribology
     void
     report_links(HtmlReport                     &report,
                  const Context                  &context,
-                 const Table                    &table,
+                 std::vector<PadLink>            links,
                  const std::vector<GroupResult> &groups)
     {
       const CorrelationParameters &p     = context.parameters.correlation;
@@ -273,7 +279,13 @@ namespace squeal::tribology
                          "says 'synthetic' and is about the method, not about "
                          "a brake.");
       report.section("Links");
-      report.table(table, "All links (correlation.csv)");
+      for (PadLink &link : links)
+        {
+          link.index   = QuantityText(link.index).name;
+          link.feature = QuantityText(link.feature).name;
+        }
+      report.table(link_table(links, p.is_synthetic),
+                   "All links (correlation.csv)");
       report.figure(
         plots + "scatter.png", "The link with the smallest p-value.", true);
       report.figure(plots + "maps.png", "Its two maps.");
@@ -342,8 +354,7 @@ namespace squeal::tribology
          {"p", number(g.p_value)},
          {"verdict", verdict_text(g.verdict, p.is_synthetic)},
          {"reason", g.reason}});
-    const Table table = link_table(links, p.is_synthetic);
-    context.write_table("correlation.csv", table);
+    context.write_table("correlation.csv", link_table(links, p.is_synthetic));
     HtmlReport report("Correlation" + (context.parameters.name.empty()
                                          ? ""
                                          : ": " + context.parameters.name),
@@ -371,7 +382,7 @@ namespace squeal::tribology
         study.add_images(report, context);
       }
     if (!links.empty())
-      report_links(report, context, table, groups);
+      report_links(report, context, links, groups);
     if (p.self_test)
       {
         const Table test = self_test_table(context);
@@ -398,7 +409,7 @@ namespace squeal::tribology
     if (!study.empty())
       {
         report.section("The whole study again");
-        study.add_commands(report);
+        study.add_commands(report, context.record);
       }
     write_atomically(context.output.file("correlation.json"),
                      [&](std::ostream &out) { out << json.dump(2) << '\n'; });

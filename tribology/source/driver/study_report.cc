@@ -2,6 +2,7 @@
 #include <squeal/parameters/text.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/driver/study_report.h>
+#include <squeal/tribology/statistics/quantity_text.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -186,12 +187,12 @@ namespace squeal::tribology
 
 
   void
-  StudyRuns::add_commands(HtmlReport &report) const
+  StudyRuns::add_commands(HtmlReport &report, const RunRecord &last) const
   {
     std::string text;
     for (const Run &run : runs)
       text += "./squeal run " + run.record.parameter_file + "\n";
-    report.code(text);
+    report.code(text + "./squeal run " + last.parameter_file + "\n");
   }
 
 
@@ -215,7 +216,8 @@ namespace squeal::tribology
         for (const PadLink &l : links)
           if (l.pad == pad)
             found[static_cast<int>(l.test.verdict)].push_back(
-              l.index + " with " + l.feature + " (" + interval_text(l.test) +
+              QuantityText(l.index).name + " with " +
+              QuantityText(l.feature).name + " (" + interval_text(l.test) +
               ")");
         std::string text = "Pad " + std::to_string(pad + 1);
         if (pad < p.groups.size())
@@ -234,9 +236,9 @@ namespace squeal::tribology
                                 words[k] + prm::join(list, "; ") + ".");
       }
     for (const GroupResult &g : groups)
-      sentences.push_back("Squealing against silent pads, " + g.feature + ": " +
-                          verdict_text(g.verdict, p.is_synthetic) + ". " +
-                          g.reason);
+      sentences.push_back(
+        "Squealing against silent pads, " + QuantityText(g.feature).name +
+        ": " + verdict_text(g.verdict, p.is_synthetic) + ". " + g.reason);
     return sentences;
   }
 } // namespace squeal::tribology

@@ -35,8 +35,8 @@ namespace squeal::tribology
      * to the folder plots of @p context. */
     void add_images(HtmlReport &report, Context &context) const;
 
-    /** Commands that repeat the study. */
-    void add_commands(HtmlReport &report) const;
+    /** Commands that repeat the study, the run @p last after the others. */
+    void add_commands(HtmlReport &report, const RunRecord &last) const;
 
   private:
     struct Run
