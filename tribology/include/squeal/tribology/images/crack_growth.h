@@ -41,8 +41,8 @@ namespace squeal::tribology
     struct Extension
     {
       PixelPath way; /**< empty: nothing ahead */
-      double    mean_strength = -1.;
-      bool      is_full       = false; /**< went the whole way */
+      double    mean_strength = -1., mean_coarse = -1.;
+      bool      is_full = false; /**< went the whole way */
     };
     Extension extend(const LineEnd &end, const cv::Mat &network) const;
     void      calibrate(const cv::Mat &centre_line);

@@ -21,6 +21,12 @@ namespace squeal::tribology
     /** CV_8U, direction of the best line, in steps of pi / n_directions from
      * +x (right) towards +y (down). */
     cv::Mat direction;
+    /** CV_32F, best contrast of any direction and width at the pixel, without
+     * limit. */
+    cv::Mat unlimited;
+    /** CV_32F, as strength at half the resolution: along 72 pixels, of the
+     * wider lines alone, so that the grain of the surface averages out. */
+    cv::Mat coarse;
 
     /** Angle of the line through (x, y), in [0, pi). */
     double angle(const cv::Point &p) const;
