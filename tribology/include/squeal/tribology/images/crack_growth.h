@@ -8,7 +8,8 @@
 namespace squeal::tribology
 {
   /** Extends the ends of a skeleton along crests that are stronger than the
-   * same search finds in the background; see find_centre_lines(). A longer
+   * same search finds in the background, or that lie on a good path at half the
+   * resolution; see find_centre_lines(). A longer
    * search finds fainter cracks, because chance averages out along it; a
    * shorter one finds short rests. */
   class CrackGrowth

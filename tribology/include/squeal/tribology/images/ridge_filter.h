@@ -45,7 +45,8 @@ namespace squeal::tribology
    * spread in a neighbourhood of 64 pixels, for each direction and width apart:
    * grooves raise the noise of their own direction and of no other. A flank
    * outside the image proves nothing. The best width of each direction is kept
-   * and added up along paths, see integrate_paths().
+   * and added up along paths, see integrate_paths(). The second octave is also
+   * added up by itself, along paths twice as long.
    *
    * @p grey is CV_32F. @p n_octaves 2 reaches lines about 9 pixels wide, each
    * further one doubles that.
