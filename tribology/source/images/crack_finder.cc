@@ -13,17 +13,26 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** What an edge has to show; contrasts in units of noise but the last. */
+    /** What an edge has to show; contrasts in units of noise. */
     struct Need
     {
       double local, path;
       double darkness; /**< of the darker flank's brightness */
+      int    length;   /**< pixels */
     };
-    constexpr Need   to_start   = {3.2, 2.7, 0.045};
-    constexpr Need   to_belong  = {2.9, 2.4, 0.02};
+    constexpr Need   to_start   = {3.2, 2.7, 0.045, 0};
+    constexpr Need   to_belong  = {2.9, 2.4, 0.02, 0};
+    constexpr Need   to_hang_on = {3.7, 2., 0.07, 8};
     constexpr double crest      = 2.;
-    constexpr double counts     = 2.;  // local contrast above this adds up
+    constexpr double counts     = 2.;  // contrast above this adds up
     constexpr double needed_sum = 80.; // over the pixels of a crack
+    // A contrast far above the limit makes up for a short path.
+    constexpr Need   clear          = {0., 2.4, 0.08, 12};
+    constexpr double clear_contrast = 5.;
+    // A long wavy line is a crack although each piece of it is faint.
+    constexpr Need   faint          = {2.7, 2.2, 0.07, 60};
+    constexpr double faint_coarse   = 1.95;
+    constexpr double faint_waviness = 0.011; // of its length
     // In pixels.
     constexpr int    crest_spur      = 4;
     constexpr int    longest_spur    = 8;
@@ -59,10 +68,11 @@ namespace squeal::tribology
 
 
 
-    /** Means along an edge. */
+    /** Means along an edge, but the median of the unlimited contrast. */
     struct Weight
     {
-      double local = 0., path = 0., darkness = 0.;
+      double local = 0., path = 0., coarse = 0., darkness = 0.;
+      double unlimited = 0., waviness = 0.;
       int    length      = 0;
       bool   is_straight = false;
 
@@ -70,7 +80,31 @@ namespace squeal::tribology
       has(const Need &need) const
       {
         return local >= need.local && path >= need.path &&
-               darkness >= need.darkness;
+               darkness >= need.darkness && length >= need.length;
+      }
+
+      bool
+      is_clear() const
+      {
+        return has(clear) && unlimited >= clear_contrast;
+      }
+
+      bool
+      is_faint_crack() const
+      {
+        return has(faint) && coarse >= faint_coarse &&
+               waviness >= faint_waviness * length;
+      }
+
+      /** What the edge adds to the evidence of its crack. */
+      double
+      evidence() const
+      {
+        if (is_clear())
+          return length * (unlimited - counts);
+        if (has(to_start))
+          return length * (local - counts);
+        return is_faint_crack() ? needed_sum : 0.;
       }
     };
 
@@ -133,13 +167,20 @@ namespace squeal::tribology
         for (const LineGraph::Edge &edge : graph.edges)
           {
             Weight w;
-            w.length = int(edge.piece.axis.size());
+            w.length   = int(edge.piece.axis.size());
+            w.waviness = edge.piece.waviness();
+            std::vector<float> unlimited;
             for (const cv::Point &p : edge.piece.axis)
               {
+                unlimited.push_back(ridges.unlimited.at<float>(p));
                 w.local += ridges.local.at<float>(p) / w.length;
                 w.path += ridges.strength.at<float>(p) / w.length;
+                w.coarse += ridges.coarse.at<float>(p) / w.length;
                 w.darkness += darkness_at(smooth, ridges, p) / w.length;
               }
+            const auto middle = unlimited.begin() + unlimited.size() / 2;
+            std::nth_element(unlimited.begin(), middle, unlimited.end());
+            w.unlimited   = *middle;
             w.is_straight = lies_on_scratch(
               crests,
               edge.piece,
@@ -162,8 +203,7 @@ namespace squeal::tribology
             {
               const Weight &w = weights[i];
               length[part[i]] += w.length;
-              if (w.has(to_start))
-                sum[part[i]] += w.length * (w.local - counts);
+              sum[part[i]] += w.evidence();
             }
         for (std::size_t i = 0; i < kept.size(); ++i)
           if (kept[i])
@@ -195,8 +235,9 @@ namespace squeal::tribology
         const bool    has_an_end = graph.edges[i].nodes.size() < 2;
         if (!has_an_end && w.length <= shortest_bridge)
           return true;
-        return w.has(to_belong) && !w.is_straight &&
-               (!has_an_end || w.length >= shortest_end);
+        return (w.has(to_belong) || w.has(to_hang_on) || w.is_clear() ||
+                w.is_faint_crack()) &&
+               !w.is_straight && (!has_an_end || w.length >= shortest_end);
       }
 
       LineGraph           graph;

@@ -15,6 +15,8 @@ namespace squeal::tribology
     constexpr double half_sector     = 0.5; // cosine
     constexpr double least_strength  = 2.;
     constexpr double crest_strength  = 2.;
+    constexpr double faint_strength  = 2.4;
+    constexpr double faint_coarse    = 2.;
     constexpr double end_strength    = 2.8;  // contrast that adds up to
     constexpr double end_sum         = 2.;   // at least this
     constexpr double straight_within = 0.45; // pixels
@@ -147,13 +149,15 @@ namespace squeal::tribology
       }
     if (last.x < 0)
       return extension;
-    double strength = 0.;
+    double strength = 0., coarse = 0.;
     for (cv::Point u = last; u != start; u -= neighbour_steps[from(u)])
       {
         extension.way.push_back(u + offset);
         strength += contrast.at<float>(u + offset);
+        coarse += ridges.coarse.at<float>(u + offset);
       }
     extension.mean_strength = strength / extension.way.size();
+    extension.mean_coarse   = coarse / extension.way.size();
     return extension;
   }
 
@@ -196,9 +200,11 @@ namespace squeal::tribology
         bool          grown  = false;
         for (const LineEnd &end : line_ends(before))
           {
-            const Extension e = extend(end, before);
-            if (e.way.empty() || e.mean_strength < threshold ||
-                is_straight(e.way))
+            const Extension e         = extend(end, before);
+            const bool is_faint_crack = e.mean_strength >= faint_strength &&
+                                        e.mean_coarse >= faint_coarse;
+            if (e.way.empty() || is_straight(e.way) ||
+                (e.mean_strength < threshold && !is_faint_crack))
               continue;
             for (const cv::Point &p : e.way)
               network.at<uchar>(p) = 255;

@@ -16,7 +16,7 @@ namespace squeal::tribology
     constexpr double sample_step   = 0.5;  // pixels
     constexpr double beyond_edge   = 1.5;  // pixels, to the flank
     constexpr double flank_length  = 4.;   // pixels
-    constexpr double usual_depth   = 0.51; // of the brightness beside it
+    constexpr double usual_depth   = 0.52; // of the brightness beside it
 
     float
     value_at(const cv::Mat &grey, const double x, const double y)

@@ -10,15 +10,16 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int    n_directions = OrientedContrast::n_directions;
-    constexpr int    n_headings   = 2 * n_directions;
-    constexpr int    n_steps      = 6; // samples in each half
-    constexpr int    step         = 3; // pixels
-    constexpr double turn_cost    = 0.5;
-    constexpr float  weaker_half  = 0.5F;
-    constexpr float  own_weight   = 6.F; // of the pixel, for sharp crests
-    constexpr int    halo         = n_steps * step + 1; // pixels
-    constexpr int    tile         = 160;                // pixels, fits a cache
+    constexpr int    n_directions  = OrientedContrast::n_directions;
+    constexpr int    n_headings    = 2 * n_directions;
+    constexpr int    n_steps       = 6; // samples in each half
+    constexpr int    step          = 3; // pixels
+    constexpr double turn_cost     = 0.5;
+    constexpr float  weaker_half   = 0.5F;
+    constexpr float  own_weight    = 6.F; // of the pixel, for sharp crests
+    constexpr int    halo          = n_steps * step + 1; // pixels
+    constexpr int    fewest_inside = 3;   // samples of a half that count
+    constexpr int    tile          = 160; // pixels, fits a cache
 
     cv::Point
     step_along(const int heading)
@@ -35,8 +36,8 @@ namespace squeal::tribology
     public:
       Tile(const OrientedContrast &contrast, const cv::Rect &inside)
         : inside(inside)
+        , size(contrast.planes[0].size())
       {
-        const cv::Size size   = contrast.planes[0].size();
         const cv::Rect window = cv::Rect(inside.x - halo,
                                          inside.y - halo,
                                          inside.width + 2 * halo,
@@ -68,6 +69,7 @@ namespace squeal::tribology
       {
         for (int k = 1; k <= n_steps; ++k)
           advance(k);
+        complete_halves();
         const float unit        = 1.F / OrientedContrast::per_unit;
         const float scale       = unit / (2 * n_steps + 1),
                     sharp_scale = unit / (2 * n_steps + own_weight);
@@ -104,6 +106,54 @@ namespace squeal::tribology
       }
 
     private:
+      /** Samples of a straight half path from a pixel that lie inside of the
+       * image. */
+      int
+      samples_inside(const cv::Point &p, const int heading) const
+      {
+        const cv::Rect  image({0, 0}, size);
+        const cv::Point d = step_along(heading);
+        int             n = 0;
+        while (n < n_steps && image.contains(p + (n + 1) * d))
+          ++n;
+        return n;
+      }
+
+      /** Half paths that leave the image count by what they are inside; of
+       * those with hardly anything inside nothing is known, and the other half
+       * speaks for both. */
+      void
+      complete_halves()
+      {
+        const int      reach = n_steps * step;
+        const cv::Rect centre(
+          reach, reach, size.width - 2 * reach, size.height - 2 * reach);
+        for (int y = 0; y < inside.height; ++y)
+          for (int x = 0; x < inside.width; ++x)
+            {
+              const cv::Point p = inside.tl() + cv::Point(x, y);
+              if (centre.contains(p))
+                continue;
+              for (int h = 0; h < n_directions; ++h)
+                {
+                  auto &a = ahead[h].at<std::int16_t>(y + halo, x + halo);
+                  auto &b = ahead[h + n_directions].at<std::int16_t>(y + halo,
+                                                                     x + halo);
+                  const int na = samples_inside(p, h);
+                  const int nb = samples_inside(p, h + n_directions);
+                  // Twice the sum of a half path fits into 16 bits.
+                  if (na >= fewest_inside)
+                    a = std::int16_t(a * n_steps / na);
+                  if (nb >= fewest_inside)
+                    b = std::int16_t(b * n_steps / nb);
+                  if (na < fewest_inside)
+                    a = b;
+                  if (nb < fewest_inside)
+                    b = a;
+                }
+            }
+      }
+
       /** One more sample in front of each heading. */
       void
       advance(const int k)
@@ -136,6 +186,7 @@ namespace squeal::tribology
       }
 
       cv::Rect                          inside;
+      cv::Size                          size;
       std::array<cv::Mat, n_directions> local;
       std::array<cv::Mat, n_headings>   ahead, whole;
     };

@@ -67,6 +67,33 @@ namespace squeal::tribology
 
 
 
+    cv::Mat
+    enlarged(const cv::Mat &values, const cv::Size &size)
+    {
+      cv::Mat result;
+      cv::resize(values, result, size, 0., 0., cv::INTER_LINEAR);
+      return result;
+    }
+
+
+
+    /** The larger of what is there, if anything, and of @p values of the same
+     * or half the size. */
+    void
+    keep_larger(cv::Mat &largest, const cv::Mat &values)
+    {
+      if (largest.empty())
+        largest = values.clone();
+      else
+        cv::max(largest,
+                values.size() == largest.size()
+                  ? values
+                  : enlarged(values, largest.size()),
+                largest);
+    }
+
+
+
     /** Filters of one width; lengths in pixels of the given image. */
     class LineFilter
     {
@@ -93,9 +120,10 @@ namespace squeal::tribology
           smooth, padded, wide, wide, wide, wide, cv::BORDER_REFLECT_101);
       }
 
-      /** Contrast over noise, limited, as stored in OrientedContrast. */
+      /** Contrast over noise, limited, as stored in OrientedContrast; before
+       * that the larger of it and what is there goes to @p unlimited. */
       cv::Mat
-      contrast(const double angle) const
+      contrast(const double angle, cv::Mat &unlimited) const
       {
         const cv::Mat line = average(angle);
         const int     nx   = cvRound(-flank * std::sin(angle));
@@ -118,6 +146,7 @@ namespace squeal::tribology
           }
         cv::divide(mixed, local_noise(mean, block), mixed);
         silence_border(mixed, std::abs(nx), std::abs(ny));
+        keep_larger(unlimited, mixed);
         cv::min(mixed, OrientedContrast::most, mixed);
         cv::max(mixed, OrientedContrast::least, mixed);
         cv::Mat stored;
@@ -185,26 +214,22 @@ namespace squeal::tribology
 
 
 
-    /** Puts the better of what is there and of the two widths of this level
-     * into @p best. */
-    void
-    add_level(OrientedContrast &best, const cv::Mat &level, const double block)
+    /** The better of two widths. */
+    OrientedContrast
+    contrast_of_level(const cv::Mat &level,
+                      const double   block,
+                      cv::Mat       &unlimited)
     {
       const LineFilter narrow(level, 1., block), wide(level, 1.5, block);
+      OrientedContrast contrast;
       for (int t = 0; t < n_directions; ++t)
         {
           const double angle = CV_PI * t / n_directions;
-          cv::Mat      found;
-          cv::max(narrow.contrast(angle), wide.contrast(angle), found);
-          cv::Mat &plane = best.planes[t];
-          if (plane.empty())
-            plane = found;
-          else
-            {
-              cv::resize(found, found, plane.size(), 0., 0., cv::INTER_LINEAR);
-              cv::max(plane, found, plane);
-            }
+          cv::max(narrow.contrast(angle, unlimited),
+                  wide.contrast(angle, unlimited),
+                  contrast.planes[t]);
         }
+      return contrast;
     }
   } // namespace
 
@@ -237,11 +262,18 @@ namespace squeal::tribology
   filter_ridges(const cv::Mat &grey, const int n_octaves)
   {
     OrientedContrast contrast;
-    cv::Mat          level  = grey;
+    cv::Mat          level  = grey, unlimited, coarse;
     double           factor = 1.;
     for (int octave = 0; octave < n_octaves; ++octave)
       {
-        add_level(contrast, level, std::max(16., noise_block / factor));
+        cv::Mat                found_unlimited;
+        const OrientedContrast found = contrast_of_level(
+          level, std::max(16., noise_block / factor), found_unlimited);
+        for (int t = 0; t < n_directions; ++t)
+          keep_larger(contrast.planes[t], found.planes[t]);
+        keep_larger(unlimited, found_unlimited);
+        if (octave == 1)
+          coarse = enlarged(integrate_paths(found).mean, grey.size());
         if (std::min(level.rows, level.cols) < 80)
           break;
         cv::Mat half;
@@ -255,6 +287,13 @@ namespace squeal::tribology
         factor *= 2.;
       }
     PathEvidence evidence = integrate_paths(contrast);
-    return {evidence.mean, evidence.sharp, evidence.local, evidence.direction};
+    if (coarse.empty())
+      coarse = evidence.mean;
+    return {evidence.mean,
+            evidence.sharp,
+            evidence.local,
+            evidence.direction,
+            unlimited,
+            coarse};
   }
 } // namespace squeal::tribology

@@ -21,12 +21,14 @@ namespace squeal::tribology
    * Crests of the evidence form a graph of edges between junctions. An edge
    * belongs to a crack by its mean contrast in units of noise, at its own
    * pixels and along the best path through them, and by how much darker it is
-   * than both flanks. Connected edges are a crack when their strong ones add up
-   * to enough contrast over their length. Edges on long straight lines are
-   * scratches, grooves or edges of the specimen. From the ends of cracks the
-   * cheapest way over 70, then 35 pixels ahead is added as long as its mean
-   * contrast exceeds what the same search finds from crests of the background
-   * (median and three deviations), else the part of it that is contrasty
+   * than both flanks; less is asked of short edges with high contrast and of
+   * long wavy edges with a good path at half the resolution. Connected edges
+   * are a crack when their strong ones add up to enough contrast over their
+   * length. Edges on long straight lines are scratches, grooves or edges of the
+   * specimen. From the ends of cracks the cheapest way over 70, then 35 pixels
+   * ahead is added as long as its mean contrast exceeds what the same search
+   * finds from crests of the background (median and three deviations) or it has
+   * a good path at half the resolution, else the part of it that is contrasty
    * itself.
    *
    * Nothing depends on quantiles of the evidence: an image without cracks

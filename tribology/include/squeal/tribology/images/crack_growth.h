@@ -8,7 +8,8 @@
 namespace squeal::tribology
 {
   /** Extends the ends of a skeleton along crests that are stronger than the
-   * same search finds in the background; see find_centre_lines(). A longer
+   * same search finds in the background, or that lie on a good path at half the
+   * resolution; see find_centre_lines(). A longer
    * search finds fainter cracks, because chance averages out along it; a
    * shorter one finds short rests. */
   class CrackGrowth
@@ -41,8 +42,8 @@ namespace squeal::tribology
     struct Extension
     {
       PixelPath way; /**< empty: nothing ahead */
-      double    mean_strength = -1.;
-      bool      is_full       = false; /**< went the whole way */
+      double    mean_strength = -1., mean_coarse = -1.;
+      bool      is_full = false; /**< went the whole way */
     };
     Extension extend(const LineEnd &end, const cv::Mat &network) const;
     void      calibrate(const cv::Mat &centre_line);

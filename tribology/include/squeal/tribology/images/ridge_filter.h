@@ -21,6 +21,12 @@ namespace squeal::tribology
     /** CV_8U, direction of the best line, in steps of pi / n_directions from
      * +x (right) towards +y (down). */
     cv::Mat direction;
+    /** CV_32F, best contrast of any direction and width at the pixel, without
+     * limit. */
+    cv::Mat unlimited;
+    /** CV_32F, as strength at half the resolution: along 72 pixels, of the
+     * wider lines alone, so that the grain of the surface averages out. */
+    cv::Mat coarse;
 
     /** Angle of the line through (x, y), in [0, pi). */
     double angle(const cv::Point &p) const;
@@ -39,7 +45,8 @@ namespace squeal::tribology
    * spread in a neighbourhood of 64 pixels, for each direction and width apart:
    * grooves raise the noise of their own direction and of no other. A flank
    * outside the image proves nothing. The best width of each direction is kept
-   * and added up along paths, see integrate_paths().
+   * and added up along paths, see integrate_paths(). The second octave is also
+   * added up by itself, along paths twice as long.
    *
    * @p grey is CV_32F. @p n_octaves 2 reaches lines about 9 pixels wide, each
    * further one doubles that.
