@@ -137,6 +137,7 @@ namespace squeal
     struck.normalize();
     reduced = reduce_contact_model(
       *pencil, *basis, cut_off, separated.contacts[0], load, observed);
+    add_cut_off_damping(reduced, p.transient.cut_off_damping);
     add_springs(scene.contacts[0], reduced);
   }
 

@@ -190,6 +190,23 @@ namespace squeal
       context.finish(p.output.report ? &report : nullptr, animation);
     }
 
+    /** What the damping that keeps impacts from ringing costs in the band. */
+    void
+    report_cut_off_damping(const Parameters &p, RunLog &log)
+    {
+      const double ratio = p.transient.cut_off_damping;
+      if (ratio == 0.)
+        return;
+      const double highest = p.eigen.highest_frequency;
+      const double taken   = 2. * M_PI * highest *
+                           cut_off_damping(ratio, p.transient.cut_off, highest);
+      log.info("  damping at the cut-off takes at most " +
+               rounded_text(taken, 3) + " 1/s off sigma, at " +
+               rounded_text(highest, 5) + " Hz, the end of the band");
+    }
+
+
+
     /** What grows fastest in the reduced model about steady sliding, in the
      * band or not. */
     void
@@ -239,6 +256,7 @@ namespace squeal
        {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
        {"pairs in the band", std::to_string(prepared.branches.size())}});
+    report_cut_off_damping(p, context.log);
     report_fastest(prepared.linear, p, context.log);
     TransientRun run(
       prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);

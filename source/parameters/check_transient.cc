@@ -138,9 +138,14 @@ namespace squeal
           refuse_entry("Discretization",
                        "Mass",
                        "must be lumped for 'Transient/Integrator = explicit'");
-        if ((named("explicit") || named("implicit")) &&
-            p.scene.contacts[0].formulation ==
-              ContactParameters::Formulation::springs)
+        const bool all_unknowns = named("explicit") || named("implicit");
+        if (all_unknowns && t.cut_off_damping > 0.)
+          refuse_entry("Transient",
+                       "Cut-off damping",
+                       "belongs to the reduced integrator, whose modes end at "
+                       "'Cut-off'");
+        if (all_unknowns && p.scene.contacts[0].formulation ==
+                              ContactParameters::Formulation::springs)
           refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
                        "Formulation",
                        "= springs: the integrators of the finite elements "

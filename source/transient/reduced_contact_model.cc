@@ -62,6 +62,28 @@ namespace squeal
 
 
 
+  double
+  cut_off_damping(const double ratio, const double cut_off, const double f)
+  {
+    return ratio * std::pow(f / cut_off, 8);
+  }
+
+
+
+  void
+  add_cut_off_damping(ReducedContactModel &model, const double ratio)
+  {
+    for (Eigen::Index k = 0; k < model.damping.size(); ++k)
+      {
+        const double omega = std::sqrt(std::max(0., model.omega_squared[k]));
+        model.damping[k] +=
+          2. * omega *
+          cut_off_damping(ratio, model.cut_off, omega / (2. * M_PI));
+      }
+  }
+
+
+
   std::vector<ModalForce>
   modal_forces(const Pencil          &pencil,
                const ReductionBasis  &basis,

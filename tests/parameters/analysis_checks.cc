@@ -104,6 +104,32 @@ namespace
 
 
 
+  /** All unknowns have no cut-off to damp. */
+  void
+  cut_off_damping()
+  {
+    const auto with = [](const std::string &integrator) {
+      return std::vector<std::string>{
+        "Analysis = transient",
+        "Scene/Contact pad_disc/Formulation = mortar",
+        "Discretization/Mass = lumped",
+        "Discretization/Estimate error = false",
+        "Transient/Cut-off damping = 0.2",
+        integrator};
+    };
+    read_parameters("example.prm", with("Transient/Integrator = reduced"))
+      .check();
+    for (const std::string integrator :
+         {"Transient/Integrator = implicit",
+          "Transient/Integrator = explicit",
+          "Transient/Integrators = reduced, explicit"})
+      check_change_refused(
+        with(integrator),
+        {"'Transient/Cut-off damping'", "the reduced integrator"});
+  }
+
+
+
   void
   result_checks()
   {
@@ -200,6 +226,7 @@ main()
   band();
   ladders();
   disc_frame();
+  cut_off_damping();
   result_checks();
   imported_models();
 }

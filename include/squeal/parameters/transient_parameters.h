@@ -68,10 +68,13 @@ namespace squeal
     double        explicit_step     = 0.;  /**< s; 0: `time_step` */
     double        interface_cut_off = 0.;  /**< Hz, of the contact's own Ritz
                                               motions; 0: none moves */
-    double       disturbance     = 1e-18;  /**< J, over all modes alike */
-    double       cut_off         = 40e3;   /**< Hz, modes of the bodies */
-    double       time_step       = 2e-6;   /**< s */
-    double       end_time        = 0.05;   /**< s */
+    double cut_off_damping = 0.; /**< ratio there, falling as (f/cut-off)^8;
+                                    of the reduced integrator */
+    double disturbance = 1e-18;  /**< J, of an impulse at points of all
+                                    bodies */
+    double       cut_off         = 40e3; /**< Hz, modes of the bodies */
+    double       time_step       = 2e-6; /**< s */
+    double       end_time        = 0.05; /**< s */
     double       tolerance       = 1e-8; /**< as PreloadParameters::tolerance */
     double       sample_interval = 2e-5; /**< s, of all results */
     double       history_start   = 0.;   /**< s, of contact_history.h5 */

@@ -27,7 +27,8 @@ namespace squeal
   struct ReducedContactModel
   {
     Eigen::VectorXd omega_squared; /**< (rad/s)^2; 0 for rigid motions */
-    Eigen::VectorXd damping;       /**< c_k = alpha + beta omega_k^2, 1/s */
+    Eigen::VectorXd damping;       /**< c_k = alpha + beta omega_k^2, 1/s, and
+                                      that of the cut-off */
     Eigen::MatrixXd participation; /**< Psi: 3 nodes x modes */
     Eigen::MatrixXd flexibility;   /**< G: 3 nodes x 3 nodes, m/N, symmetric */
     Eigen::VectorXd load;          /**< phi^T f at full load */
@@ -77,6 +78,15 @@ namespace squeal
                                            const ContactGeometry &geometry,
                                            const Block           &load,
                                            const Block &observers = {});
+
+  /** The damping ratio @p ratio (f/cut_off)^8 at frequency @p f, both in Hz
+   * (theory.md, "Ringing at the cut-off"). */
+  double cut_off_damping(const double ratio,
+                         const double cut_off,
+                         const double f);
+
+  /** Adds that of @p ratio at the model's cut-off to all its modes. */
+  void add_cut_off_damping(ReducedContactModel &model, const double ratio);
 
   /** What further nodal forces @p force do: their share in the modes,
    * phi^T f, the motion of the nodes on the flexibility of the others, and f
