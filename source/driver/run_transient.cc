@@ -7,6 +7,9 @@
 #include <squeal/driver/transient_results.h>
 #include <squeal/results/wav_file.h>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <filesystem>
 #include <sstream>
 
@@ -190,19 +193,42 @@ namespace squeal
       context.finish(p.output.report ? &report : nullptr, animation);
     }
 
-    /** What the damping that keeps impacts from ringing costs in the band. */
+    /** What the damping that keeps impacts from ringing does to the growing
+     * pairs of the band: modes near the cut-off follow their motion too, and
+     * are damped in that. */
     void
-    report_cut_off_damping(const Parameters &p, RunLog &log)
+    report_cut_off_damping(const PreparedTransient &prepared,
+                           const Parameters        &p,
+                           RunLog                  &log)
     {
       const double ratio = p.transient.cut_off_damping;
       if (ratio == 0.)
         return;
-      const double highest = p.eigen.highest_frequency;
-      const double taken   = 2. * M_PI * highest *
-                           cut_off_damping(ratio, p.transient.cut_off, highest);
-      log.info("  damping at the cut-off takes at most " +
-               rounded_text(taken, 3) + " 1/s off sigma, at " +
-               rounded_text(highest, 5) + " Hz, the end of the band");
+      ReducedContactModel undamped = prepared.pressed.model();
+      add_cut_off_damping(undamped, -ratio);
+      const LinearizedMotion without =
+        linearize(undamped,
+                  prepared.steady,
+                  prepared.pressed.sliding_friction(),
+                  prepared.pressed.speed());
+      for (const unsigned int k : prepared.branches)
+        {
+          const std::complex<double> lambda = prepared.linear.lambda[k];
+          if (lambda.real() <= 0.)
+            continue;
+          Eigen::Index nearest;
+          (without.lambda.array() - lambda).abs().minCoeff(&nearest);
+          const std::complex<double> shift = lambda - without.lambda[nearest];
+          const std::string          text =
+            "damping at the cut-off shifts the pair at " +
+            rounded_text(lambda.imag() / (2. * M_PI), 6) + " Hz by " +
+            rounded_text(shift.real(), 3) + " 1/s and " +
+            rounded_text(shift.imag() / (2. * M_PI), 3) + " Hz";
+          log.info("  " + text);
+          if (std::abs(shift.real()) >
+              std::max(3., .02 * std::abs(lambda.real())))
+            log.warning(text + ": lower it or raise the cut-off");
+        }
     }
 
 
@@ -256,7 +282,7 @@ namespace squeal
        {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
        {"pairs in the band", std::to_string(prepared.branches.size())}});
-    report_cut_off_damping(p, context.log);
+    report_cut_off_damping(prepared, p, context.log);
     report_fastest(prepared.linear, p, context.log);
     TransientRun run(
       prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);

@@ -72,7 +72,8 @@ namespace squeal
                    "Damping ratio at 'Cut-off' of the reduced integrator, "
                    "which falls as the eighth power of the frequency below "
                    "it: takes the ringing of impacts at 1.2 times the cut-off "
-                   "away (0.2 does) and leaves the band alone.");
+                   "away (0.2 does). The log says how far it shifts the "
+                   "growing pairs of the band.");
         schema.add("Interface cut-off",
                    t.interface_cut_off,
                    Allowed::number(0.),
