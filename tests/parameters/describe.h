@@ -299,6 +299,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, transient.explicit_step);
       SQUEAL_DESCRIBE(p, transient.interface_cut_off);
       SQUEAL_DESCRIBE(p, transient.disturbance);
+      SQUEAL_DESCRIBE(p, transient.cut_off_damping);
       SQUEAL_DESCRIBE(p, transient.cut_off);
       SQUEAL_DESCRIBE(p, transient.time_step);
       SQUEAL_DESCRIBE(p, transient.end_time);
