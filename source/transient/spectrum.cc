@@ -222,6 +222,25 @@ namespace squeal
 
 
 
+  double
+  line_deviation(const std::vector<double> &signal,
+                 const double               interval,
+                 const double               frequency)
+  {
+    double worst = std::nan("");
+    for (unsigned int k = 0; k < 4; ++k)
+      if (const double line =
+            power_spectrum({signal.begin() + k * signal.size() / 4,
+                            signal.begin() + (k + 1) * signal.size() / 4},
+                           interval)
+              .peak(0.9 * frequency, 1.1 * frequency);
+          line > 0.)
+        worst = std::fmax(worst, std::abs(line - frequency));
+    return worst;
+  }
+
+
+
   PhaseHistory
   phase_history(const std::vector<double> &a,
                 const std::vector<double> &b,

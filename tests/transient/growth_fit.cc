@@ -203,6 +203,29 @@ namespace
       }
     check(n_lines == 20, "and has no period other than that of its line");
   }
+
+  void
+  deviations()
+  {
+    const double dt = 1e-5, f = 3433.7;
+    auto         x          = tones(dt, {{f, 1.}});
+    const double throughout = line_deviation(x, dt, f);
+    // The lines of a quarter are 50 Hz apart; a parabola through the logarithms
+    // of Hann's lobe is off by up to 2 % of that.
+    check(throughout < 1., "a pure tone has its line in every quarter");
+    for (std::size_t i = 4000; i < 6000; ++i)
+      x[i] = 0.;
+    check(line_deviation(x, dt, f) <= throughout,
+          "a quarter without a line does not count");
+    for (std::size_t i = 0; i < 2000; ++i)
+      x[i] = std::cos(2. * M_PI * (f - 30.) * dt * i);
+    check(std::abs(line_deviation(x, dt, f) - 30.) < 1.5,
+          "the worst of the others does");
+    check(std::isnan(line_deviation(std::vector<double>(8000, 0.), dt, f)),
+          "there is no deviation where no quarter has a line");
+    check(std::isnan(line_deviation({x.begin(), x.begin() + 100}, dt, f)),
+          "nor where the quarters are too short to tell");
+  }
 } // namespace
 
 int
@@ -212,4 +235,5 @@ main()
   rates_beside_a_drift();
   spectra();
   periods();
+  deviations();
 }

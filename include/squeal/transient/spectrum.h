@@ -55,6 +55,15 @@ namespace squeal
                     const double               interval,
                     const double               frequency);
 
+  /**
+   * By how much the largest line within 10 % of a frequency is off it in the
+   * quarters of a signal, at worst, Hz. A quarter without a line does not
+   * count; NaN if none has one.
+   */
+  double line_deviation(const std::vector<double> &signal,
+                        const double               interval,
+                        const double               frequency);
+
   /** Two signals at one frequency over time. */
   struct PhaseHistory
   {
