@@ -20,6 +20,7 @@ namespace squeal
     constexpr double seconds_before_progress = 5.;
     constexpr double seconds_between_lines   = 10.;
     constexpr double seconds_between_updates = 0.25;
+    constexpr double seconds_before_estimate = 1.;
 
     std::string
     padded(const std::string &text, const std::size_t width, const bool left)
@@ -313,9 +314,13 @@ namespace squeal
       text += " of " + std::to_string(n_steps) + " (" +
               std::to_string(100 * n_done / n_steps) + " %)";
     text += ", " + format_duration(elapsed);
-    if (n_steps > n_done && n_done > 0)
-      text += ", about " +
-              format_duration(elapsed * (n_steps - n_done) / n_done) + " left";
+    const double seconds = elapsed - first_report;
+    if (n_steps > n_done && n_done > n_at_first &&
+        seconds >= seconds_before_estimate)
+      text +=
+        ", about " +
+        format_duration(seconds * (n_steps - n_done) / (n_done - n_at_first)) +
+        " left";
     return note.empty() ? text : text + ", " + note;
   }
 
@@ -329,6 +334,11 @@ namespace squeal
       return;
     const double now     = clock();
     const double elapsed = now - start;
+    if (n_at_first == 0)
+      {
+        first_report = elapsed;
+        n_at_first   = n_done;
+      }
     if (elapsed < seconds_before_progress)
       return;
 

@@ -206,18 +206,9 @@ namespace squeal
       f.repetition            = repetition(normal, interval, f.frequency);
       for (unsigned int k = 1; k <= 5 && k * f.frequency < highest; ++k)
         f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
-      // The largest line of each quarter, as a multiple of the frequency.
-      const double multiple = std::round(f.largest_line / f.frequency);
-      for (unsigned int k = 0; k < 4 && f.frequency > 0.; ++k)
-        {
-          const double line =
-            power_spectrum({normal.begin() + k * normal.size() / 4,
-                            normal.begin() + (k + 1) * normal.size() / 4},
-                           interval)
-              .peak(0.9 * f.largest_line, 1.1 * f.largest_line);
-          f.frequency_ci =
-            std::max(f.frequency_ci, std::abs(line / multiple - f.frequency));
-        }
+      if (f.frequency > 0.)
+        f.frequency_ci = line_deviation(normal, interval, f.largest_line) /
+                         std::round(f.largest_line / f.frequency);
     }
 
     /** Vibration of the normal force, over its mean, that is more than the
@@ -336,8 +327,10 @@ namespace squeal
   limit_cycle_text(const TransientFigures &f)
   {
     if (f.has_limit_cycle)
-      return rounded_text(f.frequency, 5) + " +- " +
-             rounded_text(f.frequency_ci, 2) + " Hz" +
+      return rounded_text(f.frequency, 5) +
+             (std::isfinite(f.frequency_ci)
+                ? " +- " + rounded_text(f.frequency_ci, 2) + " Hz"
+                : " Hz, in a run too short for an interval") +
              (f.largest_line > 1.5 * f.frequency
                 ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
                 : "") +

@@ -14,6 +14,11 @@ namespace squeal
     /** Share of the power that a lower fundamental must add. */
     constexpr double least_gain = 0.05;
 
+    /** What the correlation with itself may lack of 1 in a signal that repeats
+     * itself, and of the best one in a period that counts. A line of 5 % of the
+     * power that is turned around costs as much. */
+    constexpr double most_aperiodic = 0.1;
+
     /** Complex amplitude of samples first .. first + n - 1 about their mean at
      * a frequency in turns a sample, under a Hann window. */
     std::complex<double>
@@ -69,28 +74,52 @@ namespace squeal
     if (!(largest > 0.))
       return 0.;
     const double step = frequency[1] - frequency[0];
+    // Sums over what is no drift: all of it, what lies on the multiples of f,
+    // and what is in phase again after a period of f. The last is the
+    // correlation of the signal with itself at a lag between the samples.
+    const auto sum_over = [&](const auto &weight) {
+      double sum = 0.;
+      for (std::size_t k = 0; k < density.size(); ++k)
+        if (frequency[k] >= 0.5 * lowest && frequency[k] <= highest)
+          sum += weight(frequency[k]) * density[k];
+      return sum;
+    };
+    const double all = sum_over([](const double) { return 1.; });
     // A Hann window spreads a line over four steps; where multiples lie closer
     // than a few of those they would hold everything.
     const auto share = [&](const double f) {
-      double held = 0., all = 0.;
-      for (std::size_t k = 0; k < density.size(); ++k)
-        {
-          if (frequency[k] < 0.5 * lowest || frequency[k] > highest)
-            continue;
-          all += density[k];
-          if (std::abs(frequency[k] - f * std::round(frequency[k] / f)) <=
-              2.5 * step)
-            held += density[k];
-        }
-      return held / all;
+      return sum_over([&](const double g) {
+               return std::abs(g - f * std::round(g / f)) <= 2.5 * step ? 1.
+                                                                        : 0.;
+             }) /
+             all;
     };
-    double best = largest, best_share = share(largest);
+    const auto correlation = [&](const double f) {
+      return sum_over(
+               [&](const double g) { return std::cos(2. * M_PI * g / f); }) /
+             all;
+    };
+    std::vector<double> candidates{largest};
     for (unsigned int k = 2; k <= 4 && largest / k > 40. * step; ++k)
+      if (largest / k >= lowest)
+        candidates.push_back(largest / k);
+
+    std::vector<double> correlations;
+    for (const double f : candidates)
+      correlations.push_back(correlation(f));
+    const double best_correlation =
+      *std::max_element(correlations.begin(), correlations.end());
+    if (best_correlation >= 1. - most_aperiodic)
+      for (std::size_t k = 0; k < candidates.size(); ++k)
+        if (correlations[k] >= best_correlation - most_aperiodic)
+          return candidates[k];
+
+    double best = largest, best_share = share(largest);
+    for (const double f : candidates)
       {
         // A denser comb holds more of a broad spectrum by chance alone.
-        const double f = largest / k, s = share(f),
-                     chance = 5. * step * (1. / f - 1. / best);
-        if (f >= lowest && s > best_share + least_gain + chance)
+        const double s = share(f), chance = 5. * step * (1. / f - 1. / best);
+        if (s > best_share + least_gain + chance)
           {
             best       = f;
             best_share = s;
@@ -189,6 +218,25 @@ namespace squeal
           best = std::max(best, (now * later).sum() / size);
       }
     return best;
+  }
+
+
+
+  double
+  line_deviation(const std::vector<double> &signal,
+                 const double               interval,
+                 const double               frequency)
+  {
+    double worst = std::nan("");
+    for (unsigned int k = 0; k < 4; ++k)
+      if (const double line =
+            power_spectrum({signal.begin() + k * signal.size() / 4,
+                            signal.begin() + (k + 1) * signal.size() / 4},
+                           interval)
+              .peak(0.9 * frequency, 1.1 * frequency);
+          line > 0.)
+        worst = std::fmax(worst, std::abs(line - frequency));
+    return worst;
   }
 
 

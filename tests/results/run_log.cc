@@ -125,6 +125,21 @@ namespace
     }
     {
       std::ostringstream console;
+      RunLog             log(true, console);
+      {
+        Progress progress(log, "time steps", 1000, clock);
+        now += 60.;
+        for (int i = 0; i < 1000; ++i, now += 0.1)
+          progress.advance();
+      }
+      const std::string text = console.str();
+      check(contains(text, "time steps: 1 of 1000 (0 %), 1 min 00 s\n"),
+            "after a set-up of 60 s the first report estimates nothing");
+      check(contains(text, "1 min 10 s, about 1 min 30 s left\n"),
+            "10 s later the estimate does not count the set-up");
+    }
+    {
+      std::ostringstream console;
       RunLog             log(true, console, true);
       {
         Progress progress(log, "Sweep", 100, clock);

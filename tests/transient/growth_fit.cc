@@ -138,6 +138,94 @@ namespace
     check(std::abs(sum - (9. + 0.25) / 2.) < 0.05,
           "the density adds up to the variance");
   }
+
+  // Sum of cosines of given frequencies (Hz) and amplitudes.
+  std::vector<double>
+  tones(const double                                  interval,
+        const std::vector<std::pair<double, double>> &lines)
+  {
+    std::vector<double> x(8000, 0.);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      for (const auto &[frequency, amplitude] : lines)
+        x[i] += amplitude * std::cos(2. * M_PI * frequency * interval * i);
+    return x;
+  }
+
+  void
+  periods()
+  {
+    const double dt = 1e-5, f = 3433.7;
+    const auto   fundamental = [&](const std::vector<double> &x) {
+      return power_spectrum(x, dt).fundamental(900., 45e3);
+    };
+    const auto is = [](const double a, const double b) {
+      return std::abs(a - b) < 0.5;
+    };
+    check(is(fundamental(tones(dt, {{f, 1.}})), f), "a pure tone");
+    check(is(fundamental(tones(dt, {{f, 1.}, {0.5 * f, 0.01}})), f),
+          "a tone with 1e-4 of its power at half its frequency repeats itself "
+          "to 0.9998 with its own period");
+    check(is(fundamental(tones(dt, {{f, 1.}, {0.5 * f, 0.4}})), 0.5 * f),
+          "with 14 % of the power there to 0.72 only: the period is twice as "
+          "long");
+    check(
+      is(fundamental(tones(dt, {{2. * f, 0.6}, {3. * f, 1.}, {4. * f, 0.7}})),
+         f),
+      "harmonics 2, 3 and 4 have the period of the first, which is absent");
+    // Four lines beside the multiples, 2 % of the power each: none of them is
+    // on the comb of half the largest line, and all are against its phase.
+    const auto beside = tones(dt,
+                              {{4. * f, 1.},
+                               {1.96 * f, 0.14},
+                               {2.04 * f, 0.14},
+                               {5.96 * f, 0.14},
+                               {6.04 * f, 0.14}});
+    check(is(fundamental(beside), 2. * f),
+          "twice the period where weak lines beside the multiples make it");
+    check(repetition(beside, dt, 2. * f) > 0.95,
+          "with which the signal repeats itself");
+    const auto two = tones(dt, {{f, 1.}, {std::sqrt(2.) * f, 0.7}});
+    check(is(fundamental(two), f),
+          "two tones of no common period: the larger one");
+    std::minstd_rand                 generator(5);
+    std::normal_distribution<double> normal;
+    unsigned int                     n_lines = 0;
+    for (unsigned int sample = 0; sample < 20; ++sample)
+      {
+        std::vector<double> noise;
+        for (unsigned int i = 0; i < 8000; ++i)
+          noise.push_back(normal(generator));
+        const Spectrum s = power_spectrum(noise, dt);
+        if (s.fundamental(900., 45e3) == s.peak(900., 45e3))
+          ++n_lines;
+        check(repetition(noise, dt, s.fundamental(900., 45e3)) < 0.1,
+              "noise does not repeat itself");
+      }
+    check(n_lines == 20, "and has no period other than that of its line");
+  }
+
+  void
+  deviations()
+  {
+    const double dt = 1e-5, f = 3433.7;
+    auto         x          = tones(dt, {{f, 1.}});
+    const double throughout = line_deviation(x, dt, f);
+    // The lines of a quarter are 50 Hz apart; a parabola through the logarithms
+    // of Hann's lobe is off by up to 2 % of that.
+    check(throughout < 1., "a pure tone has its line in every quarter");
+    for (std::size_t i = 4000; i < 6000; ++i)
+      x[i] = 0.;
+    check(line_deviation(x, dt, f) <= throughout,
+          "a quarter without a line does not count");
+    for (std::size_t i = 0; i < 2000; ++i)
+      x[i] = std::cos(2. * M_PI * (f - 30.) * dt * i);
+    check(std::abs(line_deviation(x, dt, f) - 30.) < 1.5,
+          "the worst of the others does");
+    check(std::isnan(line_deviation(std::vector<double>(8000, 0.), dt, f)),
+          "there is no deviation where no quarter has a line");
+    check(std::isnan(line_deviation({x.begin(), x.begin() + 100}, dt, f)),
+          "nor where the quarters are too short to tell");
+  }
 } // namespace
 
 int
@@ -146,4 +234,6 @@ main()
   rates();
   rates_beside_a_drift();
   spectra();
+  periods();
+  deviations();
 }

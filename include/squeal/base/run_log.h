@@ -96,9 +96,11 @@ namespace squeal
   };
 
   /**
-   * Progress of a loop with an estimate of the time left. Nothing is shown for
-   * loops shorter than 5 s. On a terminal one line is rewritten some times a
-   * second; elsewhere, and in the log file, a line appears every 10 s.
+   * Progress of a loop with an estimate of the time left, by the time since the
+   * first report: what comes before it may be set-up. The estimate is there
+   * from 1 s after that, as several reports may come at once. Nothing is shown
+   * for loops shorter than 5 s. On a terminal one line is rewritten some times
+   * a second; elsewhere, and in the log file, a line appears every 10 s.
    */
   class Progress
   {
@@ -129,6 +131,8 @@ namespace squeal
     std::size_t n_done = 0;
     Clock       clock;
     double      start;
+    double      first_report = 0.; /**< time of it, from the start, s */
+    std::size_t n_at_first   = 0;  /**< steps done by then */
     double      last_line;
     double      last_transient;
     bool        shown = false;

@@ -8,6 +8,7 @@
 #include <squeal/transient/growth.h>
 #include <squeal/transient/spectrum.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -59,8 +60,9 @@ namespace squeal
     bool   dies_out  = false;
     bool   vibrates  = false;             /**< more than noise, to stay */
     double least_rms = 0., most_rms = 0.; /**< of its four quarters, N */
-    double frequency    = 0.;      /**< of the periodic normal resultant, Hz */
-    double frequency_ci = 0.;      /**< largest deviation of its quarters, Hz */
+    double frequency = 0.; /**< of the periodic normal resultant, Hz */
+    /** Largest deviation of its quarters, Hz; NaN if none has a line. */
+    double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
     double repetition  = 0.;       /**< of the normal resultant (spectrum.h) */

@@ -16,11 +16,14 @@ namespace squeal
      * parabola through the logarithms of three values; 0 if there is none. */
     double peak(const double lowest, const double highest) const;
     /**
-     * Frequency of a periodic motion: its largest line, or that over 2, 3 or 4
-     * where the multiples of the lower frequency hold at least 5 % of the power
-     * more than those of the higher one, and than chance would give them. A
-     * limit cycle whose second harmonic is the largest line has the period of
-     * its first. 0 if there is no line.
+     * Frequency of a periodic motion: its largest line, or that over 2, 3 or 4.
+     * It is the shortest of these periods after which the signal repeats itself
+     * almost as well as after any of them, however weak the line of that period
+     * is, if it repeats itself at all (threshold of YIN: de Cheveigne and
+     * Kawahara, J. Acoust. Soc. Am. 111, 2002). Of a signal that does not,
+     * multiples of the lower frequency hold at least 5 % of the power more than
+     * those of the higher one, and than chance would give them. 0 if there is
+     * no line.
      */
     double fundamental(const double lowest, const double highest) const;
     /** Root of the integral of the density within a relative width around a
@@ -51,6 +54,15 @@ namespace squeal
   double repetition(const std::vector<double> &signal,
                     const double               interval,
                     const double               frequency);
+
+  /**
+   * By how much the largest line within 10 % of a frequency is off it in the
+   * quarters of a signal, at worst, Hz. A quarter without a line does not
+   * count; NaN if none has one.
+   */
+  double line_deviation(const std::vector<double> &signal,
+                        const double               interval,
+                        const double               frequency);
 
   /** Two signals at one frequency over time. */
   struct PhaseHistory
