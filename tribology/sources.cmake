@@ -34,6 +34,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/image_files.cc
     source/images/image_parameters.cc
     source/images/line_graph.cc
+    source/images/line_position.cc
     source/images/metadata.cc
     source/images/micrograph.cc
     source/images/path_evidence.cc

@@ -39,7 +39,6 @@ namespace squeal::tribology
     constexpr int    shortest_crack  = 20;
     constexpr int    shortest_end    = 4;
     constexpr int    shortest_bridge = 5;
-    constexpr int    border          = 3;
     constexpr double flank           = 4.;
     constexpr double far_ahead = 70., ahead = 35.;
     // Straight lines of this length are scratches, grooves or edges.
@@ -274,9 +273,9 @@ namespace squeal::tribology
     remove_spurs(cracks, longest_spur);
     if (cv::countNonZero(cracks) == 0)
       return cracks;
-    // Neither scratches nor the border lead a crack on.
+    // Neither scratches nor the outermost pixels lead a crack on.
     cv::Mat closed = graph.scratches();
-    cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255, 2 * border - 1);
+    cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255);
     cv::Mat free = ridges.local.clone();
     free.setTo(0., closed);
     cracks = CrackGrowth(ridges, free, cracks, far_ahead).grow(cracks);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_position.h>
 #include <squeal/tribology/images/segmentation.h>
 
 #include <opencv2/imgproc.hpp>
@@ -51,8 +52,8 @@ namespace squeal::tribology
 
 
 
-    /** Takes out what lies in @p areas; true: something did. */
-    bool
+    /** Takes out what lies in @p areas. */
+    void
     cut(cv::Mat &centre_line, const cv::Mat &areas)
     {
       cv::Mat wide;
@@ -62,14 +63,13 @@ namespace squeal::tribology
                    cv::MORPH_ELLIPSE,
                    cv::Size(2 * exfoliation_rim + 1, 2 * exfoliation_rim + 1)));
       if (cv::countNonZero(centre_line & wide) == 0)
-        return false;
+        return;
       centre_line.setTo(0, wide);
       for (const LinePiece &piece : line_pieces(centre_line))
         if (int(piece.pixels.size()) < shortest_rest)
           for (const cv::Point &p : piece.pixels)
             centre_line.at<uchar>(p) = 0;
       remove_spurs(centre_line, longest_spur);
-      return true;
     }
   } // namespace
 
@@ -85,8 +85,8 @@ namespace squeal::tribology
     result.areas  = find_areas(grey, result.cracks.area, settings.areas);
     leave_shoulders(result.areas.exfoliation, line);
     result.areas.rough &= result.areas.exfoliation;
-    if (cut(line, result.areas.rough))
-      result.cracks = measure_cracks(grey, line, ridges);
+    cut(line, result.areas.rough);
+    result.cracks = measure_cracks(grey, move_to_middle(grey, line), ridges);
     return result;
   }
 } // namespace squeal::tribology
