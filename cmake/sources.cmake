@@ -165,6 +165,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/measured_shapes.cc
     source/results/motion_writer.cc
     source/results/plots.cc
+    source/results/planar_cells.cc
     source/results/plotter.cc
     source/results/read_csv.cc
     source/results/result_checks.cc
