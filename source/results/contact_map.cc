@@ -86,7 +86,8 @@ namespace squeal
                 "'#6baed6', 0.75 '#2171b5', 0.9 '#d55e00', 1 '#7f2704')");
     drawing.add("set view map\nset size ratio -1\nunset key\nunset ztics");
     drawing.add("set style fill solid noborder");
-    drawing.add("set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)' offset -1");
+    drawing.add(
+      "set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)' offset -1");
     // One scale for all arrows: those of one traction are of one length,
     // whatever the panel and the cell of the node.
     double longest = 0.;
