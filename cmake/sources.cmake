@@ -182,6 +182,7 @@ set(SQUEAL_SOURCES_RESULTS
 set(SQUEAL_SOURCES_DRIVER
     source/driver/campaign_amplitudes.cc
     source/driver/campaign_plots.cc
+    source/driver/campaign_runs.cc
     source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
@@ -189,6 +190,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/contact_output.cc
     source/driver/contact_states.cc
     source/driver/doublets.cc
+    source/driver/finished_runs.cc
     source/driver/matrix_output.cc
     source/driver/measured_points.cc
     source/driver/mode_solution.cc
