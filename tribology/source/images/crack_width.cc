@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/crack_depth.h>
 #include <squeal/tribology/images/crack_finder.h>
 
 #include <opencv2/imgproc.hpp>
@@ -11,12 +12,12 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int    profile_reach = 16;   // pixels to each side
-    constexpr int    n_along       = 3;    // profiles averaged on each side
-    constexpr double sample_step   = 0.5;  // pixels
-    constexpr double beyond_edge   = 1.5;  // pixels, to the flank
-    constexpr double flank_length  = 4.;   // pixels
-    constexpr double usual_depth   = 0.52; // of the brightness beside it
+    constexpr int    profile_reach = 16;  // pixels to each side
+    constexpr int    n_along       = 3;   // profiles averaged on each side
+    constexpr double sample_step   = 0.5; // pixels
+    constexpr double beyond_edge   = 1.5; // pixels, to the flank
+    constexpr double flank_length  = 4.;  // pixels
+    constexpr double least_deficit = 0.1; // pixels
 
     float
     value_at(const cv::Mat &grey, const double x, const double y)
@@ -103,11 +104,10 @@ namespace squeal::tribology
 
 
 
-    /** Missing light over the depth of the profile: neither optics nor pixels
-     * change it. A crack too narrow to show its depth counts as one of the
-     * usual depth. */
-    double
-    width_at(const cv::Mat &grey, const cv::Point &p, const double angle)
+    /** Missing light and depth of the profile: neither optics nor pixels
+     * change the former. */
+    Dip
+    dip_at(const cv::Mat &grey, const cv::Point &p, const double angle)
     {
       const double c = std::cos(angle), s = std::sin(angle);
       Flank        both;
@@ -128,31 +128,75 @@ namespace squeal::tribology
           both.brightness += 0.5 * flank.brightness;
           darkest = profile[0];
         }
-      const double depth = std::max(
-        {both.brightness - darkest, usual_depth * both.brightness, 1.});
-      return std::max(0., both.deficit / depth);
+      const double brightness = std::max(1., both.brightness);
+      return {std::max(least_deficit, both.deficit / brightness),
+              std::clamp(1. - darkest / brightness, 0., 1.)};
     }
 
 
 
-    /** Where a crack fades the profile says little: no width is more than
+    float
+    median(std::vector<float> values)
+    {
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
+    }
+
+
+
+    /** Where a crack fades the profile says little: no deficit is more than
      * twice or less than half the median of its connected crack. */
     void
-    limit_widths(cv::Mat &widths)
+    limit_deficits(cv::Mat1f &deficits, const std::vector<LinePiece> &cracks)
     {
-      for (const LinePiece &piece : line_pieces(widths > 0.))
+      for (const LinePiece &crack : cracks)
         {
           std::vector<float> sample;
-          for (const cv::Point &p : piece.pixels)
-            sample.push_back(widths.at<float>(p));
-          const auto middle = sample.begin() + sample.size() / 2;
-          std::nth_element(sample.begin(), middle, sample.end());
-          for (const cv::Point &p : piece.pixels)
-            {
-              float &w = widths.at<float>(p);
-              w        = std::clamp(w, 0.5F * *middle, 2.F * *middle);
-            }
+          for (const cv::Point &p : crack.pixels)
+            sample.push_back(deficits(p));
+          const float middle = median(sample);
+          for (const cv::Point &p : crack.pixels)
+            deficits(p) = std::clamp(deficits(p), 0.5F * middle, 2.F * middle);
         }
+    }
+
+
+
+    /** The medians over neighbours on the line: one grain is no widening. */
+    Dip
+    median_dip(const cv::Mat1f &deficits,
+               const cv::Mat1f &peaks,
+               const cv::Point &p)
+    {
+      const cv::Rect box =
+        cv::Rect(p.x - 4, p.y - 4, 9, 9) & cv::Rect({0, 0}, deficits.size());
+      std::vector<float> deficit, peak;
+      for (int y = box.y; y < box.br().y; ++y)
+        for (int x = box.x; x < box.br().x; ++x)
+          if (deficits(y, x) > 0.F)
+            {
+              deficit.push_back(deficits(y, x));
+              peak.push_back(peaks(y, x));
+            }
+      return {median(deficit), median(peak)};
+    }
+
+
+
+    void
+    fill_disc(cv::Mat &area, const cv::Point &p, const double width)
+    {
+      const double r  = 0.5 * std::max(1., width);
+      const int    ir = int(std::ceil(r));
+      for (int y = -ir; y <= ir; ++y)
+        for (int x = -ir; x <= ir; ++x)
+          {
+            const cv::Point q(p.x + x, p.y + y);
+            if (x * x + y * y <= r * r &&
+                cv::Rect({0, 0}, area.size()).contains(q))
+              area.at<uchar>(q) = 255;
+          }
     }
   } // namespace
 
@@ -164,47 +208,45 @@ namespace squeal::tribology
                  const RidgeField &ridges)
   {
     CrackMap map;
-    map.centre_line = centre_line;
-    map.area        = cv::Mat::zeros(grey.size(), CV_8U);
-    map.width       = cv::Mat::zeros(grey.size(), CV_32F);
-    map.direction   = cv::Mat::zeros(grey.size(), CV_32F);
+    map.centre_line        = centre_line;
+    map.area               = cv::Mat::zeros(grey.size(), CV_8U);
+    map.width              = cv::Mat::zeros(grey.size(), CV_32F);
+    map.width_error        = cv::Mat::zeros(grey.size(), CV_32F);
+    map.common_width_error = cv::Mat::zeros(grey.size(), CV_32F);
+    map.direction          = cv::Mat::zeros(grey.size(), CV_32F);
     cv::Mat smooth;
     cv::GaussianBlur(grey, smooth, cv::Size(3, 3), 0.6);
-    PixelPath pixels;
-    cv::findNonZero(centre_line, pixels);
-    cv::Mat raw = cv::Mat::zeros(grey.size(), CV_32F);
-    for (const cv::Point &p : pixels)
+    const std::vector<LinePiece> cracks   = line_pieces(centre_line);
+    cv::Mat1f                    deficits = cv::Mat1f::zeros(grey.size());
+    cv::Mat1f                    peaks    = cv::Mat1f::zeros(grey.size());
+    for (const LinePiece &crack : cracks)
+      for (const cv::Point &p : crack.pixels)
+        {
+          const double a = direction_at(centre_line, p, ridges.angle(p));
+          map.direction.at<float>(p) = float(a);
+          const Dip dip              = dip_at(smooth, p, a);
+          deficits(p)                = float(dip.deficit);
+          peaks(p)                   = float(dip.peak);
+        }
+    limit_deficits(deficits, cracks);
+    std::vector<std::vector<Dip>> dips;
+    for (const LinePiece &crack : cracks)
       {
-        const double a = direction_at(centre_line, p, ridges.angle(p));
-        map.direction.at<float>(p) = float(a);
-        raw.at<float>(p) = float(std::max(0.2, width_at(smooth, p, a)));
+        dips.emplace_back();
+        for (const cv::Point &p : crack.pixels)
+          dips.back().push_back(median_dip(deficits, peaks, p));
       }
-    limit_widths(raw);
-    for (const cv::Point &p : pixels)
-      {
-        // The median over neighbours on the line: one grain is no widening.
-        const cv::Rect box =
-          cv::Rect(p.x - 4, p.y - 4, 9, 9) & cv::Rect({0, 0}, grey.size());
-        std::vector<float> widths;
-        for (int y = box.y; y < box.br().y; ++y)
-          for (int x = box.x; x < box.br().x; ++x)
-            if (raw.at<float>(y, x) > 0.F)
-              widths.push_back(raw.at<float>(y, x));
-        const auto middle = widths.begin() + widths.size() / 2;
-        std::nth_element(widths.begin(), middle, widths.end());
-        const double width     = *middle;
-        map.width.at<float>(p) = float(width);
-        const double r         = 0.5 * std::max(1., width);
-        const int    ir        = int(std::ceil(r));
-        for (int y = -ir; y <= ir; ++y)
-          for (int x = -ir; x <= ir; ++x)
-            if (x * x + y * y <= r * r)
-              {
-                const cv::Point q(p.x + x, p.y + y);
-                if (cv::Rect({0, 0}, grey.size()).contains(q))
-                  map.area.at<uchar>(q) = 255;
-              }
-      }
+    const CrackDepth depth(dips);
+    for (std::size_t c = 0; c < cracks.size(); ++c)
+      for (std::size_t i = 0; i < dips[c].size(); ++i)
+        {
+          const cv::Point        &p           = cracks[c].pixels[i];
+          const CrackDepth::Width w           = depth.width(dips[c][i]);
+          map.width.at<float>(p)              = float(w.value);
+          map.width_error.at<float>(p)        = float(w.own);
+          map.common_width_error.at<float>(p) = float(w.common);
+          fill_disc(map.area, p, w.value);
+        }
     return map;
   }
 } // namespace squeal::tribology

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/statistics.h>
 
 #include <opencv2/imgproc.hpp>
@@ -11,27 +12,50 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Length that a pixel of a centre line stands for, pixels: half of each
-     * step to a neighbour. */
+    constexpr double length_error = 0.01; // relative, of pixel_lengths()
+    constexpr double end_error    = 1.;   // pixels, of each free end
+
+
+
+    /** Deviation of the length, pixels: that of the smoothed line and of its
+     * ends. What was not found, or should not have been, is not in it. */
     double
-    pixel_length(const cv::Mat &line, const cv::Point &p)
+    error_of_length(const cv::Mat &line, const double length)
     {
-      const cv::Rect inside({0, 0}, line.size());
-      const auto     is_set = [&](const cv::Point &q) {
-        return inside.contains(q) && line.at<uchar>(q) != 0;
-      };
-      double length = 0.;
-      for (int k = 0; k < 8; ++k)
+      PixelPath pixels;
+      cv::findNonZero(line, pixels);
+      const auto n_ends =
+        std::count_if(pixels.begin(), pixels.end(), [&](const cv::Point &p) {
+          return n_neighbours(line, p) == 1;
+        });
+      return std::hypot(length_error * length,
+                        end_error * std::sqrt(double(n_ends)));
+    }
+
+
+
+    /** Deviation of the area, pixels: widths are wrong together along a crack,
+     * in part in the whole image, and so are lengths. */
+    double
+    error_of_area(const CrackMap &cracks,
+                  const cv::Mat  &lengths,
+                  const double    length_part)
+    {
+      double common = 0., square = 0., area = 0.;
+      for (const LinePiece &crack : line_pieces(cracks.centre_line))
         {
-          if (!is_set(p + neighbour_steps[k]))
-            continue;
-          if (k % 2 == 0)
-            length += 0.5 * 0.948;
-          else if (!is_set(p + neighbour_steps[k - 1]) &&
-                   !is_set(p + neighbour_steps[(k + 1) % 8]))
-            length += 0.5 * 1.343;
+          double own = 0.;
+          for (const cv::Point &p : crack.pixels)
+            {
+              const double l = lengths.at<float>(p);
+              own += l * cracks.width_error.at<float>(p);
+              common += l * cracks.common_width_error.at<float>(p);
+              area += l * cracks.width.at<float>(p);
+            }
+          square += own * own;
         }
-      return length;
+      return std::sqrt(square + common * common +
+                       std::pow(length_part * area, 2));
     }
 
 
@@ -69,12 +93,13 @@ namespace squeal::tribology
     cv::Mat1i labels;
     r.n_cracks = cv::connectedComponents(line, labels, 8) - 1;
     r.orientation.assign(ImageStatistics::n_orientations, 0.);
-    PixelPath pixels;
+    const cv::Mat lengths = pixel_lengths(line);
+    PixelPath     pixels;
     cv::findNonZero(line, pixels);
     double length = 0., weighted_width = 0.;
     for (const cv::Point &p : pixels)
       {
-        const double l = pixel_length(line, p);
+        const double l = lengths.at<float>(p);
         double       a = s.cracks.direction.at<float>(p) - sliding;
         a -= CV_PI * std::floor(a / CV_PI);
         const int bin =
@@ -86,8 +111,15 @@ namespace squeal::tribology
       }
     if (length > 0.)
       {
-        r.orientation = scaled(r.orientation, 1. / length);
-        r.crack_width = weighted_width / length * pixel_size;
+        r.orientation          = scaled(r.orientation, 1. / length);
+        r.crack_width          = weighted_width / length * pixel_size;
+        const double deviation = error_of_length(line, length);
+        const double area_deviation =
+          error_of_area(s.cracks, lengths, deviation / length);
+        r.crack_length_error = 1e-3 * deviation * pixel_size;
+        r.crack_area_error   = pixel * area_deviation;
+        r.crack_width_error =
+          error_of_area(s.cracks, lengths, 0.) / length * pixel_size;
       }
     r.crack_length         = 1e-3 * length * pixel_size;
     r.crack_density        = r.crack_length / r.observed_area;
@@ -128,7 +160,8 @@ namespace squeal::tribology
                 const Placement    &placement,
                 const double        sliding)
   {
-    const cv::Mat &line = s.cracks.centre_line;
+    const cv::Mat &line    = s.cracks.centre_line;
+    const cv::Mat  lengths = pixel_lengths(line);
     for (int y = 0; y < line.rows; ++y)
       for (int x = 0; x < line.cols; ++x)
         {
@@ -143,7 +176,7 @@ namespace squeal::tribology
           if (line.at<uchar>(y, x) == 0)
             continue;
           const double scale  = std::sqrt(area);
-          const double length = pixel_length(line, {x, y}) * scale;
+          const double length = lengths.at<float>(y, x) * scale;
           const double angle =
             2. * (s.cracks.direction.at<float>(y, x) - sliding);
           cell.crack_length += length;

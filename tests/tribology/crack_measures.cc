@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Length and width of lines against closed forms: straight lines, circles, a
+// junction, blurred cracks of known width and depth; cells add up to the total.
+#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_length.h>
+#include <squeal/tribology/images/specimen.h>
+#include <squeal/tribology/images/statistics.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+#include "check.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  /** Sets one pixel for each column or row, whichever the line crosses more
+   * of, whose centre lies between the ends. */
+  void
+  draw(cv::Mat &line, const cv::Point2d &a, const cv::Point2d &b)
+  {
+    const cv::Point2d d     = b - a;
+    const bool        flat  = std::abs(d.x) > std::abs(d.y);
+    const double      from  = flat ? a.x : a.y, to = flat ? b.x : b.y;
+    const int         first = int(std::ceil(std::min(from, to)));
+    for (int i = first; i <= std::max(from, to); ++i)
+      {
+        const cv::Point2d p = a + d * ((i - from) / (to - from));
+        line.at<uchar>(cvRound(p.y), cvRound(p.x)) = 255;
+      }
+  }
+
+
+
+  cv::Point2d
+  unit(const double angle)
+  {
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+
+
+  double
+  length_of(const cv::Mat &line)
+  {
+    return cv::sum(pixel_lengths(line))[0];
+  }
+
+
+
+  void
+  check_straight_lines()
+  {
+    cv::RNG random(5);
+    double  mean = 0., largest = 0.;
+    for (int i = 0; i < 360; ++i)
+      {
+        cv::Mat           line = cv::Mat::zeros(400, 400, CV_8U);
+        const cv::Point2d c(200. + random.uniform(0., 1.),
+                            200. + random.uniform(0., 1.));
+        const cv::Point2d half = 150. * unit(i * CV_PI / 360.);
+        draw(line, c - half, c + half);
+        const double error = length_of(line) / 300. - 1.;
+        mean += error / 360.;
+        largest = std::max(largest, std::abs(error));
+      }
+    std::printf("lines of 300 px: mean error %.4f, largest %.4f\n",
+                mean,
+                largest);
+    check(std::abs(mean) < 0.006, "straight lines, mean within 0.6 %");
+    // The ends fall between pixels: up to 1.4 of 300 pixels.
+    check(largest < 0.015, "straight lines, each within 1.5 %");
+  }
+
+
+
+  void
+  check_circles()
+  {
+    for (const double radius : {8., 10., 20., 40.})
+      {
+        cv::Mat           line = cv::Mat::zeros(100, 100, CV_8U);
+        const cv::Point2d c(50.3, 49.8);
+        for (int i = 0; i < 4000; ++i)
+          {
+            const cv::Point2d p = c + radius * unit(i * CV_PI / 2000.);
+            line.at<uchar>(cvRound(p.y), cvRound(p.x)) = 255;
+          }
+        const double ratio =
+          length_of(tribology::thin(line)) / (2. * CV_PI * radius);
+        std::printf("circle of %g px: %.4f\n", radius, ratio);
+        check(std::abs(ratio - 1.) < 0.01,
+              "circle within 1 %, radius " + std::to_string(int(radius)));
+      }
+  }
+
+
+
+  void
+  check_junction()
+  {
+    double mean = 0.;
+    for (int i = 0; i < 60; ++i)
+      {
+        cv::Mat           line = cv::Mat::zeros(300, 300, CV_8U);
+        const cv::Point2d c(150.4, 149.7);
+        for (int k = 0; k < 3; ++k)
+          draw(line, c, c + 100. * unit((2 * i + 120 * k) * CV_PI / 180.));
+        const double ratio = length_of(tribology::thin(line)) / 300.;
+        check(std::abs(ratio - 1.) < 0.025,
+              "junction of three lines within 2.5 %, turned by " +
+                std::to_string(2 * i));
+        mean += ratio / 60.;
+      }
+    std::printf("junctions: mean %.4f\n", mean);
+    check(std::abs(mean - 1.) < 0.01, "junctions, mean within 1 %");
+    cv::Mat dot        = cv::Mat::zeros(9, 9, CV_8U);
+    dot.at<uchar>(4, 4) = 255;
+    check(length_of(dot) == 1., "a single pixel is a pixel long");
+    check(length_of(cv::Mat::zeros(9, 9, CV_8U)) == 0., "nothing has none");
+  }
+
+
+
+  /** A straight crack with vertical walls, blurred by 0.7 pixels and the
+   * pixel, at 25 degrees. */
+  CrackMap
+  blurred_crack(const double width, const double depth)
+  {
+    const cv::Point2d c(150.2, 150.4), along = unit(25. * CV_PI / 180.);
+    const double      blur = std::sqrt(0.49 + 1. / 12.) * std::sqrt(2.);
+    cv::Mat           grey(300, 300, CV_32F);
+    for (int y = 0; y < grey.rows; ++y)
+      for (int x = 0; x < grey.cols; ++x)
+        {
+          const double r        = along.cross(cv::Point2d(x, y) - c);
+          const double dark     = 0.5 * (std::erf((r + 0.5 * width) / blur) -
+                                     std::erf((r - 0.5 * width) / blur));
+          grey.at<float>(y, x) = float(128. * (1. - depth * dark));
+        }
+    cv::Mat line = cv::Mat::zeros(grey.size(), CV_8U);
+    draw(line, c - 120. * along, c + 120. * along);
+    return measure_cracks(grey, line, filter_ridges(grey, 2));
+  }
+
+
+
+  void
+  check_widths()
+  {
+    for (const double depth : {0.45, 0.57, 0.7})
+      for (const double width : {0.5, 1., 2., 3., 4., 6., 8.})
+        {
+          const CrackMap m     = blurred_crack(width, depth);
+          const double   n     = cv::countNonZero(m.centre_line);
+          const double   found = cv::sum(m.width)[0] / n;
+          const double   own   = cv::sum(m.width_error)[0] / n;
+          const double   all   = cv::sum(m.common_width_error)[0] / n;
+          std::printf("width %.1f depth %.2f: %.3f +- %.3f\n",
+                      width,
+                      depth,
+                      found,
+                      std::hypot(own, all));
+          const std::string text = " at width " + std::to_string(width) +
+                                   ", depth " + std::to_string(depth);
+          check(std::abs(found - width) <= 2. * std::hypot(own, all),
+                "within two deviations" + text);
+          if (depth == 0.57)
+            check(std::abs(found / width - 1.) < 0.1,
+                  "within 10 % where the depth is the assumed one" + text);
+          if (width >= 6.)
+            check(std::abs(found / width - 1.) < 0.05,
+                  "wide cracks show their depth" + text);
+        }
+  }
+
+
+
+  void
+  check_cells()
+  {
+    SpecimenSettings settings;
+    settings.data_bar = false;
+    cv::Mat grey;
+    make_specimen(settings).image.convertTo(grey, CV_32F);
+    const Segmentation    found = segment(grey);
+    const ImageStatistics s     = measure(found, 2., 0.);
+    CellGrid              grid(2. * cv::Size2d(grey.size()), 5, 4);
+    const Placement       placement{
+      cv::Matx33d(2., 0., -grey.cols, 0., 2., -grey.rows, 0., 0., 1.), 0.};
+    grid.add(found, placement, 0.);
+    Table table(grid.columns());
+    grid.append_rows(table, "image");
+    const double cell   = 4e-12 * grey.total() / 20.; // m^2
+    double       length = 0., area = 0.;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      {
+        const double l = table.real(i, "crack_density_per_m") * cell *
+                         table.real(i, "coverage");
+        length += l;
+        area += l > 0. ? l * table.real(i, "crack_width_m") : 0.;
+      }
+    check_close(1e3 * length, s.crack_length, 1e-5, "length of all cells");
+    check_close(1e6 * area, s.crack_area, 1e-5, "area of all cells");
+    check(s.crack_length_error > 0. &&
+            s.crack_length_error < 0.05 * s.crack_length,
+          "length has an error below 5 %");
+    check(s.crack_area_error > 0. && s.crack_area_error < 0.3 * s.crack_area,
+          "area has an error below 30 %");
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  cv::setNumThreads(1);
+  check_straight_lines();
+  check_circles();
+  check_junction();
+  check_widths();
+  check_cells();
+  return 0;
+}
