@@ -25,9 +25,9 @@ namespace
   void
   draw(cv::Mat &line, const cv::Point2d &a, const cv::Point2d &b)
   {
-    const cv::Point2d d     = b - a;
-    const bool        flat  = std::abs(d.x) > std::abs(d.y);
-    const double      from  = flat ? a.x : a.y, to = flat ? b.x : b.y;
+    const cv::Point2d d    = b - a;
+    const bool        flat = std::abs(d.x) > std::abs(d.y);
+    const double      from = flat ? a.x : a.y, to = flat ? b.x : b.y;
     const int         first = int(std::ceil(std::min(from, to)));
     for (int i = first; i <= std::max(from, to); ++i)
       {
@@ -54,50 +54,80 @@ namespace
 
 
 
+  /** Mean error over all angles and offsets: what is left of the rounding and
+   * what two free ends give. The first grows with the length, the second does
+   * not. */
   void
   check_straight_lines()
   {
-    cv::RNG random(5);
-    double  mean = 0., largest = 0.;
-    for (int i = 0; i < 360; ++i)
+    cv::RNG   random(5);
+    const int n = 1440;
+    for (const double length : {10., 20., 40., 80., 160., 320.})
       {
-        cv::Mat           line = cv::Mat::zeros(400, 400, CV_8U);
-        const cv::Point2d c(200. + random.uniform(0., 1.),
-                            200. + random.uniform(0., 1.));
-        const cv::Point2d half = 150. * unit(i * CV_PI / 360.);
-        draw(line, c - half, c + half);
-        const double error = length_of(line) / 300. - 1.;
-        mean += error / 360.;
-        largest = std::max(largest, std::abs(error));
+        double mean = 0., largest = 0.;
+        for (int i = 0; i < n; ++i)
+          {
+            cv::Mat           line = cv::Mat::zeros(340, 340, CV_8U);
+            const cv::Point2d c(170. + random.uniform(0., 1.),
+                                170. + random.uniform(0., 1.));
+            const cv::Point2d half = 0.5 * length * unit(i * CV_PI / n);
+            draw(line, c - half, c + half);
+            const double error = length_of(line) - length;
+            mean += error / n;
+            largest = std::max(largest, std::abs(error));
+          }
+        std::printf("lines of %g px: mean error %.3f px, largest %.2f px\n",
+                    length,
+                    mean,
+                    largest);
+        const std::string text =
+          " at length " + std::to_string(int(length)) + " px";
+        // Order one: 0.04 % of a line of 320 pixels.
+        check(std::abs(mean) < 0.12, "mean error below 0.12 px" + text);
+        // Ends fall between pixels, up to sqrt(2) px, and are smoothed less. At
+        // 7 degrees from an axis
+        // the staircase is so long that much of it passes the smoothing.
+        check(largest < 1.6 + 0.008 * length,
+              "each error below 1.6 px and 0.8 %" + text);
       }
-    std::printf("lines of 300 px: mean error %.4f, largest %.4f\n",
-                mean,
-                largest);
-    check(std::abs(mean) < 0.006, "straight lines, mean within 0.6 %");
-    // The ends fall between pixels: up to 1.4 of 300 pixels.
-    check(largest < 0.015, "straight lines, each within 1.5 %");
   }
 
 
 
+  /** The mean over the offset is right to second order in pixel over radius. */
   void
   check_circles()
   {
-    for (const double radius : {8., 10., 20., 40.})
+    cv::RNG   random(3);
+    const int n      = 20;
+    double    coarse = 0., fine = 0.;
+    for (const double radius : {8., 10., 20., 40., 80.})
       {
-        cv::Mat           line = cv::Mat::zeros(100, 100, CV_8U);
-        const cv::Point2d c(50.3, 49.8);
-        for (int i = 0; i < 4000; ++i)
+        double mean = 0.;
+        for (int i = 0; i < n; ++i)
           {
-            const cv::Point2d p = c + radius * unit(i * CV_PI / 2000.);
-            line.at<uchar>(cvRound(p.y), cvRound(p.x)) = 255;
+            cv::Mat           line = cv::Mat::zeros(180, 180, CV_8U);
+            const cv::Point2d c(90. + random.uniform(0., 1.),
+                                90. + random.uniform(0., 1.));
+            for (int k = 0; k < 4000; ++k)
+              {
+                const cv::Point2d p = c + radius * unit(k * CV_PI / 2000.);
+                line.at<uchar>(cvRound(p.y), cvRound(p.x)) = 255;
+              }
+            mean += length_of(tribology::thin(line)) / n;
           }
-        const double ratio =
-          length_of(tribology::thin(line)) / (2. * CV_PI * radius);
-        std::printf("circle of %g px: %.4f\n", radius, ratio);
-        check(std::abs(ratio - 1.) < 0.01,
-              "circle within 1 %, radius " + std::to_string(int(radius)));
+        const double error = mean / (2. * CV_PI * radius) - 1.;
+        std::printf("circles of %g px: mean error %.5f\n", radius, error);
+        check(std::abs(error) < 0.08 / radius,
+              "circle within 0.08 px of its radius " +
+                std::to_string(int(radius)));
+        if (radius == 10.)
+          coarse = std::abs(error);
+        if (radius == 40.)
+          fine = std::abs(error);
       }
+    check(std::log(coarse / fine) / std::log(4.) > 1.5,
+          "circles: order above 1.5 from radius 10 to 40");
   }
 
 
@@ -120,7 +150,7 @@ namespace
       }
     std::printf("junctions: mean %.4f\n", mean);
     check(std::abs(mean - 1.) < 0.01, "junctions, mean within 1 %");
-    cv::Mat dot        = cv::Mat::zeros(9, 9, CV_8U);
+    cv::Mat dot         = cv::Mat::zeros(9, 9, CV_8U);
     dot.at<uchar>(4, 4) = 255;
     check(length_of(dot) == 1., "a single pixel is a pixel long");
     check(length_of(cv::Mat::zeros(9, 9, CV_8U)) == 0., "nothing has none");
@@ -139,8 +169,8 @@ namespace
     for (int y = 0; y < grey.rows; ++y)
       for (int x = 0; x < grey.cols; ++x)
         {
-          const double r        = along.cross(cv::Point2d(x, y) - c);
-          const double dark     = 0.5 * (std::erf((r + 0.5 * width) / blur) -
+          const double r       = along.cross(cv::Point2d(x, y) - c);
+          const double dark    = 0.5 * (std::erf((r + 0.5 * width) / blur) -
                                      std::erf((r - 0.5 * width) / blur));
           grey.at<float>(y, x) = float(128. * (1. - depth * dark));
         }
@@ -191,7 +221,7 @@ namespace
     make_specimen(settings).image.convertTo(grey, CV_32F);
     const Segmentation    found = segment(grey);
     const ImageStatistics s     = measure(found, 2., 0.);
-    CellGrid              grid(2. * cv::Size2d(grey.size()), 5, 4);
+    CellGrid              grid({2. * grey.cols, 2. * grey.rows}, 5, 4);
     const Placement       placement{
       cv::Matx33d(2., 0., -grey.cols, 0., 2., -grey.rows, 0., 0., 1.), 0.};
     grid.add(found, placement, 0.);

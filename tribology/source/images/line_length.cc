@@ -16,6 +16,44 @@ namespace squeal::tribology
 
     using Points = std::vector<cv::Point2d>;
 
+    /** Weights of a mean over the neighbours along a line; their sum is 1. */
+    std::vector<double>
+    mean_weights()
+    {
+      std::vector<double> weights;
+      double              sum = 0.;
+      for (int k = -reach; k <= reach; ++k)
+        {
+          weights.push_back(std::exp(-0.5 * k * k / (smoothing * smoothing)));
+          sum += weights.back();
+        }
+      for (double &w : weights)
+        w /= sum;
+      return weights;
+    }
+
+
+
+    /** Variance of the steps of a smoothed line, pixels^2: rounding errors are
+     * uniform, of variance 1/12, and those of different pixels independent;
+     * smoothed() weighs them with 2 g - g * g for weights g of the mean. */
+    double
+    step_variance(const std::vector<double> &g)
+    {
+      const int           n = int(g.size());
+      std::vector<double> h(2 * n + 1, 0.); // begins and ends with zero
+      for (int i = 0; i < n; ++i)
+        {
+          h[i + reach + 1] += 2. * g[i];
+          for (int j = 0; j < n; ++j)
+            h[i + j + 1] -= g[i] * g[j];
+        }
+      double sum = 0.;
+      for (std::size_t i = 1; i < h.size(); ++i)
+        sum += (h[i] - h[i - 1]) * (h[i] - h[i - 1]);
+      return sum / 12.;
+    }
+
     /** The links of a skeleton: steps between neighbours, but no diagonal
      * beside two straight steps, which is the corner of a staircase. */
     class Links
@@ -62,7 +100,9 @@ namespace squeal::tribology
      * its ends a line goes on as its image in the end point, which therefore
      * stays; a ring goes on around. */
     Points
-    averaged(const Points &line, const bool is_ring)
+    averaged(const Points              &line,
+             const bool                 is_ring,
+             const std::vector<double> &weights)
     {
       const int  n  = int(line.size());
       const auto at = [&](const int i) -> cv::Point2d {
@@ -74,34 +114,28 @@ namespace squeal::tribology
           return 2. * line[n - 1] - line[std::max(2 * (n - 1) - i, 0)];
         return line[i];
       };
-      Points result(n);
+      Points result(n, {0., 0.});
       for (int i = 0; i < n; ++i)
-        {
-          double      sum = 0.;
-          cv::Point2d mean(0., 0.);
-          for (int k = -reach; k <= reach; ++k)
-            {
-              const double w = std::exp(-0.5 * k * k / (smoothing * smoothing));
-              mean += w * at(i + k);
-              sum += w;
-            }
-          result[i] = mean * (1. / sum);
-        }
+        for (int k = -reach; k <= reach; ++k)
+          result[i] += weights[reach + k] * at(i + k);
       return result;
     }
 
 
 
-    /** Smoothed twice over: what the first mean takes from a bend is added
-     * again, itself averaged. */
+    /** Smoothed by twicing: what the mean takes from a bend is averaged and
+     * added again. The bend loses the fourth power of (deviation over radius)
+     * instead of the second. */
     Points
-    smoothed(const Points &line, const bool is_ring)
+    smoothed(const Points              &line,
+             const bool                 is_ring,
+             const std::vector<double> &weights)
     {
-      const Points mean = averaged(line, is_ring);
+      const Points mean = averaged(line, is_ring, weights);
       Points       rest = line;
       for (std::size_t i = 0; i < line.size(); ++i)
         rest[i] = line[i] - mean[i];
-      rest = averaged(rest, is_ring);
+      rest = averaged(rest, is_ring, weights);
       for (std::size_t i = 0; i < line.size(); ++i)
         rest[i] += mean[i];
       return rest;
@@ -115,6 +149,8 @@ namespace squeal::tribology
     public:
       explicit Measurement(const cv::Mat &skeleton)
         : links(skeleton)
+        , weights(mean_weights())
+        , variance(step_variance(weights))
         , degree(cv::Mat1b::zeros(skeleton.size()))
         , lengths(cv::Mat1f::zeros(skeleton.size()))
         , done(cv::Mat1b::zeros(skeleton.size()))
@@ -176,10 +212,10 @@ namespace squeal::tribology
         Points line;
         for (const cv::Point &p : path)
           line.push_back(nodes(p) > 0 ? centre(p) : cv::Point2d(p));
-        line = smoothed(line, is_ring);
+        line = smoothed(line, is_ring, weights);
         for (std::size_t i = 1; i < path.size(); ++i)
           {
-            const float half = float(0.5 * cv::norm(line[i] - line[i - 1]));
+            const float half = float(0.5 * step_length(line[i] - line[i - 1]));
             lengths(path[i]) += half;
             lengths(path[i - 1]) += half;
           }
@@ -210,6 +246,19 @@ namespace squeal::tribology
         return {centres(n, 0), centres(n, 1)};
       }
 
+      /** Length of a step, less what the rest of the rounding errors adds on
+       * the mean: a step (1, t) whose t has the variance v is longer by
+       * v / (2 (1 + t^2)^(3/2)). */
+      double
+      step_length(const cv::Point2d &d) const
+      {
+        const double length  = cv::norm(d);
+        const double largest = std::max(std::abs(d.x), std::abs(d.y));
+        return length > 0. ? length - 0.5 * variance * largest * largest /
+                                        (length * length * length)
+                           : 0.;
+      }
+
       /** From the centre of a pixel to its border along a line. */
       static double
       half_step(const cv::Point2d &d)
@@ -218,13 +267,15 @@ namespace squeal::tribology
         return largest > 0. ? 0.5 * cv::norm(d) / largest : 0.5;
       }
 
-      const Links links;
-      cv::Mat1b   degree;
-      cv::Mat1f   lengths;
-      cv::Mat1b   done;
-      PixelPath   pixels;
-      cv::Mat1i   nodes, stats;
-      cv::Mat1d   centres;
+      const Links               links;
+      const std::vector<double> weights;
+      const double              variance;
+      cv::Mat1b                 degree;
+      cv::Mat1f                 lengths;
+      cv::Mat1b                 done;
+      PixelPath                 pixels;
+      cv::Mat1i                 nodes, stats;
+      cv::Mat1d                 centres;
     };
   } // namespace
 
