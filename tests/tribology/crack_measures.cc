@@ -216,18 +216,21 @@ namespace
   check_cells()
   {
     SpecimenSettings settings;
-    settings.data_bar = false;
-    cv::Mat grey;
-    make_specimen(settings).image.convertTo(grey, CV_32F);
+    settings.data_bar   = false;
+    const Specimen made = make_specimen(settings);
+    cv::Mat        grey;
+    made.image.convertTo(grey, CV_32F);
     const Segmentation    found = segment(grey);
-    const ImageStatistics s     = measure(found, 2., 0.);
-    CellGrid              grid({2. * grey.cols, 2. * grey.rows}, 5, 4);
+    const ImageStatistics s     = measure(found, 1., 0.);
+    CellGrid              grid(cv::Size2d(grey.size()), 5, 4);
     const Placement       placement{
-      cv::Matx33d(2., 0., -grey.cols, 0., 2., -grey.rows, 0., 0., 1.), 0.};
+      cv::Matx33d(
+        1., 0., -0.5 * grey.cols, 0., 1., -0.5 * grey.rows, 0., 0., 1.),
+      0.};
     grid.add(found, placement, 0.);
     Table table(grid.columns());
     grid.append_rows(table, "image");
-    const double cell   = 4e-12 * grey.total() / 20.; // m^2
+    const double cell   = 1e-12 * grey.total() / 20.; // m^2
     double       length = 0., area = 0.;
     for (std::size_t i = 0; i < table.n_rows(); ++i)
       {
@@ -238,11 +241,15 @@ namespace
       }
     check_close(1e3 * length, s.crack_length, 1e-5, "length of all cells");
     check_close(1e6 * area, s.crack_area, 1e-5, "area of all cells");
-    check(s.crack_length_error > 0. &&
-            s.crack_length_error < 0.05 * s.crack_length,
-          "length has an error below 5 %");
-    check(s.crack_area_error > 0. && s.crack_area_error < 0.3 * s.crack_area,
-          "area has an error below 30 %");
+    check(std::abs(s.crack_length - 1e-3 * made.crack_length) <
+            2. * s.crack_length_error,
+          "length within two deviations of the true one");
+    check(std::abs(s.crack_area - 1e-6 * made.crack_area) <
+            2. * s.crack_area_error,
+          "area within two deviations of the true one");
+    check(s.crack_length_error < 0.25 * s.crack_length &&
+            s.crack_area_error < 0.3 * s.crack_area,
+          "deviations below 25 % of the length and 30 % of the area");
   }
 } // namespace
 

@@ -8,10 +8,12 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double assumed_mean   = 0.57; // depth, mean over an image
-    constexpr double assumed_error  = 0.10; // of that, deviation
-    constexpr double spread         = 0.13; // of depths in an image
-    constexpr double blur           = 1.30; // pixels, b
+    constexpr double assumed_mean  = 0.57; // depth, mean over an image
+    constexpr double assumed_error = 0.10; // of that, deviation
+    constexpr double spread        = 0.13; // of depths in an image
+    // b^2: optics 0.49, pixel 1/12, smoothing and interpolation of profiles
+    // 1/3 + 1/6, bends of the crack along which profiles are averaged 1/4.
+    constexpr double blur           = 1.15; // pixels, b
     constexpr double blur_error     = 0.20; // of b, relative
     constexpr double peak_error     = 0.03; // texture and noise
     constexpr double smallest_depth = 0.3, largest_depth = 0.95;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal::tribology
 {
@@ -17,6 +18,7 @@ namespace squeal::tribology
     constexpr double sample_step   = 0.5; // pixels
     constexpr double beyond_edge   = 1.5; // pixels, to the flank
     constexpr double flank_length  = 4.;  // pixels
+    constexpr double off_line      = 1.;  // pixels, of the darkest sample
     constexpr double least_deficit = 0.1; // pixels
 
     float
@@ -105,13 +107,13 @@ namespace squeal::tribology
 
 
     /** Missing light and depth of the profile: neither optics nor pixels
-     * change the former. */
+     * change the former. The line may run beside the darkest sample. */
     Dip
     dip_at(const cv::Mat &grey, const cv::Point &p, const double angle)
     {
       const double c = std::cos(angle), s = std::sin(angle);
       Flank        both;
-      double       darkest = 0.;
+      float        darkest = std::numeric_limits<float>::max();
       for (const int side : {-1, 1})
         {
           std::vector<float> profile;
@@ -126,7 +128,8 @@ namespace squeal::tribology
           const Flank flank = measure_flank(profile);
           both.deficit += flank.deficit;
           both.brightness += 0.5 * flank.brightness;
-          darkest = profile[0];
+          for (int i = 0; i * sample_step <= off_line; ++i)
+            darkest = std::min(darkest, profile[i]);
         }
       const double brightness = std::max(1., both.brightness);
       return {std::max(least_deficit, both.deficit / brightness),

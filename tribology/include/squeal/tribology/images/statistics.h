@@ -22,8 +22,8 @@ namespace squeal::tribology
     double crack_density = 0.; /**< mm per mm^2 */
     double crack_area    = 0.; /**< mm^2 */
     double crack_width   = 0.; /**< um, mean along the length */
-    /** Deviations of what was found: length by its pixels and ends, width and
-     * area by the depth of cracks too; not of what was missed. */
+    /** Deviations: length by its pixels, its ends and what is usually missed
+     * or invented; width by the depth of cracks; area by both. */
     double              crack_length_error = 0.; /**< mm */
     double              crack_area_error   = 0.; /**< mm^2 */
     double              crack_width_error  = 0.; /**< um */
