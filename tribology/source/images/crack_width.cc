@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -51,10 +52,35 @@ namespace squeal::tribology
 
 
 
+    using Profile = std::vector<float>;
+
+    /** Brightness from the line outwards to one @p side (-1 or 1), averaged
+     * along the line. */
+    Profile
+    profile_at(const cv::Mat   &grey,
+               const cv::Point &p,
+               const double     angle,
+               const int        side)
+    {
+      const double c = std::cos(angle), s = std::sin(angle);
+      Profile      profile;
+      for (double d = 0.; d <= profile_reach; d += sample_step)
+        {
+          float sum = 0.F;
+          for (int t = -n_along; t <= n_along; ++t)
+            sum += value_at(
+              grey, p.x + t * c - side * d * s, p.y + t * s + side * d * c);
+          profile.push_back(sum / (2 * n_along + 1));
+        }
+      return profile;
+    }
+
+
+
     /** Distance at which the profile has climbed half way from the darkest
      * sample to its flank. */
     double
-    half_depth(const std::vector<float> &profile)
+    half_depth(const Profile &profile)
     {
       // The flank is the brightest mean of three samples; it lies outside.
       float flank = profile[0];
@@ -89,9 +115,9 @@ namespace squeal::tribology
     };
 
     Flank
-    measure_flank(const std::vector<float> &profile)
+    measure_flank(const Profile &profile, const double half_width)
     {
-      const double edge = 2. * half_depth(profile) + beyond_edge;
+      const double edge = 2. * half_width + beyond_edge;
       const int    n    = int(profile.size());
       const int    i0   = std::clamp(int(edge / sample_step), 1, n - 2);
       const int    i1   = std::min(n, i0 + int(flank_length / sample_step) + 1);
@@ -106,44 +132,61 @@ namespace squeal::tribology
 
 
 
-    /** Missing light and depth of the profile: neither optics nor pixels
-     * change the former. The line may run beside the darkest sample. */
-    Dip
-    dip_at(const cv::Mat &grey, const cv::Point &p, const double angle)
-    {
-      const double c = std::cos(angle), s = std::sin(angle);
-      Flank        both;
-      float        darkest = std::numeric_limits<float>::max();
-      for (const int side : {-1, 1})
-        {
-          std::vector<float> profile;
-          for (double d = 0.; d <= profile_reach; d += sample_step)
-            {
-              float sum = 0.F;
-              for (int t = -n_along; t <= n_along; ++t)
-                sum += value_at(
-                  grey, p.x + t * c - side * d * s, p.y + t * s + side * d * c);
-              profile.push_back(sum / (2 * n_along + 1));
-            }
-          const Flank flank = measure_flank(profile);
-          both.deficit += flank.deficit;
-          both.brightness += 0.5 * flank.brightness;
-          for (int i = 0; i * sample_step <= off_line; ++i)
-            darkest = std::min(darkest, profile[i]);
-        }
-      const double brightness = std::max(1., both.brightness);
-      return {std::max(least_deficit, both.deficit / brightness),
-              std::clamp(1. - darkest / brightness, 0., 1.)};
-    }
-
-
-
     float
     median(std::vector<float> values)
     {
       const auto middle = values.begin() + values.size() / 2;
       std::nth_element(values.begin(), middle, values.end());
       return *middle;
+    }
+
+
+
+    /** Missing light and depth of the profiles: neither optics nor pixels
+     * change the former. The line may run beside the darkest sample. */
+    Dip
+    dip_of(const std::array<Profile, 2> &sides, const double half_width)
+    {
+      double deficit = 0., brightness = 0.;
+      float  darkest = std::numeric_limits<float>::max();
+      for (const Profile &profile : sides)
+        {
+          const Flank flank = measure_flank(profile, half_width);
+          deficit += flank.deficit;
+          brightness += 0.5 * flank.brightness;
+          for (int i = 0; i * sample_step <= off_line; ++i)
+            darkest = std::min(darkest, profile[i]);
+        }
+      brightness = std::max(1., brightness);
+      return {std::max(least_deficit, deficit / brightness),
+              std::clamp(1. - darkest / brightness, 0., 1.)};
+    }
+
+
+
+    /** The dips at the pixels of a crack. How far a profile reaches is the same
+     * for all of them: texture would else be taken in where it is dark and left
+     * out where it is bright, and a narrow crack look wider. */
+    std::vector<Dip>
+    dips_along(const cv::Mat   &grey,
+               const LinePiece &crack,
+               const cv::Mat   &direction)
+    {
+      std::vector<std::array<Profile, 2>> profiles;
+      std::vector<float>                  halves;
+      for (const cv::Point &p : crack.pixels)
+        {
+          const double a = direction.at<float>(p);
+          profiles.push_back(
+            {profile_at(grey, p, a, -1), profile_at(grey, p, a, 1)});
+          halves.push_back(float(0.5 * (half_depth(profiles.back()[0]) +
+                                        half_depth(profiles.back()[1]))));
+        }
+      const double     half_width = median(halves);
+      std::vector<Dip> dips;
+      for (const std::array<Profile, 2> &sides : profiles)
+        dips.push_back(dip_of(sides, half_width));
+      return dips;
     }
 
 
@@ -223,14 +266,17 @@ namespace squeal::tribology
     cv::Mat1f                    deficits = cv::Mat1f::zeros(grey.size());
     cv::Mat1f                    peaks    = cv::Mat1f::zeros(grey.size());
     for (const LinePiece &crack : cracks)
-      for (const cv::Point &p : crack.pixels)
-        {
-          const double a = direction_at(centre_line, p, ridges.angle(p));
-          map.direction.at<float>(p) = float(a);
-          const Dip dip              = dip_at(smooth, p, a);
-          deficits(p)                = float(dip.deficit);
-          peaks(p)                   = float(dip.peak);
-        }
+      {
+        for (const cv::Point &p : crack.pixels)
+          map.direction.at<float>(p) =
+            float(direction_at(centre_line, p, ridges.angle(p)));
+        const std::vector<Dip> dips = dips_along(smooth, crack, map.direction);
+        for (std::size_t i = 0; i < dips.size(); ++i)
+          {
+            deficits(crack.pixels[i]) = float(dips[i].deficit);
+            peaks(crack.pixels[i])    = float(dips[i].peak);
+          }
+      }
     limit_deficits(deficits, cracks);
     std::vector<std::vector<Dip>> dips;
     for (const LinePiece &crack : cracks)
