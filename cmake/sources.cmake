@@ -165,6 +165,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/measured_shapes.cc
     source/results/motion_writer.cc
     source/results/plots.cc
+    source/results/planar_cells.cc
     source/results/plotter.cc
     source/results/read_csv.cc
     source/results/result_checks.cc
@@ -181,6 +182,7 @@ set(SQUEAL_SOURCES_RESULTS
 set(SQUEAL_SOURCES_DRIVER
     source/driver/campaign_amplitudes.cc
     source/driver/campaign_plots.cc
+    source/driver/campaign_runs.cc
     source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
@@ -188,6 +190,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/contact_output.cc
     source/driver/contact_states.cc
     source/driver/doublets.cc
+    source/driver/finished_runs.cc
     source/driver/matrix_output.cc
     source/driver/measured_points.cc
     source/driver/mode_solution.cc

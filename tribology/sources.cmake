@@ -28,12 +28,14 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/history/csv_import.cc
     source/images/areas.cc
     source/images/centre_line.cc
+    source/images/crack_depth.cc
     source/images/crack_finder.cc
     source/images/crack_growth.cc
     source/images/crack_width.cc
     source/images/image_files.cc
     source/images/image_parameters.cc
     source/images/line_graph.cc
+    source/images/line_length.cc
     source/images/line_position.cc
     source/images/metadata.cc
     source/images/micrograph.cc

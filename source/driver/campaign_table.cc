@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
 #include <squeal/driver/campaign_table.h>
 #include <squeal/parameters/choices.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace squeal
 {
   namespace
   {
     using Type = Table::Type;
-    using Json = nlohmann::ordered_json;
 
     Cell
     known(const double value)
@@ -202,65 +198,4 @@ namespace squeal
     return row;
   }
 
-
-
-  FinishedRuns::FinishedRuns(const std::string &path, const bool resume)
-    : path(path)
-  {
-    std::ifstream in(path);
-    if (!in || !resume)
-      return;
-    try
-      {
-        rows = Json::parse(in);
-      }
-    catch (const std::exception &)
-      {
-        throw InputError("'" + path +
-                         "' cannot be read: remove it or set "
-                         "Transient/Resume = false");
-      }
-  }
-
-
-
-  bool
-  FinishedRuns::find(const std::string &key,
-                     const std::size_t  n_columns,
-                     std::vector<Cell> &row) const
-  {
-    const auto found = rows.find(key);
-    if (found == rows.end() || (n_columns > 0 && found->size() != n_columns))
-      return false;
-    row.clear();
-    for (const auto &cell : *found)
-      if (cell.is_string())
-        row.emplace_back(cell.get<std::string>());
-      else if (cell.is_number_integer())
-        row.emplace_back(cell.get<long long>());
-      else if (cell.is_number())
-        row.emplace_back(cell.get<double>());
-      else
-        row.emplace_back();
-    return true;
-  }
-
-
-
-  void
-  FinishedRuns::add(const std::string &key, const std::vector<Cell> &row)
-  {
-    Json list = Json::array();
-    for (const Cell &cell : row)
-      if (const auto *real = std::get_if<double>(&cell.value))
-        list.push_back(*real);
-      else if (const auto *whole = std::get_if<long long>(&cell.value))
-        list.push_back(*whole);
-      else if (const auto *text = std::get_if<std::string>(&cell.value))
-        list.push_back(*text);
-      else
-        list.push_back(nullptr);
-    rows[key] = list;
-    write_atomically(path, [&](std::ostream &out) { out << rows.dump(1); });
-  }
 } // namespace squeal

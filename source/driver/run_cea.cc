@@ -98,6 +98,87 @@ namespace squeal
         }
       context.write_table("signature.csv", make_signature_table(indices, rows));
     }
+
+
+
+    /** The pairs with sigma > 0, in words too. */
+    struct UnstablePairs
+    {
+      std::vector<bool> is_unstable; /**< one a pair */
+      unsigned int      number = 0;
+      std::string       text; /**< names, frequencies, growth rates */
+
+      std::string
+      verdict() const
+      {
+        if (number == 0)
+          return "no unstable pair in the band";
+        return number == 1
+                 ? "1 unstable pair: " + text
+                 : std::to_string(number) + " unstable pairs: " + text;
+      }
+    };
+
+
+
+    UnstablePairs
+    unstable_pairs(const ComplexPairs &pairs, const PairQuantities &quantities)
+    {
+      UnstablePairs result;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          result.is_unstable.push_back(is_unstable(pairs, i));
+          if (!result.is_unstable.back())
+            continue;
+          ++result.number;
+          result.text += (result.text.empty() ? "" : "; ") +
+                         quantities.names[i].text + " at " +
+                         rounded_text(pairs.frequency(i), 5) + " Hz, sigma " +
+                         rounded_text(pairs.sigma(i), 4) + " 1/s";
+        }
+      return result;
+    }
+
+
+
+    void
+    log_eigenvalues(RunLog &log, const Table &table)
+    {
+      log.heading("Eigenvalues: lambda = sigma + i omega, sigma > 0 "
+                  "unstable, f = omega / 2 pi, zeta = -sigma / |lambda|");
+      std::ostringstream text;
+      table.print(text,
+                  {"index",
+                   "frequency_hz",
+                   "sigma_per_s",
+                   "damping_ratio",
+                   "residual_rel",
+                   "error_estimate_rel",
+                   "discretisation_error_rel",
+                   "unstable",
+                   "name"});
+      log.info(text.str());
+    }
+
+
+
+    /** Motions without stiffness: lambda = 0 is defective there (x and t x),
+     * and friction must not decide on which side of the axis it is found. */
+    void
+    warn_of_free_motions(const Parameters   &p,
+                         const Model        &model,
+                         const ModeSolution &modes,
+                         RunLog             &log)
+    {
+      const std::string free = free_motions(model, modes);
+      if (free.empty())
+        return;
+      if (p.eigen.lowest_frequency == 0.)
+        throw InputError(free +
+                         ": raise Eigenvalues/Lowest frequency above 0, or "
+                         "hold them by Scene/Supports or Scene/Springs");
+      log.warning(free);
+    }
   } // namespace
 
 
@@ -112,16 +193,7 @@ namespace squeal
       solve_modes_adaptively(model, context.log, context.timers);
     if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
       refuse_empty_band(p, modes);
-    // lambda = 0 is defective there (x and t x), and friction must not decide
-    // on which side of the axis it is found.
-    if (const std::string free = free_motions(model, modes); !free.empty())
-      {
-        if (p.eigen.lowest_frequency == 0.)
-          throw InputError(free +
-                           ": raise Eigenvalues/Lowest frequency above 0, or "
-                           "hold them by Scene/Supports or Scene/Springs");
-        context.log.warning(free);
-      }
+    warn_of_free_motions(p, model, modes, context.log);
     if (p.output.export_matrices)
       {
         write_matrices(context, *modes.pencil, "matrices");
@@ -149,54 +221,25 @@ namespace squeal
     if (p.output.export_matrices)
       write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
 
-    std::vector<bool> highlighted;
-    unsigned int      n_unstable = 0;
-    std::string       which;
-    for (unsigned int i = 0; i < pairs.size(); ++i)
-      {
-        highlighted.push_back(is_unstable(pairs, i));
-        if (highlighted.back())
-          {
-            ++n_unstable;
-            which += (which.empty() ? "" : "; ") + quantities.names[i].text +
-                     " at " + rounded_text(pairs.frequency(i), 5) +
-                     " Hz, sigma " + rounded_text(pairs.sigma(i), 4) + " 1/s";
-          }
-      }
-    context.log.heading("Eigenvalues: lambda = sigma + i omega, sigma > 0 "
-                        "unstable, f = omega / 2 pi, zeta = -sigma / |lambda|");
-    std::ostringstream text;
-    table.print(text,
-                {"index",
-                 "frequency_hz",
-                 "sigma_per_s",
-                 "damping_ratio",
-                 "residual_rel",
-                 "error_estimate_rel",
-                 "discretisation_error_rel",
-                 "unstable",
-                 "name"});
-    context.log.info(text.str());
-    context.record.n_dofs  = model.n_unknowns();
-    context.record.figures = {
-      {"unstable pairs", std::to_string(n_unstable)},
-      {"which", n_unstable ? which : "none"},
-      {"pairs in the band", std::to_string(pairs.size())},
-      {"worst residual", rounded_text(pairs.residual.maxCoeff(), 2)},
-      {"worst error estimate",
-       rounded_text(pairs.error_estimate.maxCoeff(), 2)},
-      {"unknowns", std::to_string(model.n_unknowns())},
-      {"basis", std::to_string(solution.basis_size)}};
+    log_eigenvalues(context.log, table);
+    const UnstablePairs unstable = unstable_pairs(pairs, quantities);
+    context.record.n_dofs        = model.n_unknowns();
+    context.record.figures       = {
+            {"unstable pairs", std::to_string(unstable.number)},
+            {"which", unstable.number ? unstable.text : "none"},
+            {"pairs in the band", std::to_string(pairs.size())},
+            {"worst residual", rounded_text(pairs.residual.maxCoeff(), 2)},
+            {"worst error estimate",
+             rounded_text(pairs.error_estimate.maxCoeff(), 2)},
+            {"unknowns", std::to_string(model.n_unknowns())},
+            {"basis", std::to_string(solution.basis_size)}};
 
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
-    report.set_verdict(
-      n_unstable ? HtmlReport::Verdict::bad : HtmlReport::Verdict::good,
-      n_unstable == 0 ? "no unstable pair in the band"
-      : n_unstable == 1
-        ? "1 unstable pair: " + which
-        : std::to_string(n_unstable) + " unstable pairs: " + which,
-      context.record.figures);
+    report.set_verdict(unstable.number ? HtmlReport::Verdict::bad
+                                       : HtmlReport::Verdict::good,
+                       unstable.verdict(),
+                       context.record.figures);
     if (p.output.plots)
       {
         Timers::Section section(context.timers, "Write: charts");
@@ -211,13 +254,13 @@ namespace squeal
         model.discretization() && model.discretization()->has_mesh())
       {
         Timers::Section section(context.timers, "Write: shapes");
-        if (n_unstable)
+        if (unstable.number)
           report.section("Unstable shapes");
         open_this =
           write_pair_shapes(context, model, pairs, quantities, report);
       }
     report.section("Eigenvalues");
-    report.table(table, "Pairs in the band", {}, highlighted);
+    report.table(table, "Pairs in the band", {}, unstable.is_unstable);
     context.finish(p.output.report ? &report : nullptr, open_this);
   }
 } // namespace squeal

@@ -219,6 +219,137 @@ namespace squeal
       write_atomically(path,
                        [&](std::ostream &out) { out << json.dump(2) << '\n'; });
     }
+
+
+
+    /** contact.vtu and the picture of pressure and status. Returns the name of
+     * the former. */
+    std::string
+    write_contact(RunContext          &context,
+                  const PressedModel  &pressed,
+                  const SteadySliding &full,
+                  const Table         &contact,
+                  HtmlReport          &report)
+    {
+      const ContactGeometry &g        = pressed.geometry();
+      std::vector<double>    pressure = contact.reals("pressure_pa"), traction,
+                          status;
+      for (const auto s : full.status)
+        status.push_back(static_cast<int>(s));
+      for (std::size_t j = 0; j < g.points.size(); ++j)
+        {
+          for (const char *name : {"traction_x_pa", "traction_y_pa"})
+            traction.push_back(contact.real(j, name));
+          traction.push_back(0.);
+        }
+      const ContactMap  map       = contact_map(g);
+      const std::string open_this = "contact.vtu";
+      map.write_vtu(context.output.file(open_this),
+                    {{"pressure", pressure},
+                     {"traction", traction},
+                     {"gap", contact.reals("gap_m")},
+                     {"status", status}});
+      if (context.parameters.output.plots)
+        {
+          Timers::Section section(context.timers, "Write: charts");
+          for (double &value : pressure)
+            value *= 1e-6;
+          context.output.file("plots/pressure.png");
+          const std::string path = context.output.path() + "/plots/pressure";
+          map.plot(
+            context.plotter,
+            {{"Contact pressure", "MPa", pressure, 0., 0., {}, {}},
+             {"0 open, 1 stick, 2 slip", "status", status, 0., 2., {}, {}}},
+            path);
+          report.section("Pressure");
+          report.figure(path + ".png",
+                        "Pressure and status of the contact nodes; the "
+                        "target's surface moves to +y");
+        }
+      return open_this;
+    }
+
+
+
+    void
+    report_stiffness(RunContext &context, HtmlReport &report)
+    {
+      const Table table = stiffness_table(context);
+      context.write_table("preload_stiffness.csv", table);
+      report.section("Contact stiffness");
+      if (context.parameters.output.plots && context.is_root)
+        {
+          context.output.file("plots/stiffness.png");
+          const std::string path = context.output.path() + "/plots/stiffness";
+          draw_stiffness(context, table, path);
+          report.figure(path + ".png", "Secant stiffness at full load", true);
+        }
+      report.table(table,
+                   "Secant contact stiffness",
+                   {"value",
+                    "load_share",
+                    "normal_n",
+                    "n_open",
+                    "leading_edge_factor",
+                    "secant_stiffness_n_per_m",
+                    "secant_stiffness_of_load_n_per_m"});
+    }
+
+
+
+    /** The contact under the full load, the last of @p steps, as figures of the
+     * run. */
+    std::vector<std::pair<std::string, std::string>>
+    full_load_figures(const Table &steps, const unsigned int n_unknowns)
+    {
+      const auto shown = [&](const std::string &name) {
+        return steps.display(steps.n_rows() - 1, steps.column_index(name));
+      };
+      return {
+        {"nodes open, slipping, sticking",
+         shown("n_open") + ", " + shown("n_slip") + ", " + shown("n_stick")},
+        {"normal force", shown("normal_n") + " N"},
+        {"friction force", shown("tangential_n") + " N"},
+        {"centre of pressure x, y",
+         shown("centre_x_m") + ", " + shown("centre_y_m") + " m"},
+        {"leading-edge factor", shown("leading_edge_factor")},
+        {"peak pressure", shown("peak_pressure_pa") + " Pa"},
+        {"secant stiffness", shown("secant_stiffness_n_per_m") + " N/m"},
+        {"unknowns", std::to_string(n_unknowns)}};
+    }
+
+
+
+    /** "5 of 9 nodes slip, ..." under the full load. */
+    std::string
+    full_load_text(const Table &steps, const std::size_t n_nodes)
+    {
+      const auto shown = [&](const std::string &name) {
+        return steps.display(steps.n_rows() - 1, steps.column_index(name));
+      };
+      return shown("n_slip") + " of " + std::to_string(n_nodes) +
+             " nodes slip, " + shown("n_stick") + " stick, " + shown("n_open") +
+             " are open";
+    }
+
+
+
+    void
+    log_steps(RunContext &context, const Table &steps, const bool is_at_rest)
+    {
+      context.log.heading(is_at_rest ? "Contact at rest" : "Steady sliding");
+      std::ostringstream text;
+      steps.print(text,
+                  {"load_share",
+                   "normal_n",
+                   "tangential_n",
+                   "n_open",
+                   "n_slip",
+                   "n_stick",
+                   "leading_edge_factor",
+                   "secant_stiffness_n_per_m"});
+      context.log.info(text.str());
+    }
   } // namespace
 
 
@@ -240,50 +371,24 @@ namespace squeal
     for (std::size_t k = 0; k < states.size(); ++k)
       add_step(steps, pressed, states[k], double(k + 1) / states.size());
     context.write_table("preload.csv", steps);
-    const auto &g       = pressed.geometry();
-    const Table contact = contact_table(
-      g, full.forces, full.motion, pressed.model().initial_gap, full.status);
+    const Table contact = contact_table(pressed.geometry(),
+                                        full.forces,
+                                        full.motion,
+                                        pressed.model().initial_gap,
+                                        full.status);
     context.write_table("contact.csv", contact);
 
-    const std::size_t last  = steps.n_rows() - 1;
-    const auto        shown = [&](const std::string &name) {
-      return steps.display(last, steps.column_index(name));
-    };
-    context.log.heading(pressed.speed() == 0. ? "Contact at rest"
-                                              : "Steady sliding");
-    std::ostringstream text;
-    steps.print(text,
-                {"load_share",
-                 "normal_n",
-                 "tangential_n",
-                 "n_open",
-                 "n_slip",
-                 "n_stick",
-                 "leading_edge_factor",
-                 "secant_stiffness_n_per_m"});
-    context.log.info(text.str());
+    const bool is_at_rest = pressed.speed() == 0.;
+    log_steps(context, steps, is_at_rest);
     context.record.n_dofs  = model.n_unknowns();
-    context.record.figures = {
-      {"nodes open, slipping, sticking",
-       shown("n_open") + ", " + shown("n_slip") + ", " + shown("n_stick")},
-      {"normal force", shown("normal_n") + " N"},
-      {"friction force", shown("tangential_n") + " N"},
-      {"centre of pressure x, y",
-       shown("centre_x_m") + ", " + shown("centre_y_m") + " m"},
-      {"leading-edge factor", shown("leading_edge_factor")},
-      {"peak pressure", shown("peak_pressure_pa") + " Pa"},
-      {"secant stiffness", shown("secant_stiffness_n_per_m") + " N/m"},
-      {"unknowns", std::to_string(model.n_unknowns())}};
+    context.record.figures = full_load_figures(steps, model.n_unknowns());
 
     HtmlReport report(
-      (pressed.speed() == 0. ? "Contact at rest of " : "Steady sliding of ") +
+      (is_at_rest ? "Contact at rest of " : "Steady sliding of ") +
         p.scene.name,
       "pressure under the loads, compression positive");
     report.set_verdict(HtmlReport::Verdict::neutral,
-                       shown("n_slip") + " of " +
-                         std::to_string(g.points.size()) + " nodes slip, " +
-                         shown("n_stick") + " stick, " + shown("n_open") +
-                         " are open",
+                       full_load_text(steps, pressed.geometry().points.size()),
                        context.record.figures);
     std::string open_this;
     if (context.is_root)
@@ -292,64 +397,12 @@ namespace squeal
                    context.output.file("preload.json"),
                    p.scene.contacts[0].friction_coefficient,
                    pressed.speed());
-        const ContactMap    map      = contact_map(g);
-        std::vector<double> pressure = contact.reals("pressure_pa"), status;
-        for (const auto s : full.status)
-          status.push_back(static_cast<int>(s));
-        std::vector<double> traction;
-        for (std::size_t j = 0; j < g.points.size(); ++j)
-          for (const char *name : {"traction_x_pa", "traction_y_pa"})
-            traction.push_back(contact.real(j, name));
-        for (std::size_t j = 0; j < g.points.size(); ++j)
-          traction.insert(traction.begin() + 3 * j + 2, 0.);
-        open_this = "contact.vtu";
-        map.write_vtu(context.output.file(open_this),
-                      {{"pressure", pressure},
-                       {"traction", traction},
-                       {"gap", contact.reals("gap_m")},
-                       {"status", status}});
-        if (p.output.plots)
-          {
-            Timers::Section section(context.timers, "Write: charts");
-            for (double &value : pressure)
-              value *= 1e-6;
-            context.output.file("plots/pressure.png");
-            const std::string path = context.output.path() + "/plots/pressure";
-            map.plot(
-              context.plotter,
-              {{"Contact pressure", "MPa", pressure, 0., 0., {}, {}},
-               {"0 open, 1 stick, 2 slip", "status", status, 0., 2., {}, {}}},
-              path);
-            report.section("Pressure");
-            report.figure(path + ".png",
-                          "Pressure and status of the contact nodes; the "
-                          "target's surface moves to +y");
-          }
+        open_this = write_contact(context, pressed, full, contact, report);
       }
     report.section("Load steps");
     report.table(steps, "Contact over the load");
     if (!p.preload.stiffness_entry.empty())
-      {
-        const Table table = stiffness_table(context);
-        context.write_table("preload_stiffness.csv", table);
-        report.section("Contact stiffness");
-        if (p.output.plots && context.is_root)
-          {
-            context.output.file("plots/stiffness.png");
-            const std::string path = context.output.path() + "/plots/stiffness";
-            draw_stiffness(context, table, path);
-            report.figure(path + ".png", "Secant stiffness at full load", true);
-          }
-        report.table(table,
-                     "Secant contact stiffness",
-                     {"value",
-                      "load_share",
-                      "normal_n",
-                      "n_open",
-                      "leading_edge_factor",
-                      "secant_stiffness_n_per_m",
-                      "secant_stiffness_of_load_n_per_m"});
-      }
+      report_stiffness(context, report);
     context.finish(p.output.report ? &report : nullptr, open_this);
   }
 } // namespace squeal

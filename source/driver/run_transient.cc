@@ -85,40 +85,67 @@ namespace squeal
       write_wav(path, prolonged(acceleration, rate, sound_seconds), rate);
     }
 
-    void
-    report_run(RunContext              &context,
-               const Model             &model,
-               const PreparedTransient &prepared,
-               const TransientRecord   &record,
-               const TransientFigures  &f)
+    /** Tables of the run but for that over a changing speed. */
+    struct RunTables
     {
-      const auto &p       = context.parameters;
-      const Table summary = transient_table(f), branches = branch_table(f);
-      context.write_table("transient.csv", summary);
-      context.write_table("branches.csv", branches);
+      Table summary, branches, zones, phases;
+    };
+
+
+
+    RunTables
+    write_tables(RunContext              &context,
+                 const PreparedTransient &prepared,
+                 const TransientRecord   &record,
+                 const TransientFigures  &f)
+    {
+      RunTables tables = {transient_table(f),
+                          branch_table(f),
+                          zone_table(prepared, record),
+                          phase_table(record, f)};
+      context.write_table("transient.csv", tables.summary);
+      context.write_table("branches.csv", tables.branches);
       context.write_table("forces.csv", force_table(record));
       context.write_table("energy.csv", energy_table(record));
       context.write_table("probes.csv", probe_table(record));
-      const Table zones = zone_table(prepared, record);
-      context.write_table("zones.csv", zones);
-      const Table phases = phase_table(record, f);
-      context.write_table("phase.csv", phases);
-      if (context.is_root)
-        {
-          Timers::Section section(context.timers, "Write: history");
-          write_transient_json(f, context.output.file("transient.json"));
-          write_sound(record, context.output.file("pad.wav"));
-          if (record.history.n_samples() > 0)
-            write_contact_history(prepared,
-                                  record,
-                                  p.scene.name,
-                                  context.output.file("contact_history.h5"));
-        }
+      context.write_table("zones.csv", tables.zones);
+      context.write_table("phase.csv", tables.phases);
+      return tables;
+    }
+
+
+
+    /** History, JSON and sound. */
+    void
+    write_files(RunContext              &context,
+                const PreparedTransient &prepared,
+                const TransientRecord   &record,
+                const TransientFigures  &f)
+    {
+      if (!context.is_root)
+        return;
+      Timers::Section section(context.timers, "Write: history");
+      write_transient_json(f, context.output.file("transient.json"));
+      write_sound(record, context.output.file("pad.wav"));
+      if (record.history.n_samples() > 0)
+        write_contact_history(prepared,
+                              record,
+                              context.parameters.scene.name,
+                              context.output.file("contact_history.h5"));
+    }
+
+
+
+    std::vector<std::pair<std::string, std::string>>
+    figures_of_run(const Table            &summary,
+                   const TransientFigures &f,
+                   const TriggerOutcome   &trigger)
+    {
       const auto shown = [&](const std::string &name) {
         return summary.display(0, summary.column_index(name));
       };
-      const bool has_fit     = !summary.is_missing(0, "growth_rate_per_s");
-      context.record.figures = {
+      const bool has_fit = !summary.is_missing(0, "growth_rate_per_s");
+      std::vector<std::pair<std::string, std::string>> figures = {
         {"verdict", f.verdict},
         {"growth rate",
          has_fit ? shown("growth_rate_per_s") + " +- " +
@@ -141,21 +168,22 @@ namespace squeal
         {"steps per second",
          shown("steps_per_second") + ", " + shown("iterations_per_step") +
            " iterations a step"}};
-      const bool  has_ramp = p.transient.final_speed_ratio != 1.;
-      const Table speeds   = speed_table(record, p);
-      if (has_ramp)
-        context.write_table("speeds.csv", speeds);
-      if (const TriggerOutcome trigger = evaluate_trigger(record, p.transient);
-          !trigger.text.empty())
-        context.record.figures.emplace_back(
+      if (!trigger.text.empty())
+        figures.emplace_back(
           "outcome",
           trigger.text + ": rms of the normal force " +
             rounded_text(trigger.before, 3) + " N before the trigger, " +
             rounded_text(trigger.after, 3) + " N after it, " +
             rounded_text(trigger.end, 3) + " N at the end");
-      const std::string animation =
-        write_animation(context, model, prepared, record);
-      context.log.heading("Pairs about steady sliding and in time");
+      return figures;
+    }
+
+
+
+    void
+    log_pairs(RunLog &log, const Table &branches)
+    {
+      log.heading("Pairs about steady sliding and in time");
       std::ostringstream text;
       branches.print(text,
                      {"branch",
@@ -166,7 +194,30 @@ namespace squeal
                       "growth_rate_per_s",
                       "growth_rate_ci_per_s",
                       "e_foldings"});
-      context.log.info(text.str());
+      log.info(text.str());
+    }
+
+
+
+    void
+    report_run(RunContext              &context,
+               const Model             &model,
+               const PreparedTransient &prepared,
+               const TransientRecord   &record,
+               const TransientFigures  &f)
+    {
+      const auto     &p      = context.parameters;
+      const RunTables tables = write_tables(context, prepared, record, f);
+      write_files(context, prepared, record, f);
+      context.record.figures = figures_of_run(
+        tables.summary, f, evaluate_trigger(record, p.transient));
+      const bool  has_ramp = p.transient.final_speed_ratio != 1.;
+      const Table speeds   = speed_table(record, p);
+      if (has_ramp)
+        context.write_table("speeds.csv", speeds);
+      const std::string animation =
+        write_animation(context, model, prepared, record);
+      log_pairs(context.log, tables.branches);
 
       HtmlReport report("Transient of " + p.scene.name,
                         "motion in time about steady sliding");
@@ -182,16 +233,18 @@ namespace squeal
         {
           Timers::Section section(context.timers, "Write: charts");
           draw_transient(context, prepared, record, f, report);
-          draw_phases(context, {{"", phases}}, report);
+          draw_phases(context, {{"", tables.phases}}, report);
           if (has_ramp)
             draw_speeds(context, speeds, report);
         }
       report.section("Pairs");
-      report.table(branches, "Pairs about steady sliding and in time");
+      report.table(tables.branches, "Pairs about steady sliding and in time");
       report.section("Contact zones");
-      report.table(zones, "Second half of the run", {}, {}, false);
+      report.table(tables.zones, "Second half of the run", {}, {}, false);
       context.finish(p.output.report ? &report : nullptr, animation);
     }
+
+
 
     /** What the damping that keeps impacts from ringing does to the growing
      * pairs of the band: modes near the cut-off follow their motion too, and

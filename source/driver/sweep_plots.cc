@@ -325,7 +325,11 @@ namespace squeal
     if (!loci.empty())
       draw("locus", "Paths of the pairs that coalesce", loci);
     if (model.grid().n_axes() == 2)
-      draw("stability_map", "Unstable ranges", {map_chart(model, solution)});
+      draw(
+        "stability_map",
+        "Unstable ranges: a line from the lower to the upper edge of each, in "
+        "the colour of its frequency; ranges that overlap are shifted a little",
+        {map_chart(model, solution)});
     for (const ChartGroup &group : others)
       draw(group.name, group.caption, group.charts);
     if (model.history().size() > 1)

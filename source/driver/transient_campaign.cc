@@ -5,99 +5,23 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/driver/campaign_table.h>
+#include <squeal/driver/finished_runs.h>
 #include <squeal/driver/run_context.h>
 #include <squeal/driver/transient_results.h>
-#include <squeal/parameters/choices.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <future>
+#include <map>
+#include <memory>
 #include <sstream>
 
 namespace squeal
 {
   namespace
   {
-    using Kind = SupportParameters::Kind;
-
     /** What the key of a run's phases ends with. */
     const std::string phase_key = "phases";
-
-    std::vector<double>
-    axis_values(const SweepAxisParameters &a)
-    {
-      if (a.scale == SweepAxisParameters::Scale::list)
-        return a.values;
-      std::vector<double> result;
-      for (unsigned int i = 0; i < a.number; ++i)
-        {
-          const double s = a.number > 1 ? double(i) / (a.number - 1) : 0.;
-          result.push_back(a.scale == SweepAxisParameters::Scale::logarithmic
-                             ? a.from[0] * std::pow(a.to[0] / a.from[0], s)
-                             : (1. - s) * a.from[0] + s * a.to[0]);
-        }
-      return result;
-    }
-
-    bool
-    is_friction(const SweepAxisParameters &a)
-    {
-      for (const auto &entry : a.entries)
-        if (entry.find("/Friction coefficient") == std::string::npos)
-          return false;
-      return true;
-    }
-
-    /** What a table shows of a value: names tell. */
-    double
-    shown_value(const std::string &axis, const double value)
-    {
-      if (axis.rfind("log10_", 0) == 0)
-        return std::log10(value);
-      return axis.size() > 4 && axis.substr(axis.size() - 4) == "_mpa"
-               ? 1e-6 * value
-               : value;
-    }
-
-    /** Combinations of the values of some axes. */
-    std::vector<std::vector<double>>
-    combinations(const std::vector<SweepAxisParameters> &axes,
-                 const bool                              friction)
-    {
-      std::vector<std::vector<double>> all = {{}};
-      for (const auto &axis : axes)
-        if (is_friction(axis) == friction)
-          {
-            std::vector<std::vector<double>> next;
-            for (const auto &head : all)
-              for (const double value : axis_values(axis))
-                {
-                  next.push_back(head);
-                  next.back().push_back(value);
-                }
-            all = next;
-          }
-      return all;
-    }
-
-    Parameters
-    at_point(Parameters                              p,
-             const std::vector<SweepAxisParameters> &axes,
-             const std::vector<double>              &values,
-             const bool                              friction)
-    {
-      std::size_t i = 0;
-      for (const auto &axis : axes)
-        if (is_friction(axis) == friction)
-          {
-            for (const auto &entry : axis.entries)
-              p = with_value(p, entry, values[i]);
-            ++i;
-          }
-      return p;
-    }
-
 
 
     /** All runs with one set of bodies. */
@@ -197,17 +121,13 @@ namespace squeal
       return directory + "_runs.json";
     }
 
-    std::vector<double>
-    shown_values(const std::vector<SweepAxisParameters> &axes,
-                 const std::vector<double>              &others,
-                 const std::vector<double>              &frictions)
+    std::string
+    version_of(const RunRecord &record)
     {
-      std::vector<double> result;
-      std::size_t         i = 0, k = 0;
-      for (const auto &axis : axes)
-        result.push_back(shown_value(
-          axis.name, is_friction(axis) ? frictions[k++] : others[i++]));
-      return result;
+      for (const auto &[name, number] : record.versions)
+        if (name == "squeal")
+          return number;
+      return "unknown";
     }
 
     /** Runs side by side: factorisations of full models stand one at a time. */
@@ -221,24 +141,6 @@ namespace squeal
       return asked;
     }
 
-    /** The same run by each integrator asked for. */
-    std::vector<CampaignRun>
-    by_integrators(const CampaignRun &run)
-    {
-      const auto &asked = run.parameters.transient.integrators;
-      if (asked.empty())
-        return {run};
-      std::vector<CampaignRun> result;
-      for (const auto &[name, integrator] :
-           choices(TransientParameters::Integrator()))
-        if (std::find(asked.begin(), asked.end(), name) != asked.end())
-          {
-            result.push_back(run);
-            result.back().parameters.transient.integrator = integrator;
-          }
-      return result;
-    }
-
     /** What a campaign gathers. */
     struct CampaignResults
     {
@@ -250,6 +152,8 @@ namespace squeal
       }
 
       Table table;
+      /** Rows of an earlier campaign by the version of the program. */
+      std::map<std::string, unsigned int> n_by_program;
       /** Phases over time are kept where a trigger is there. */
       bool                                       keeps_phases;
       std::vector<std::pair<std::string, Table>> phases;
@@ -303,93 +207,188 @@ namespace squeal
       return table;
     }
 
-    /** Runs of one group that are still to be done, a few at a time. */
-    void
-    run_group(const std::vector<CampaignRun> &runs,
-              RunContext                     &context,
-              FinishedRuns                   &finished,
-              Progress                       &progress,
-              CampaignResults                &results)
+    /** A run of a group on its way. */
+    struct StartedRun
     {
-      Table             &table = results.table;
-      const unsigned int side_by_side =
-        n_threads(runs, context.parameters.transient.threads);
-      std::unique_ptr<CampaignGroup> group;
-      const auto                     add = [&](const CampaignRun       &run,
-                           const std::vector<Cell> &row,
-                           const std::vector<Cell> &phases,
-                           const bool               is_new) {
-        table.add_row(row);
-        if (results.keeps_phases)
-          results.phases.emplace_back(run_label(run, table), phases_of(phases));
-        if (is_new && context.is_root)
+      std::vector<Cell>                  row; /**< if it was finished before */
+      std::unique_ptr<PreparedTransient> prepared; /**< null: no sliding */
+      std::future<TransientRecord>       record;
+    };
+
+
+
+    /** Runs a campaign group by group and keeps what is finished. */
+    class CampaignRunner
+    {
+    public:
+      CampaignRunner(RunContext      &context,
+                     FinishedRuns    &finished,
+                     Progress        &progress,
+                     CampaignResults &results)
+        : context(context)
+        , finished(finished)
+        , progress(progress)
+        , results(results)
+      {
+      }
+
+      /** Runs of one group that are still to be done, a few at a time. */
+      void
+      run(const std::vector<CampaignRun> &runs)
+      {
+        std::unique_ptr<CampaignGroup> group;
+        const std::size_t              side_by_side =
+          n_threads(runs, context.parameters.transient.threads);
+        for (std::size_t first = 0; first < runs.size(); first += side_by_side)
           {
-            if (results.keeps_phases)
-              finished.add(run.key + phase_key, phases);
-            finished.add(run.key, row);
+            const std::size_t n = std::min(side_by_side, runs.size() - first);
+            StopRequest       stop;
+            // They stay where they are: threads read them.
+            std::vector<StartedRun> started(n);
+            for (std::size_t i = 0; i < n; ++i)
+              start(runs[first + i], group, stop, started[i]);
+            for (std::size_t i = 0; i < n; ++i)
+              finish(runs[first + i], group, stop, i, started);
           }
-        progress.advance(1, run.top);
-      };
-      for (std::size_t first = 0; first < runs.size(); first += side_by_side)
+      }
+
+    private:
+      RunContext      &context;
+      FinishedRuns    &finished;
+      Progress        &progress;
+      CampaignResults &results;
+
+      void
+      start(const CampaignRun              &run,
+            std::unique_ptr<CampaignGroup> &group,
+            const StopRequest              &stop,
+            StartedRun                     &started)
+      {
+        if (finished.find(run.key, results.table.columns().size(), started.row))
+          {
+            ++results.n_by_program[finished.program_of(run.key)];
+            return;
+          }
+        if (!group)
+          group = std::make_unique<CampaignGroup>(run.parameters, context);
+        started.prepared = group->prepare(run);
+        if (started.prepared)
+          started.record = std::async(std::launch::async, [&]() {
+            return CampaignGroup::integrate(run, *started.prepared, stop);
+          });
+      }
+
+      void
+      finish(const CampaignRun              &run,
+             std::unique_ptr<CampaignGroup> &group,
+             StopRequest                    &stop,
+             const std::size_t               i,
+             std::vector<StartedRun>        &started)
+      {
+        if (!started[i].row.empty())
+          {
+            std::vector<Cell> phases;
+            finished.find(run.key + phase_key, 0, phases);
+            add(run, started[i].row, phases);
+            return;
+          }
+        if (!started[i].prepared)
+          {
+            keep(run, row_without_sliding(run, results.table), {});
+            return;
+          }
+        TransientRecord record;
         {
-          const std::size_t last =
-            std::min<std::size_t>(first + side_by_side, runs.size());
-          std::vector<std::unique_ptr<PreparedTransient>> prepared;
-          std::vector<std::future<TransientRecord>>       records;
-          std::vector<std::vector<Cell>>                  rows(last - first);
-          StopRequest                                     stop;
-          for (std::size_t i = first; i < last; ++i)
-            {
-              prepared.emplace_back();
-              records.emplace_back();
-              if (finished.find(
-                    runs[i].key, table.columns().size(), rows[i - first]))
-                continue;
-              if (!group)
-                group = std::make_unique<CampaignGroup>(runs[first].parameters,
-                                                        context);
-              prepared.back() = group->prepare(runs[i]);
-              if (prepared.back())
-                records.back() =
-                  std::async(std::launch::async, [&, i, first]() {
-                    return CampaignGroup::integrate(
-                      runs[i], *prepared[i - first], stop);
-                  });
-            }
-          for (std::size_t i = first; i < last; ++i)
-            {
-              const bool is_known = !rows[i - first].empty();
-              if (is_known)
-                {
-                  std::vector<Cell> phases;
-                  finished.find(runs[i].key + phase_key, 0, phases);
-                  add(runs[i], rows[i - first], phases, false);
-                  continue;
-                }
-              if (!prepared[i - first])
-                {
-                  add(runs[i], row_without_sliding(runs[i], table), {}, true);
-                  continue;
-                }
-              TransientRecord record;
-              {
-                Timers::Section section(context.timers, "Solve: time steps");
-                record = records[i - first].get();
-              }
-              if (stop.is_there())
-                {
-                  for (std::size_t k = i + 1; k < last; ++k)
-                    if (records[k - first].valid())
-                      records[k - first].wait();
-                  context.log.info("stopped; the same command goes on with the "
-                                   "runs that are left");
-                  stop.repeat();
-                }
-              const auto outcome =
-                group->evaluate(runs[i], *prepared[i - first], record);
-              add(runs[i], outcome.row, joined(outcome.phases), true);
-            }
+          Timers::Section section(context.timers, "Solve: time steps");
+          record = started[i].record.get();
         }
+        if (stop.is_there())
+          {
+            for (StartedRun &other : started)
+              if (other.record.valid())
+                other.record.wait();
+            context.log.info("stopped; the same command goes on with the "
+                             "runs that are left");
+            stop.repeat();
+          }
+        const auto outcome = group->evaluate(run, *started[i].prepared, record);
+        keep(run, outcome.row, joined(outcome.phases));
+      }
+
+      void
+      add(const CampaignRun       &run,
+          const std::vector<Cell> &row,
+          const std::vector<Cell> &phases)
+      {
+        results.table.add_row(row);
+        if (results.keeps_phases)
+          results.phases.emplace_back(run_label(run, results.table),
+                                      phases_of(phases));
+        progress.advance(1, run.top);
+      }
+
+      /** A new row. */
+      void
+      keep(const CampaignRun       &run,
+           const std::vector<Cell> &row,
+           const std::vector<Cell> &phases)
+      {
+        add(run, row, phases);
+        if (!context.is_root)
+          return;
+        if (results.keeps_phases)
+          finished.add(run.key + phase_key, phases);
+        finished.add(run.key, row);
+      }
+    };
+
+
+
+    /** Warns of rows that another version of the program made. */
+    void
+    warn_of_other_programs(const CampaignResults &results,
+                           const std::string     &program,
+                           RunLog                &log)
+    {
+      for (const auto &[other, number] : results.n_by_program)
+        if (other != program)
+          log.warning(std::to_string(number) +
+                      " of the rows were kept from squeal " + other +
+                      ", this is " + program +
+                      ": Transient/Resume = false runs them again");
+    }
+
+
+
+    void
+    report_campaign(RunContext                     &context,
+                    const CampaignResults          &results,
+                    const std::vector<CampaignRun> &runs)
+    {
+      const Parameters &p     = context.parameters;
+      const Table      &table = results.table;
+      context.write_table(p.transient.campaign_table, table);
+      std::ostringstream text;
+      table.print(text);
+      context.log.heading("Campaign");
+      context.log.info(text.str());
+      context.record.figures = {{"runs", std::to_string(table.n_rows())}};
+      HtmlReport report("Transients of " + p.scene.name,
+                        "over the axes of the campaign");
+      report.set_verdict(HtmlReport::Verdict::neutral,
+                         std::to_string(table.n_rows()) + " runs",
+                         context.record.figures);
+      if (results.keeps_phases)
+        context.write_table("phases.csv", all_phases(results, runs));
+      if (p.output.plots && context.is_root)
+        {
+          draw_campaign(context, table, report);
+          if (results.keeps_phases)
+            draw_phases(context, results.phases, report);
+        }
+      report.section("Runs");
+      report.table(table, "One row for each run");
+      context.finish(p.output.report ? &report : nullptr, "");
     }
   } // namespace
 
@@ -398,84 +397,21 @@ namespace squeal
   void
   run_campaign(RunContext &context)
   {
-    const Parameters        &p    = context.parameters;
-    const auto              &axes = p.sweep.axes;
-    std::vector<std::string> tops = p.transient.tops;
-    if (tops.empty())
-      tops.push_back("");
-    CampaignResults                       results(p);
-    std::vector<std::vector<CampaignRun>> groups;
-    std::size_t                           n_runs = 0;
-    for (const std::string &top : tops)
-      for (const auto &others : combinations(axes, false))
-        {
-          Parameters base = at_point(p, axes, others, false);
-          groups.emplace_back();
-          for (const auto &frictions : combinations(axes, true))
-            {
-              CampaignRun run{at_point(base, axes, frictions, true),
-                              shown_values(axes, others, frictions),
-                              top,
-                              ""};
-              auto       &scene       = run.parameters.scene;
-              scene.contacts[0].state = ContactParameters::State::full;
-              for (auto &support : scene.supports)
-                if (!top.empty() && support.name == p.transient.top_support)
-                  for (const auto &[name, kind] : choices(Kind()))
-                    if (name == top)
-                      support.kind = kind;
-              // Node fields and frames are not kept in a campaign.
-              run.parameters.transient.history_start       = 1e300;
-              run.parameters.transient.animation_frames    = 0;
-              run.parameters.discretization.estimate_error = false;
-              for (CampaignRun &each : by_integrators(run))
-                {
-                  each.key = key_of_motion(each.parameters);
-                  // Axes may be numbers that the key does not name.
-                  for (std::size_t i = 0; i < axes.size(); ++i)
-                    each.key +=
-                      axes[i].name + " " + shortest_text(each.shown[i]) + "\n";
-                  groups.back().push_back(each);
-                  ++n_runs;
-                }
-            }
-        }
-    if (p.scene.contacts[0].friction_coefficient < 0.)
-      throw InputError("Scene/Contact/Friction coefficient: a campaign needs "
-                       "one of at least 0");
-    FinishedRuns finished(finished_file(p), p.transient.resume);
+    const Parameters        &p      = context.parameters;
+    const auto               groups = campaign_groups(p);
+    std::vector<CampaignRun> runs;
+    for (const auto &group : groups)
+      runs.insert(runs.end(), group.begin(), group.end());
+    const std::string program = version_of(context.record);
+    CampaignResults   results(p);
+    FinishedRuns      finished(finished_file(p), program, p.transient.resume);
     {
-      Progress progress(context.log, "transients", n_runs);
-      for (const auto &runs : groups)
-        run_group(runs, context, finished, progress, results);
+      Progress       progress(context.log, "transients", runs.size());
+      CampaignRunner runner(context, finished, progress, results);
+      for (const auto &group : groups)
+        runner.run(group);
     }
-    const Table &table = results.table;
-    context.write_table(p.transient.campaign_table, table);
-    std::ostringstream text;
-    table.print(text);
-    context.log.heading("Campaign");
-    context.log.info(text.str());
-    context.record.figures = {{"runs", std::to_string(table.n_rows())}};
-    HtmlReport report("Transients of " + p.scene.name,
-                      "over the axes of the campaign");
-    report.set_verdict(HtmlReport::Verdict::neutral,
-                       std::to_string(table.n_rows()) + " runs",
-                       context.record.figures);
-    if (results.keeps_phases)
-      {
-        std::vector<CampaignRun> runs;
-        for (const auto &group : groups)
-          runs.insert(runs.end(), group.begin(), group.end());
-        context.write_table("phases.csv", all_phases(results, runs));
-      }
-    if (p.output.plots && context.is_root)
-      {
-        draw_campaign(context, table, report);
-        if (results.keeps_phases)
-          draw_phases(context, results.phases, report);
-      }
-    report.section("Runs");
-    report.table(table, "One row for each run");
-    context.finish(p.output.report ? &report : nullptr, "");
+    warn_of_other_programs(results, program, context.log);
+    report_campaign(context, results, runs);
   }
 } // namespace squeal

@@ -6,39 +6,49 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <ostream>
 
 namespace squeal
 {
   namespace
   {
-    /** Coordinates that differ by more than @p tolerance, ascending. */
-    std::vector<double>
-    distinct(std::vector<double> all, const double tolerance)
+    /** How far a cell of that area may reach: those at corners of a face whose
+     * cells are four times as long as wide do. */
+    constexpr double reach = 2.;
+
+    constexpr std::uint8_t vtk_vertex = 1, vtk_polygon = 7;
+
+    std::vector<PlanarPoint>
+    in_plane(const std::vector<std::array<double, 3>> &points)
     {
-      std::sort(all.begin(), all.end());
-      std::vector<double> result;
-      for (const double x : all)
-        if (result.empty() || x - result.back() > tolerance)
-          result.push_back(x);
+      std::vector<PlanarPoint> result;
+      for (const auto &p : points)
+        result.push_back({p[0], p[1]});
       return result;
     }
 
-    std::size_t
-    index_of(const std::vector<double> &all, const double x)
-    {
-      std::size_t best = 0;
-      for (std::size_t i = 1; i < all.size(); ++i)
-        if (std::abs(all[i] - x) < std::abs(all[best] - x))
-          best = i;
-      return best;
-    }
 
-    double
-    middle(const std::vector<double> &all, const std::size_t i, const int side)
+
+    /** Closed outlines of the cells, mm, at the height of their values. */
+    std::string
+    outline_data(const std::vector<std::vector<PlanarPoint>> &cells,
+                 const std::vector<double>                   &values)
     {
-      const std::size_t k = i + side;
-      return k < all.size() ? 0.5 * (all[i] + all[k]) : all[i];
+      std::string data;
+      for (std::size_t j = 0; j < cells.size(); ++j)
+        {
+          for (std::size_t k = 0; k <= cells[j].size() && !cells[j].empty();
+               ++k)
+            {
+              const PlanarPoint &corner = cells[j][k % cells[j].size()];
+              data += plot_number(1e3 * corner[0]) + ' ' +
+                      plot_number(1e3 * corner[1]) + ' ' +
+                      plot_number(values[j]) + '\n';
+            }
+          data += '\n';
+        }
+      return data;
     }
   } // namespace
 
@@ -47,50 +57,13 @@ namespace squeal
   ContactMap::ContactMap(const std::vector<std::array<double, 3>> &p,
                          const Values                             &areas)
     : points(p)
+    , areas(areas)
+    , polygons(delaunay_polygons(in_plane(p)))
   {
-    double              total = 0.;
-    std::vector<double> x, y;
-    for (std::size_t j = 0; j < points.size(); ++j)
-      {
-        x.push_back(points[j][0]);
-        y.push_back(points[j][1]);
-        total += areas[j];
-      }
-    const double tolerance   = 1e-6 * std::sqrt(total);
-    x                        = distinct(x, tolerance);
-    y                        = distinct(y, tolerance);
-    const bool       is_grid = x.size() * y.size() == points.size();
-    std::vector<int> node(x.size() * y.size(), -1);
-    for (std::size_t j = 0; j < points.size(); ++j)
-      {
-        const double half = 0.5 * std::sqrt(areas[j]);
-        Box          box{points[j][0] - half,
-                points[j][0] + half,
-                points[j][1] - half,
-                points[j][1] + half};
-        if (is_grid)
-          {
-            const std::size_t a    = index_of(x, points[j][0]),
-                              b    = index_of(y, points[j][1]);
-            node[a + x.size() * b] = j;
-            box                    = {middle(x, a, -1),
-                                      middle(x, a, 1),
-                                      middle(y, b, -1),
-                                      middle(y, b, 1)};
-          }
-        boxes.push_back(box);
-      }
-    if (!is_grid || std::count(node.begin(), node.end(), -1) > 0)
-      return;
-    for (std::size_t b = 0; b + 1 < y.size(); ++b)
-      for (std::size_t a = 0; a + 1 < x.size(); ++a)
-        {
-          const std::size_t k = a + x.size() * b;
-          quads.push_back({{node[k],
-                            node[k + 1],
-                            node[k + 1 + x.size()],
-                            node[k + x.size()]}});
-        }
+    std::vector<double> reaches;
+    for (const double area : areas)
+      reaches.push_back(reach * std::sqrt(area));
+    cells = nearest_cells(in_plane(points), reaches);
   }
 
 
@@ -111,59 +84,53 @@ namespace squeal
                 std::to_string(columns));
     drawing.add("set palette defined (0 '#ffffff', 0.25 '#c6dbef', 0.5 "
                 "'#6baed6', 0.75 '#2171b5', 0.9 '#d55e00', 1 '#7f2704')");
-    drawing.add("set size ratio -1\nunset key\nset style fill solid noborder");
-    drawing.add("set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)'");
+    drawing.add("set view map\nset size ratio -1\nunset key\nunset ztics");
+    drawing.add("set style fill solid noborder");
+    drawing.add(
+      "set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)' offset -1");
     // One scale for all arrows: those of one traction are of one length,
     // whatever the panel and the cell of the node.
-    double longest = 0., area = 0.;
+    double longest = 0.;
     for (const Panel &panel : panels)
       for (std::size_t j = 0; j < panel.arrows_x.size(); ++j)
         longest =
           std::max(longest, std::hypot(panel.arrows_x[j], panel.arrows_y[j]));
-    for (const Box &b : boxes)
-      area += (b.x_max - b.x_min) * (b.y_max - b.y_min);
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.);
     const double length =
-      std::min(2.4 * std::sqrt(area / boxes.size()), 0.3 * std::sqrt(area));
+      std::min(2.4 * std::sqrt(area / areas.size()), 0.3 * std::sqrt(area));
     for (const Panel &panel : panels)
       {
-        std::string data, arrows;
-        double      lower = panel.lower, upper = panel.upper;
+        const auto ends =
+          std::minmax_element(panel.values.begin(), panel.values.end());
+        double lower = panel.lower, upper = panel.upper;
         if (!(lower < upper))
           {
-            const auto ends =
-              std::minmax_element(panel.values.begin(), panel.values.end());
             lower = std::min(0., *ends.first);
             upper = *ends.second > lower ? *ends.second : lower + 1.;
           }
-        for (std::size_t j = 0; j < boxes.size(); ++j)
-          {
-            const Box &b = boxes[j];
-            for (const double value : {points[j][0],
-                                       points[j][1],
-                                       b.x_min,
-                                       b.x_max,
-                                       b.y_min,
-                                       b.y_max})
-              data += plot_number(1e3 * value) + ' ';
-            data += plot_number(panel.values[j]) + '\n';
-            if (longest > 0. && !panel.arrows_x.empty())
-              {
-                const double scale = length / longest;
-                arrows += plot_number(1e3 * points[j][0]) + ' ' +
-                          plot_number(1e3 * points[j][1]) + ' ' +
-                          plot_number(1e3 * scale * panel.arrows_x[j]) + ' ' +
-                          plot_number(1e3 * scale * panel.arrows_y[j]) + '\n';
-              }
-          }
+        std::string arrows;
+        for (std::size_t j = 0; j < panel.arrows_x.size() && longest > 0.; ++j)
+          arrows +=
+            plot_number(1e3 * points[j][0]) + ' ' +
+            plot_number(1e3 * points[j][1]) + ' ' +
+            plot_number(1e3 * length / longest * panel.arrows_x[j]) + ' ' +
+            plot_number(1e3 * length / longest * panel.arrows_y[j]) + '\n';
         drawing.add("set title " + quoted(panel.title));
         drawing.add("set cblabel " + quoted(panel.label));
         drawing.add("set cbrange [" + plot_number(lower) + ":" +
                     plot_number(upper) + "]");
-        std::string command = "plot " + drawing.add_data(data) +
-                              " using 1:2:3:4:5:6:7 with boxxyerror lc palette";
+        // Seen from above, where the height counts for the colour only.
+        drawing.add("set zrange [" + plot_number(std::min(0., *ends.first)) +
+                    ":" + plot_number(std::max(*ends.second, upper)) + "]");
+        const std::string outlines =
+          drawing.add_data(outline_data(cells, panel.values));
+        std::string command =
+          "splot " + outlines + " using 1:2:3 with polygons fc palette z, " +
+          outlines + " using 1:2:3 with lines lw 0.5 lc rgb '#cccccc'";
         if (!arrows.empty())
-          command += ", " + drawing.add_data(arrows) +
-                     " using 1:2:3:4 with vectors filled lc rgb 'black'";
+          command +=
+            ", " + drawing.add_data(arrows) +
+            " using 1:2:(0):3:4:(0) with vectors filled lc rgb 'black'";
         drawing.add(command);
       }
     drawing.add("unset multiplot");
@@ -183,18 +150,16 @@ namespace squeal
     std::vector<std::uint8_t> types;
     for (const auto &point : points)
       coordinates.insert(coordinates.end(), point.begin(), point.end());
-    for (const auto &quad : quads)
-      {
-        connectivity.insert(connectivity.end(), quad.begin(), quad.end());
-        offsets.push_back(connectivity.size());
-        types.push_back(9);
-      }
-    for (std::size_t j = 0; quads.empty() && j < points.size(); ++j)
-      {
-        connectivity.push_back(j);
-        offsets.push_back(connectivity.size());
-        types.push_back(1);
-      }
+    const auto add_cell = [&](const std::vector<int> &nodes,
+                              const std::uint8_t      type) {
+      connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
+      offsets.push_back(connectivity.size());
+      types.push_back(type);
+    };
+    for (const std::vector<int> &polygon : polygons)
+      add_cell(polygon, vtk_polygon);
+    for (std::size_t j = 0; polygons.empty() && j < points.size(); ++j)
+      add_cell({int(j)}, vtk_vertex);
     grid.n_points = points.size();
     grid.n_cells  = types.size();
     grid.points   = vtk::data_array("points", 3, coordinates);

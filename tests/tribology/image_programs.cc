@@ -96,6 +96,19 @@ namespace
           "a mosaic of made images is synthetic");
     check(b.at("mosaic").at("pairs_refined") == 3, "three pairs are aligned");
     check_close(crack_length(b), crack_length(a), 0.05, "length of cracks");
+    const auto &cracks = a.at("images").at(0).at("cracks");
+    for (const auto &[value, deviation] :
+         {std::pair("length_mm", "length_error_mm"),
+          std::pair("area_fraction", "area_fraction_error"),
+          std::pair("mean_width_um", "mean_width_error_um")})
+      check(cracks.at(deviation) > 0. && cracks.at(deviation).get<double>() <
+                                           0.3 * cracks.at(value).get<double>(),
+            std::string(value) + " carries its error");
+    check_close(
+      read_csv("whole/segmentation.csv").real(0, "crack_length_error_m"),
+      1e-3 * cracks.at("length_error_mm").get<double>(),
+      1e-2,
+      "the same error in the table");
     const Table cells = read_csv("mosaic/cells.csv"),
                 other = read_csv("whole/cells.csv");
     check(cells.n_rows() == 12 && cells.text(0, "image") == "pad",

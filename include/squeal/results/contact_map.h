@@ -2,6 +2,7 @@
 #ifndef squeal_results_contact_map_h
 #define squeal_results_contact_map_h
 
+#include <squeal/results/planar_cells.h>
 #include <squeal/results/plotter.h>
 
 #include <array>
@@ -11,9 +12,8 @@
 namespace squeal
 {
   /**
-   * The nodes of a flat contact face and the cells they stand for: between the
-   * middles to their neighbours where the nodes are a grid in x and y, squares
-   * of their areas otherwise.
+   * The nodes of a flat contact face and the cells they stand for: what is
+   * nearer to them than to any other node.
    */
   class ContactMap
   {
@@ -46,14 +46,10 @@ namespace squeal
       const std::vector<std::pair<std::string, Values>> &fields) const;
 
   private:
-    struct Box
-    {
-      double x_min, x_max, y_min, y_max;
-    };
-    std::vector<std::array<double, 3>> points;
-    std::vector<Box>                   boxes;
-    /** Nodes of the quads between them; empty where they are no grid. */
-    std::vector<std::array<int, 4>> quads;
+    std::vector<std::array<double, 3>>    points;
+    Values                                areas;
+    std::vector<std::vector<PlanarPoint>> cells;    /**< of the nodes */
+    std::vector<std::vector<int>>         polygons; /**< between nodes */
   };
 } // namespace squeal
 

@@ -302,7 +302,8 @@ namespace squeal::tribology
       report.figure(plots + "damage_maps.png",
                     "Damage seen from the disc; the leading edge is below.");
       report.figure(plots + "range_mean.png",
-                    "Range-mean matrix of the node with the largest damage.",
+                    "Range-mean matrix of the node with the largest damage: "
+                    "cycles of each range and mean of the normal stress.",
                     true);
       if (has_silent)
         report.figure(

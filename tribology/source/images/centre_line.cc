@@ -287,27 +287,4 @@ namespace squeal::tribology
       }
     return pieces;
   }
-
-
-
-  double
-  skeleton_length(const cv::Mat &skeleton)
-  {
-    PixelPath pixels;
-    cv::findNonZero(skeleton, pixels);
-    double length = 0.;
-    for (const cv::Point &p : pixels)
-      for (int k = 0; k < 4; ++k)
-        {
-          if (!is_set(skeleton, p + neighbour_steps[k]))
-            continue;
-          // A diagonal beside two straight steps is the corner of a staircase.
-          const bool diagonal = k % 2 == 1;
-          if (diagonal && (is_set(skeleton, p + neighbour_steps[k - 1]) ||
-                           is_set(skeleton, p + neighbour_steps[(k + 1) % 8])))
-            continue;
-          length += diagonal ? 1.343 : 0.948;
-        }
-    return length;
-  }
 } // namespace squeal::tribology

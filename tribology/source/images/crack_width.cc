@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/crack_depth.h>
 #include <squeal/tribology/images/crack_finder.h>
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace squeal::tribology
 {
   namespace
   {
-    constexpr int    profile_reach = 16;   // pixels to each side
-    constexpr int    n_along       = 3;    // profiles averaged on each side
-    constexpr double sample_step   = 0.5;  // pixels
-    constexpr double beyond_edge   = 1.5;  // pixels, to the flank
-    constexpr double flank_length  = 4.;   // pixels
-    constexpr double usual_depth   = 0.52; // of the brightness beside it
+    constexpr int    profile_reach = 16;  // pixels to each side
+    constexpr int    n_along       = 3;   // profiles averaged on each side
+    constexpr double sample_step   = 0.5; // pixels
+    constexpr double beyond_edge   = 1.5; // pixels, to the flank
+    constexpr double flank_length  = 4.;  // pixels
+    constexpr double off_line      = 1.;  // pixels, of the darkest sample
+    constexpr double least_deficit = 0.1; // pixels
 
     float
     value_at(const cv::Mat &grey, const double x, const double y)
@@ -48,10 +52,35 @@ namespace squeal::tribology
 
 
 
+    using Profile = std::vector<float>;
+
+    /** Brightness from the line outwards to one @p side (-1 or 1), averaged
+     * along the line. */
+    Profile
+    profile_at(const cv::Mat   &grey,
+               const cv::Point &p,
+               const double     angle,
+               const int        side)
+    {
+      const double c = std::cos(angle), s = std::sin(angle);
+      Profile      profile;
+      for (double d = 0.; d <= profile_reach; d += sample_step)
+        {
+          float sum = 0.F;
+          for (int t = -n_along; t <= n_along; ++t)
+            sum += value_at(
+              grey, p.x + t * c - side * d * s, p.y + t * s + side * d * c);
+          profile.push_back(sum / (2 * n_along + 1));
+        }
+      return profile;
+    }
+
+
+
     /** Distance at which the profile has climbed half way from the darkest
      * sample to its flank. */
     double
-    half_depth(const std::vector<float> &profile)
+    half_depth(const Profile &profile)
     {
       // The flank is the brightest mean of three samples; it lies outside.
       float flank = profile[0];
@@ -86,9 +115,9 @@ namespace squeal::tribology
     };
 
     Flank
-    measure_flank(const std::vector<float> &profile)
+    measure_flank(const Profile &profile, const double half_width)
     {
-      const double edge = 2. * half_depth(profile) + beyond_edge;
+      const double edge = 2. * half_width + beyond_edge;
       const int    n    = int(profile.size());
       const int    i0   = std::clamp(int(edge / sample_step), 1, n - 2);
       const int    i1   = std::min(n, i0 + int(flank_length / sample_step) + 1);
@@ -103,56 +132,117 @@ namespace squeal::tribology
 
 
 
-    /** Missing light over the depth of the profile: neither optics nor pixels
-     * change it. A crack too narrow to show its depth counts as one of the
-     * usual depth. */
-    double
-    width_at(const cv::Mat &grey, const cv::Point &p, const double angle)
+    float
+    median(std::vector<float> values)
     {
-      const double c = std::cos(angle), s = std::sin(angle);
-      Flank        both;
-      double       darkest = 0.;
-      for (const int side : {-1, 1})
-        {
-          std::vector<float> profile;
-          for (double d = 0.; d <= profile_reach; d += sample_step)
-            {
-              float sum = 0.F;
-              for (int t = -n_along; t <= n_along; ++t)
-                sum += value_at(
-                  grey, p.x + t * c - side * d * s, p.y + t * s + side * d * c);
-              profile.push_back(sum / (2 * n_along + 1));
-            }
-          const Flank flank = measure_flank(profile);
-          both.deficit += flank.deficit;
-          both.brightness += 0.5 * flank.brightness;
-          darkest = profile[0];
-        }
-      const double depth = std::max(
-        {both.brightness - darkest, usual_depth * both.brightness, 1.});
-      return std::max(0., both.deficit / depth);
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
     }
 
 
 
-    /** Where a crack fades the profile says little: no width is more than
+    /** Missing light and depth of the profiles: neither optics nor pixels
+     * change the former. The line may run beside the darkest sample. */
+    Dip
+    dip_of(const std::array<Profile, 2> &sides, const double half_width)
+    {
+      double deficit = 0., brightness = 0.;
+      float  darkest = std::numeric_limits<float>::max();
+      for (const Profile &profile : sides)
+        {
+          const Flank flank = measure_flank(profile, half_width);
+          deficit += flank.deficit;
+          brightness += 0.5 * flank.brightness;
+          for (int i = 0; i * sample_step <= off_line; ++i)
+            darkest = std::min(darkest, profile[i]);
+        }
+      brightness = std::max(1., brightness);
+      return {std::max(least_deficit, deficit / brightness),
+              std::clamp(1. - darkest / brightness, 0., 1.)};
+    }
+
+
+
+    /** The dips at the pixels of a crack. How far a profile reaches is the same
+     * for all of them: texture would else be taken in where it is dark and left
+     * out where it is bright, and a narrow crack look wider. */
+    std::vector<Dip>
+    dips_along(const cv::Mat   &grey,
+               const LinePiece &crack,
+               const cv::Mat   &direction)
+    {
+      std::vector<std::array<Profile, 2>> profiles;
+      std::vector<float>                  halves;
+      for (const cv::Point &p : crack.pixels)
+        {
+          const double a = direction.at<float>(p);
+          profiles.push_back(
+            {profile_at(grey, p, a, -1), profile_at(grey, p, a, 1)});
+          halves.push_back(float(0.5 * (half_depth(profiles.back()[0]) +
+                                        half_depth(profiles.back()[1]))));
+        }
+      const double     half_width = median(halves);
+      std::vector<Dip> dips;
+      for (const std::array<Profile, 2> &sides : profiles)
+        dips.push_back(dip_of(sides, half_width));
+      return dips;
+    }
+
+
+
+    /** Where a crack fades the profile says little: no deficit is more than
      * twice or less than half the median of its connected crack. */
     void
-    limit_widths(cv::Mat &widths)
+    limit_deficits(cv::Mat1f &deficits, const std::vector<LinePiece> &cracks)
     {
-      for (const LinePiece &piece : line_pieces(widths > 0.))
+      for (const LinePiece &crack : cracks)
         {
           std::vector<float> sample;
-          for (const cv::Point &p : piece.pixels)
-            sample.push_back(widths.at<float>(p));
-          const auto middle = sample.begin() + sample.size() / 2;
-          std::nth_element(sample.begin(), middle, sample.end());
-          for (const cv::Point &p : piece.pixels)
-            {
-              float &w = widths.at<float>(p);
-              w        = std::clamp(w, 0.5F * *middle, 2.F * *middle);
-            }
+          for (const cv::Point &p : crack.pixels)
+            sample.push_back(deficits(p));
+          const float middle = median(sample);
+          for (const cv::Point &p : crack.pixels)
+            deficits(p) = std::clamp(deficits(p), 0.5F * middle, 2.F * middle);
         }
+    }
+
+
+
+    /** The medians over neighbours on the line: one grain is no widening. */
+    Dip
+    median_dip(const cv::Mat1f &deficits,
+               const cv::Mat1f &peaks,
+               const cv::Point &p)
+    {
+      const cv::Rect box =
+        cv::Rect(p.x - 4, p.y - 4, 9, 9) & cv::Rect({0, 0}, deficits.size());
+      std::vector<float> deficit, peak;
+      for (int y = box.y; y < box.br().y; ++y)
+        for (int x = box.x; x < box.br().x; ++x)
+          if (deficits(y, x) > 0.F)
+            {
+              deficit.push_back(deficits(y, x));
+              peak.push_back(peaks(y, x));
+            }
+      return {median(deficit), median(peak)};
+    }
+
+
+
+    void
+    fill_disc(cv::Mat &area, const cv::Point &p, const double width)
+    {
+      const double r  = 0.5 * std::max(1., width);
+      const int    ir = int(std::ceil(r));
+      for (int y = -ir; y <= ir; ++y)
+        for (int x = -ir; x <= ir; ++x)
+          {
+            const cv::Point q(p.x + x, p.y + y);
+            if (x * x + y * y <= r * r &&
+                cv::Rect({0, 0}, area.size()).contains(q))
+              area.at<uchar>(q) = 255;
+          }
     }
   } // namespace
 
@@ -164,47 +254,48 @@ namespace squeal::tribology
                  const RidgeField &ridges)
   {
     CrackMap map;
-    map.centre_line = centre_line;
-    map.area        = cv::Mat::zeros(grey.size(), CV_8U);
-    map.width       = cv::Mat::zeros(grey.size(), CV_32F);
-    map.direction   = cv::Mat::zeros(grey.size(), CV_32F);
+    map.centre_line        = centre_line;
+    map.area               = cv::Mat::zeros(grey.size(), CV_8U);
+    map.width              = cv::Mat::zeros(grey.size(), CV_32F);
+    map.width_error        = cv::Mat::zeros(grey.size(), CV_32F);
+    map.common_width_error = cv::Mat::zeros(grey.size(), CV_32F);
+    map.direction          = cv::Mat::zeros(grey.size(), CV_32F);
     cv::Mat smooth;
     cv::GaussianBlur(grey, smooth, cv::Size(3, 3), 0.6);
-    PixelPath pixels;
-    cv::findNonZero(centre_line, pixels);
-    cv::Mat raw = cv::Mat::zeros(grey.size(), CV_32F);
-    for (const cv::Point &p : pixels)
+    const std::vector<LinePiece> cracks   = line_pieces(centre_line);
+    cv::Mat1f                    deficits = cv::Mat1f::zeros(grey.size());
+    cv::Mat1f                    peaks    = cv::Mat1f::zeros(grey.size());
+    for (const LinePiece &crack : cracks)
       {
-        const double a = direction_at(centre_line, p, ridges.angle(p));
-        map.direction.at<float>(p) = float(a);
-        raw.at<float>(p) = float(std::max(0.2, width_at(smooth, p, a)));
+        for (const cv::Point &p : crack.pixels)
+          map.direction.at<float>(p) =
+            float(direction_at(centre_line, p, ridges.angle(p)));
+        const std::vector<Dip> dips = dips_along(smooth, crack, map.direction);
+        for (std::size_t i = 0; i < dips.size(); ++i)
+          {
+            deficits(crack.pixels[i]) = float(dips[i].deficit);
+            peaks(crack.pixels[i])    = float(dips[i].peak);
+          }
       }
-    limit_widths(raw);
-    for (const cv::Point &p : pixels)
+    limit_deficits(deficits, cracks);
+    std::vector<std::vector<Dip>> dips;
+    for (const LinePiece &crack : cracks)
       {
-        // The median over neighbours on the line: one grain is no widening.
-        const cv::Rect box =
-          cv::Rect(p.x - 4, p.y - 4, 9, 9) & cv::Rect({0, 0}, grey.size());
-        std::vector<float> widths;
-        for (int y = box.y; y < box.br().y; ++y)
-          for (int x = box.x; x < box.br().x; ++x)
-            if (raw.at<float>(y, x) > 0.F)
-              widths.push_back(raw.at<float>(y, x));
-        const auto middle = widths.begin() + widths.size() / 2;
-        std::nth_element(widths.begin(), middle, widths.end());
-        const double width     = *middle;
-        map.width.at<float>(p) = float(width);
-        const double r         = 0.5 * std::max(1., width);
-        const int    ir        = int(std::ceil(r));
-        for (int y = -ir; y <= ir; ++y)
-          for (int x = -ir; x <= ir; ++x)
-            if (x * x + y * y <= r * r)
-              {
-                const cv::Point q(p.x + x, p.y + y);
-                if (cv::Rect({0, 0}, grey.size()).contains(q))
-                  map.area.at<uchar>(q) = 255;
-              }
+        dips.emplace_back();
+        for (const cv::Point &p : crack.pixels)
+          dips.back().push_back(median_dip(deficits, peaks, p));
       }
+    const CrackDepth depth(dips);
+    for (std::size_t c = 0; c < cracks.size(); ++c)
+      for (std::size_t i = 0; i < dips[c].size(); ++i)
+        {
+          const cv::Point        &p           = cracks[c].pixels[i];
+          const CrackDepth::Width w           = depth.width(dips[c][i]);
+          map.width.at<float>(p)              = float(w.value);
+          map.width_error.at<float>(p)        = float(w.own);
+          map.common_width_error.at<float>(p) = float(w.common);
+          fill_disc(map.area, p, w.value);
+        }
     return map;
   }
 } // namespace squeal::tribology

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/section_profile.h>
 
 #include <opencv2/imgproc.hpp>
@@ -135,9 +135,7 @@ namespace squeal::tribology
     const int n_bands = std::max(1, int(grey.rows / band));
     result.crack_length.assign(n_bands, 0.);
     result.band_area.assign(n_bands, 0.);
-    std::vector<cv::Mat> parts(n_bands);
-    for (cv::Mat &part : parts)
-      part = cv::Mat::zeros(grey.size(), CV_8U);
+    const cv::Mat lengths = pixel_lengths(centre_line);
     for (int x = 0; x < grey.cols; ++x)
       for (int y = int(std::ceil(result.surface[x])); y < grey.rows; ++y)
         {
@@ -145,12 +143,8 @@ namespace squeal::tribology
           if (b >= n_bands)
             break;
           result.band_area[b] += 1.;
-          if (centre_line.at<uchar>(y, x) != 0)
-            parts[b].at<uchar>(y, x) = 255;
+          result.crack_length[b] += lengths.at<float>(y, x);
         }
-    for (int b = 0; b < n_bands; ++b)
-      if (cv::countNonZero(parts[b]) > 0)
-        result.crack_length[b] = skeleton_length(parts[b]);
     return result;
   }
 } // namespace squeal::tribology

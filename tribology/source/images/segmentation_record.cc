@@ -100,6 +100,11 @@ namespace squeal::tribology
           << ", \"area_fraction\": "
           << shortest_text(s.crack_area / s.observed_area)
           << ", \"mean_width_um\": " << shortest_text(s.crack_width)
+          << ",\n        \"length_error_mm\": "
+          << shortest_text(s.crack_length_error)
+          << ", \"area_fraction_error\": "
+          << shortest_text(s.crack_area_error / s.observed_area)
+          << ", \"mean_width_error_um\": " << shortest_text(s.crack_width_error)
           << ",\n        \"orientation_share_15deg\": " << list(s.orientation)
           << "},\n";
       write_areas(
@@ -144,8 +149,10 @@ namespace squeal::tribology
     Table table(
       {{"image", T::text, "", "stem of the file"},
        {"crack_length_m", T::real, "m", "length of all centre lines", 4},
+       {"crack_length_error_m", T::real, "m", "deviation of found lines", 2},
        {"crack_density_per_m", T::real, "1/m", "length over area", 4},
        {"crack_width_m", T::real, "m", "mean along the length", 3},
+       {"crack_width_error_m", T::real, "m", "deviation", 2},
        {"exfoliation_fraction", T::real, "", "share of the area", 3},
        {"plateau_fraction", T::real, "", "share of the area", 3},
        {"synthetic", T::integer, "", "1: a made image"}});
@@ -154,8 +161,10 @@ namespace squeal::tribology
         const ImageStatistics &s = i.statistics;
         table.add_row({i.stem,
                        1e-3 * s.crack_length,
+                       1e-3 * s.crack_length_error,
                        1e3 * s.crack_density,
                        1e-6 * s.crack_width,
+                       1e-6 * s.crack_width_error,
                        s.exfoliation_fraction,
                        s.plateau_fraction,
                        int(i.is_synthetic)});

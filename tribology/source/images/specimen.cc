@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -167,12 +168,31 @@ namespace squeal::tribology
         tone += coarse(bright) - coarse(dark);
       }
 
+      /** Share of the way from @p a to @p b inside the field of view. */
+      double
+      share_inside(const cv::Point2d &a, const cv::Point2d &b) const
+      {
+        double begin = 0., end = 1.;
+        for (const auto &[from, to, size] :
+             {std::array{a.x, b.x, s.width}, std::array{a.y, b.y, s.height}})
+          {
+            const double step = to - from;
+            if (step == 0. && (from < 0. || from > size))
+              return 0.;
+            if (step == 0.)
+              continue;
+            const double at_0 = -from / step, at_size = (size - from) / step;
+            begin = std::max(begin, std::min(at_0, at_size));
+            end   = std::min(end, std::max(at_0, at_size));
+          }
+        return std::max(0., end - begin);
+      }
+
       void
       paint_cracks(cv::Mat &tone, Specimen &result) const
       {
-        cv::Mat          depth = fine_layer(), cover = fine_layer();
-        const cv::Rect2d field(0., 0., s.width, s.height);
-        cv::Mat          centre = cv::Mat::zeros(size, CV_8U);
+        cv::Mat depth = fine_layer(), cover = fine_layer();
+        cv::Mat centre = cv::Mat::zeros(size, CV_8U);
         for (const CrackShape &c : shapes.cracks)
           {
             result.n_cracks += !c.is_branch;
@@ -191,8 +211,7 @@ namespace squeal::tribology
                              cv::FILLED,
                              cv::LINE_8,
                              shift);
-                if (field.contains(a) && field.contains(b))
-                  result.crack_length += cv::norm(b - a);
+                result.crack_length += share_inside(a, b) * cv::norm(b - a);
                 const double k = (1 << shift) / s.pixel_size;
                 const double o = -0.5 * (1 << shift);
                 cv::line(centre,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/statistics.h>
 
 #include <opencv2/imgproc.hpp>
@@ -11,27 +12,61 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Length that a pixel of a centre line stands for, pixels: half of each
-     * step to a neighbour. */
+    constexpr double length_error  = 0.02; // relative, of pixel_lengths()
+    constexpr double end_error     = 1.;   // pixels, of each free end
+    constexpr double wrongly_found = 0.16; // share: 2 (1 - F1), F1 = 0.92
+    constexpr double part_found    = 0.33; // of a crack, missed or invented
+
+
+
+    /** Deviation of the length, pixels: of the smoothed line, of its ends, and
+     * of the finder, which misses and invents parts of cracks. With a share f
+     * of the length, in independent parts of a share p of a crack, the variance
+     * is f p times the sum of the squares of the lengths of the cracks. */
     double
-    pixel_length(const cv::Mat &line, const cv::Point &p)
+    error_of_length(const cv::Mat &line, const cv::Mat &lengths)
     {
-      const cv::Rect inside({0, 0}, line.size());
-      const auto     is_set = [&](const cv::Point &q) {
-        return inside.contains(q) && line.at<uchar>(q) != 0;
-      };
-      double length = 0.;
-      for (int k = 0; k < 8; ++k)
+      double length = 0., squares = 0., n_ends = 0.;
+      for (const LinePiece &crack : line_pieces(line))
         {
-          if (!is_set(p + neighbour_steps[k]))
-            continue;
-          if (k % 2 == 0)
-            length += 0.5 * 0.948;
-          else if (!is_set(p + neighbour_steps[k - 1]) &&
-                   !is_set(p + neighbour_steps[(k + 1) % 8]))
-            length += 0.5 * 1.343;
+          double own = 0.;
+          for (const cv::Point &p : crack.pixels)
+            {
+              own += lengths.at<float>(p);
+              n_ends += n_neighbours(line, p) == 1;
+            }
+          length += own;
+          squares += own * own;
         }
-      return length;
+      return std::sqrt(std::pow(length_error * length, 2) +
+                       std::pow(end_error, 2) * n_ends +
+                       wrongly_found * part_found * squares);
+    }
+
+
+
+    /** Deviation of the area, pixels: widths are wrong together along a crack,
+     * in part in the whole image, and so are lengths. */
+    double
+    error_of_area(const CrackMap &cracks,
+                  const cv::Mat  &lengths,
+                  const double    length_part)
+    {
+      double common = 0., square = 0., area = 0.;
+      for (const LinePiece &crack : line_pieces(cracks.centre_line))
+        {
+          double own = 0.;
+          for (const cv::Point &p : crack.pixels)
+            {
+              const double l = lengths.at<float>(p);
+              own += l * cracks.width_error.at<float>(p);
+              common += l * cracks.common_width_error.at<float>(p);
+              area += l * cracks.width.at<float>(p);
+            }
+          square += own * own;
+        }
+      return std::sqrt(square + common * common +
+                       std::pow(length_part * area, 2));
     }
 
 
@@ -69,12 +104,13 @@ namespace squeal::tribology
     cv::Mat1i labels;
     r.n_cracks = cv::connectedComponents(line, labels, 8) - 1;
     r.orientation.assign(ImageStatistics::n_orientations, 0.);
-    PixelPath pixels;
+    const cv::Mat lengths = pixel_lengths(line);
+    PixelPath     pixels;
     cv::findNonZero(line, pixels);
     double length = 0., weighted_width = 0.;
     for (const cv::Point &p : pixels)
       {
-        const double l = pixel_length(line, p);
+        const double l = lengths.at<float>(p);
         double       a = s.cracks.direction.at<float>(p) - sliding;
         a -= CV_PI * std::floor(a / CV_PI);
         const int bin =
@@ -86,8 +122,15 @@ namespace squeal::tribology
       }
     if (length > 0.)
       {
-        r.orientation = scaled(r.orientation, 1. / length);
-        r.crack_width = weighted_width / length * pixel_size;
+        r.orientation          = scaled(r.orientation, 1. / length);
+        r.crack_width          = weighted_width / length * pixel_size;
+        const double deviation = error_of_length(line, lengths);
+        const double area_deviation =
+          error_of_area(s.cracks, lengths, deviation / length);
+        r.crack_length_error = 1e-3 * deviation * pixel_size;
+        r.crack_area_error   = pixel * area_deviation;
+        r.crack_width_error =
+          error_of_area(s.cracks, lengths, 0.) / length * pixel_size;
       }
     r.crack_length         = 1e-3 * length * pixel_size;
     r.crack_density        = r.crack_length / r.observed_area;
@@ -128,7 +171,8 @@ namespace squeal::tribology
                 const Placement    &placement,
                 const double        sliding)
   {
-    const cv::Mat &line = s.cracks.centre_line;
+    const cv::Mat &line    = s.cracks.centre_line;
+    const cv::Mat  lengths = pixel_lengths(line);
     for (int y = 0; y < line.rows; ++y)
       for (int x = 0; x < line.cols; ++x)
         {
@@ -143,7 +187,7 @@ namespace squeal::tribology
           if (line.at<uchar>(y, x) == 0)
             continue;
           const double scale  = std::sqrt(area);
-          const double length = pixel_length(line, {x, y}) * scale;
+          const double length = lengths.at<float>(y, x) * scale;
           const double angle =
             2. * (s.cracks.direction.at<float>(y, x) - sliding);
           cell.crack_length += length;

@@ -45,10 +45,6 @@ namespace squeal::tribology
   };
   std::vector<LinePiece> line_pieces(const cv::Mat &skeleton);
 
-  /** Length of a skeleton in pixels: the weights 0.948 and 1.343 of straight
-   * and diagonal steps are right on average over all directions (Kulpa). */
-  double skeleton_length(const cv::Mat &skeleton);
-
   /** Steps to the eight neighbours; odd ones are diagonal. */
   extern const cv::Point neighbour_steps[8];
 } // namespace squeal::tribology

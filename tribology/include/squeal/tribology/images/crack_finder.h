@@ -12,7 +12,10 @@ namespace squeal::tribology
     cv::Mat centre_line; /**< CV_8U, 255 on the skeleton */
     cv::Mat area;        /**< CV_8U, 255 on cracks */
     cv::Mat width;       /**< CV_32F, pixels, on the centre line */
-    cv::Mat direction;   /**< CV_32F, radians in [0, pi), on the centre line */
+    cv::Mat width_error; /**< CV_32F, deviation, pixels, on the centre line;
+                            alike along a crack, apart between cracks */
+    cv::Mat common_width_error; /**< as above, but alike in the image */
+    cv::Mat direction; /**< CV_32F, radians in [0, pi), on the centre line */
   };
 
   /**
@@ -37,7 +40,8 @@ namespace squeal::tribology
   cv::Mat find_centre_lines(const cv::Mat &grey, const RidgeField &ridges);
 
   /** Width, direction and area from the dark profile across the centre line:
-   * the width is that at half the depth. @p grey is CV_32F. */
+   * the width is the missing light over the depth, see CrackDepth. @p grey is
+   * CV_32F. */
   CrackMap measure_cracks(const cv::Mat    &grey,
                           const cv::Mat    &centre_line,
                           const RidgeField &ridges);

@@ -16,12 +16,17 @@ namespace squeal::tribology
   {
     static constexpr int n_orientations = 12;
 
-    double              observed_area = 0.; /**< mm^2 */
-    int                 n_cracks      = 0;  /**< connected */
-    double              crack_length  = 0.; /**< mm */
-    double              crack_density = 0.; /**< mm per mm^2 */
-    double              crack_area    = 0.; /**< mm^2 */
-    double              crack_width   = 0.; /**< um, mean along the length */
+    double observed_area = 0.; /**< mm^2 */
+    int    n_cracks      = 0;  /**< connected */
+    double crack_length  = 0.; /**< mm */
+    double crack_density = 0.; /**< mm per mm^2 */
+    double crack_area    = 0.; /**< mm^2 */
+    double crack_width   = 0.; /**< um, mean along the length */
+    /** Deviations: length by its pixels, its ends and what is usually missed
+     * or invented; width by the depth of cracks; area by both. */
+    double              crack_length_error = 0.; /**< mm */
+    double              crack_area_error   = 0.; /**< mm^2 */
+    double              crack_width_error  = 0.; /**< um */
     std::vector<double> orientation; /**< length share in bins of 15 degrees
                                         from 0 (along the sliding direction) */
     double              exfoliation_fraction = 0.;

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/results/planar_cells.h>
+
+#include <boost/polygon/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace squeal
+{
+  namespace
+  {
+    using Polygon = std::vector<PlanarPoint>;
+
+    /** Twice the area of a triangle, positive if it is counter-clockwise. */
+    double
+    turn(const PlanarPoint &a, const PlanarPoint &b, const PlanarPoint &c)
+    {
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    }
+
+
+
+    /** The part of a convex polygon where normal . x <= bound. */
+    Polygon
+    clipped(const Polygon     &polygon,
+            const PlanarPoint &normal,
+            const double       bound)
+    {
+      const auto outside = [&](const PlanarPoint &p) {
+        return normal[0] * p[0] + normal[1] * p[1] - bound;
+      };
+      Polygon result;
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        {
+          const PlanarPoint &a = polygon[k],
+                            &b = polygon[(k + 1) % polygon.size()];
+          const double da = outside(a), db = outside(b);
+          if (da <= 0.)
+            result.push_back(a);
+          if ((da < 0. && db > 0.) || (da > 0. && db < 0.))
+            {
+              const double s = da / (da - db);
+              result.push_back(
+                {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
+            }
+        }
+      return result;
+    }
+
+
+
+    /** Around @p centre, @p reach to each side. */
+    Polygon
+    square(const PlanarPoint &centre, const double reach)
+    {
+      const double x = centre[0], y = centre[1];
+      return {{x - reach, y - reach},
+              {x + reach, y - reach},
+              {x + reach, y + reach},
+              {x - reach, y + reach}};
+    }
+  } // namespace
+
+
+
+  std::vector<PlanarPoint>
+  convex_hull(std::vector<PlanarPoint> points)
+  {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3)
+      return points;
+    // Andrew's monotone chain: the lower side, then the upper one.
+    Polygon hull;
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        const std::size_t first = hull.size();
+        for (const PlanarPoint &p : points)
+          {
+            while (hull.size() >= first + 2 &&
+                   turn(hull[hull.size() - 2], hull.back(), p) <= 0.)
+              hull.pop_back();
+            hull.push_back(p);
+          }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+      }
+    return hull;
+  }
+
+
+
+  std::vector<std::vector<PlanarPoint>>
+  nearest_cells(const std::vector<PlanarPoint> &points,
+                const std::vector<double>      &reach)
+  {
+    const Polygon        hull = convex_hull(points);
+    std::vector<Polygon> cells;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      {
+        const PlanarPoint &p    = points[j];
+        Polygon            cell = square(p, reach[j]);
+        for (std::size_t k = 0; k < hull.size() && hull.size() > 2; ++k)
+          {
+            const PlanarPoint &a = hull[k], &b = hull[(k + 1) % hull.size()];
+            const PlanarPoint  outwards = {b[1] - a[1], a[0] - b[0]};
+            cell =
+              clipped(cell, outwards, outwards[0] * a[0] + outwards[1] * a[1]);
+          }
+        for (std::size_t i = 0; i < points.size() && hull.size() > 2; ++i)
+          if (i != j)
+            {
+              const PlanarPoint &q    = points[i];
+              const PlanarPoint  away = {q[0] - p[0], q[1] - p[1]};
+              cell                    = clipped(
+                cell,
+                away,
+                0.5 * (away[0] * (p[0] + q[0]) + away[1] * (p[1] + q[1])));
+            }
+        cells.push_back(cell);
+      }
+    return cells;
+  }
+
+
+
+  std::vector<std::vector<int>>
+  delaunay_polygons(const std::vector<PlanarPoint> &points)
+  {
+    std::vector<std::vector<int>> result;
+    if (convex_hull(points).size() < 3)
+      return result;
+    // Boost's predicates are exact for integers: a fine lattice.
+    PlanarPoint lower = points[0], upper = points[0];
+    for (const PlanarPoint &p : points)
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          lower[c] = std::min(lower[c], p[c]);
+          upper[c] = std::max(upper[c], p[c]);
+        }
+    const double lattice =
+      std::max(upper[0] - lower[0], upper[1] - lower[1]) / double(1 << 20);
+    std::vector<boost::polygon::point_data<std::int32_t>> sites;
+    for (const PlanarPoint &p : points)
+      sites.emplace_back(std::lround((p[0] - lower[0]) / lattice),
+                         std::lround((p[1] - lower[1]) / lattice));
+    boost::polygon::voronoi_diagram<double> diagram;
+    boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
+    for (const auto &vertex : diagram.vertices())
+      {
+        std::vector<int> polygon;
+        const auto      *edge = vertex.incident_edge();
+        do
+          {
+            polygon.push_back(edge->cell()->source_index());
+            edge = edge->rot_next();
+          }
+        while (edge != vertex.incident_edge());
+        result.push_back(polygon);
+      }
+    return result;
+  }
+} // namespace squeal
