@@ -233,9 +233,22 @@ namespace squeal::tribology
         const double      length = cv::norm(d);
         // A shorter piece says nothing about its direction.
         if (length >= 5.)
-          ends.push_back({tip, d * (1. / length)});
+          ends.push_back({tip, d * (1. / length), path});
       }
     return ends;
+  }
+
+
+
+  NearestPixels::NearestPixels(const cv::Mat &mask)
+    : places(cv::countNonZero(mask) + 1)
+  {
+    cv::distanceTransform(
+      ~mask, distances, labels, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
+    PixelPath pixels;
+    cv::findNonZero(mask, pixels);
+    for (const cv::Point &p : pixels)
+      places[labels(p)] = p;
   }
 
 

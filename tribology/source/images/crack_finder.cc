@@ -39,7 +39,10 @@ namespace squeal::tribology
     constexpr int    shortest_crack  = 20;
     constexpr int    shortest_end    = 4;
     constexpr int    shortest_bridge = 5;
+    constexpr int    shortest_branch = 12;
+    constexpr double longest_join    = 6.; // of a branch to its crack
     constexpr double flank           = 4.;
+    constexpr double least_flank     = 2.; // of ridge_filter.cc
     constexpr double far_ahead = 70., ahead = 35.;
     // Straight lines of this length are scratches, grooves or edges.
     constexpr double strong_contrast = 3.25;
@@ -107,22 +110,75 @@ namespace squeal::tribology
       }
     };
 
-    /** How much darker the pixel is than the darker flank, relative to it. */
-    double
-    darkness_at(const cv::Mat    &smooth,
-                const RidgeField &ridges,
-                const cv::Point  &p)
+    /** How much darker each pixel is than the darker flank, relative to it. */
+    cv::Mat1f
+    relative_darkness(const cv::Mat &grey, const RidgeField &ridges)
     {
-      const double    a = ridges.angle(p);
-      const cv::Point across(cvRound(-flank * std::sin(a)),
-                             cvRound(flank * std::cos(a)));
-      const auto      at = [&](const cv::Point &q) {
+      cv::Mat1f smooth;
+      cv::GaussianBlur(grey, smooth, cv::Size(), 1.);
+      const auto at = [&](const cv::Point &q) {
         return std::max(1.F,
-                        smooth.at<float>(std::clamp(q.y, 0, smooth.rows - 1),
-                                         std::clamp(q.x, 0, smooth.cols - 1)));
+                        smooth(std::clamp(q.y, 0, smooth.rows - 1),
+                               std::clamp(q.x, 0, smooth.cols - 1)));
       };
-      const float beside = std::min(at(p + across), at(p - across));
-      return (beside - at(p)) / beside;
+      cv::Mat1f darkness(grey.size());
+      for (int y = 0; y < grey.rows; ++y)
+        for (int x = 0; x < grey.cols; ++x)
+          {
+            const cv::Point p(x, y);
+            const double    a = ridges.angle(p);
+            const cv::Point across(cvRound(-flank * std::sin(a)),
+                                   cvRound(flank * std::cos(a)));
+            const float     beside = std::min(at(p + across), at(p - across));
+            darkness(p)            = (beside - at(p)) / beside;
+          }
+      return darkness;
+    }
+
+
+
+    /** Whether both flanks of the narrowest filter lie inside of the image: the
+     * contrast is known. */
+    bool
+    is_known(const RidgeField &ridges, const cv::Point &p)
+    {
+      const double   a    = ridges.angle(p);
+      const int      x    = std::abs(cvRound(least_flank * std::sin(a)));
+      const int      y    = std::abs(cvRound(least_flank * std::cos(a)));
+      const cv::Size size = ridges.local.size();
+      return p.x >= x && p.x < size.width - x && p.y >= y &&
+             p.y < size.height - y;
+    }
+
+
+
+    /** The pixels of an edge between the first and the last of contrast: crests
+     * go on beyond a crack by a hook. An edge that is hooks for the most part
+     * stays as it is. */
+    PixelPath
+    core_of(const RidgeField &ridges, const PixelPath &axis)
+    {
+      const auto has_contrast = [&](const cv::Point &p) {
+        return ridges.local.at<float>(p) >= counts;
+      };
+      const auto first = std::find_if(axis.begin(), axis.end(), has_contrast);
+      const auto last =
+        std::find_if(axis.rbegin(), axis.rend(), has_contrast).base();
+      return last - first >= 0.5 * axis.size() ? PixelPath(first, last) : axis;
+    }
+
+
+
+    /** Those pixels whose contrast is known; all of them if that is less than
+     * half: an edge is not judged by a few pixels. */
+    PixelPath
+    known_pixels(const RidgeField &ridges, const PixelPath &axis)
+    {
+      PixelPath known;
+      for (const cv::Point &p : axis)
+        if (is_known(ridges, p))
+          known.push_back(p);
+      return 2 * known.size() < axis.size() ? axis : known;
     }
 
 
@@ -157,25 +213,28 @@ namespace squeal::tribology
     class CrestGraph
     {
     public:
-      CrestGraph(const cv::Mat &grey, const RidgeField &ridges)
+      CrestGraph(const RidgeField &ridges, const cv::Mat1f &darkness)
         : crests(find_crests(ridges))
         , graph(crests)
       {
-        cv::Mat smooth;
-        cv::GaussianBlur(grey, smooth, cv::Size(), 1.);
         for (const LineGraph::Edge &edge : graph.edges)
           {
-            Weight w;
-            w.length   = int(edge.piece.axis.size());
+            const PixelPath core  = core_of(ridges, edge.piece.axis);
+            const PixelPath known = known_pixels(ridges, core);
+            Weight          w;
+            w.length   = int(core.size());
             w.waviness = edge.piece.waviness();
             std::vector<float> unlimited;
-            for (const cv::Point &p : edge.piece.axis)
+            for (const cv::Point &p : known)
               {
                 unlimited.push_back(ridges.unlimited.at<float>(p));
-                w.local += ridges.local.at<float>(p) / w.length;
+                w.local += ridges.local.at<float>(p) / known.size();
+              }
+            for (const cv::Point &p : core)
+              {
                 w.path += ridges.strength.at<float>(p) / w.length;
                 w.coarse += ridges.coarse.at<float>(p) / w.length;
-                w.darkness += darkness_at(smooth, ridges, p) / w.length;
+                w.darkness += darkness(p) / w.length;
               }
             const auto middle = unlimited.begin() + unlimited.size() / 2;
             std::nth_element(unlimited.begin(), middle, unlimited.end());
@@ -185,10 +244,12 @@ namespace squeal::tribology
               edge.piece,
               w.local > strong_contrast ? strong_scratch : weak_scratch);
             weights.push_back(w);
+            cores.push_back(core);
           }
       }
 
-      /** Edges that belong to connected parts with enough evidence. */
+      /** Edges that belong to connected parts with enough evidence, and strong
+       * ones that end beside these. */
       cv::Mat
       cracks() const
       {
@@ -208,7 +269,9 @@ namespace squeal::tribology
           if (kept[i])
             kept[i] =
               sum[part[i]] >= needed_sum && length[part[i]] >= shortest_crack;
-        return graph.draw(kept);
+        cv::Mat result = graph.draw(kept);
+        remove_hooks(kept, result);
+        return joined(kept, result);
       }
 
       /** Where scratches run. */
@@ -239,8 +302,60 @@ namespace squeal::tribology
                !w.is_straight && (!has_an_end || w.length >= shortest_end);
       }
 
-      LineGraph           graph;
-      std::vector<Weight> weights;
+      /** Takes what lies beyond the cores off the free ends of edges. */
+      void
+      remove_hooks(const std::vector<char> &kept, cv::Mat &skeleton) const
+      {
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          {
+            PixelPath        axis = graph.edges[i].piece.axis;
+            const PixelPath &core = cores[i];
+            for (const cv::Point &inner : {core.front(), core.back()})
+              {
+                if (kept[i] && n_neighbours(skeleton, axis.front()) == 1)
+                  for (const cv::Point &p : axis)
+                    {
+                      if (p == inner)
+                        break;
+                      skeleton.at<uchar>(p) = 0;
+                    }
+                std::reverse(axis.begin(), axis.end());
+              }
+          }
+      }
+
+      /** Adds edges that would start a crack and end beside one, which hides
+       * where they branch off. */
+      cv::Mat
+      joined(const std::vector<char> &kept, const cv::Mat &skeleton) const
+      {
+        if (cv::countNonZero(skeleton) == 0)
+          return skeleton;
+        const NearestPixels nearest(skeleton);
+        cv::Mat             result = skeleton.clone();
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          {
+            const Weight    &w    = weights[i];
+            const PixelPath &axis = graph.edges[i].piece.axis;
+            cv::Point        end = axis.front(), other = axis.back();
+            if (nearest.distance(other) < nearest.distance(end))
+              std::swap(end, other);
+            if (kept[i] || w.is_straight || !w.has(to_start) ||
+                w.length < shortest_branch ||
+                nearest.distance(end) > longest_join ||
+                nearest.distance(other) <
+                  nearest.distance(end) + 0.5 * w.length)
+              continue;
+            for (const cv::Point &p : graph.edges[i].piece.pixels)
+              result.at<uchar>(p) = 255;
+            cv::line(result, end, nearest.place(end), 255);
+          }
+        return thin(result);
+      }
+
+      LineGraph              graph;
+      std::vector<Weight>    weights;
+      std::vector<PixelPath> cores;
     };
 
 
@@ -268,7 +383,8 @@ namespace squeal::tribology
   cv::Mat
   find_centre_lines(const cv::Mat &grey, const RidgeField &ridges)
   {
-    const CrestGraph graph(grey, ridges);
+    const cv::Mat1f  darkness = relative_darkness(grey, ridges);
+    const CrestGraph graph(ridges, darkness);
     cv::Mat          cracks = graph.cracks();
     remove_spurs(cracks, longest_spur);
     if (cv::countNonZero(cracks) == 0)
@@ -278,8 +394,9 @@ namespace squeal::tribology
     cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255);
     cv::Mat free = ridges.local.clone();
     free.setTo(0., closed);
-    cracks = CrackGrowth(ridges, free, cracks, far_ahead).grow(cracks);
-    const CrackGrowth near(ridges, free, cracks, ahead);
+    cracks =
+      CrackGrowth(ridges, free, darkness, cracks, far_ahead).grow(cracks);
+    const CrackGrowth near(ridges, free, darkness, cracks, ahead);
     cracks = near.finish_ends(near.grow(cracks));
     remove_spurs(cracks, longest_spur);
     remove_straight_edges(cracks, graph.crests);

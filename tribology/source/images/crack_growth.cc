@@ -20,6 +20,7 @@ namespace squeal::tribology
     constexpr double end_strength    = 2.8;  // contrast that adds up to
     constexpr double end_sum         = 2.;   // at least this
     constexpr double straight_within = 0.45; // pixels
+    constexpr double least_share     = 0.2;  // of the darkness of the crack
     constexpr int    n_trials        = 400;
     constexpr int    n_rounds        = 12;
     constexpr double n_deviations    = 3.;
@@ -39,10 +40,12 @@ namespace squeal::tribology
 
   CrackGrowth::CrackGrowth(const RidgeField &ridges,
                            const cv::Mat    &contrast,
+                           const cv::Mat1f  &darkness,
                            const cv::Mat    &centre_line,
                            const double      reach)
     : ridges(ridges)
     , contrast(contrast)
+    , darkness(darkness)
     , reach(reach)
   {
     cv::max(contrast, 0., cost);
@@ -75,7 +78,7 @@ namespace squeal::tribology
           continue;
         const double    a = ridges.angle(p);
         const Extension e =
-          extend({p, {sign * std::cos(a), sign * std::sin(a)}}, nothing);
+          extend({p, {sign * std::cos(a), sign * std::sin(a)}, {}}, nothing);
         if (e.is_full)
           found.push_back(e.mean_strength);
       }
@@ -86,6 +89,17 @@ namespace squeal::tribology
     const double below  = found[std::size_t(one_below * double(found.size()))];
     threshold =
       std::max(least_strength, middle + n_deviations * (middle - below));
+  }
+
+
+
+  double
+  CrackGrowth::mean_darkness(const PixelPath &pixels) const
+  {
+    double sum = 0.;
+    for (const cv::Point &p : pixels)
+      sum += darkness(p);
+    return sum / std::max<std::size_t>(1, pixels.size());
   }
 
 
@@ -204,6 +218,8 @@ namespace squeal::tribology
             const bool is_faint_crack = e.mean_strength >= faint_strength &&
                                         e.mean_coarse >= faint_coarse;
             if (e.way.empty() || is_straight(e.way) ||
+                mean_darkness(e.way) <
+                  least_share * mean_darkness(end.behind) ||
                 (e.mean_strength < threshold && !is_faint_crack))
               continue;
             for (const cv::Point &p : e.way)

@@ -16,6 +16,8 @@ namespace squeal::tribology
     constexpr int   shortest_rest   = 15;  // pixels of a crack that was cut
     constexpr int   longest_spur    = 6;   // pixels
     constexpr float longest_shape   = 3.F; // length over thickness
+    // Between a crack and an area, over the crack's other side.
+    constexpr float least_gap = 0.3F;
 
     /** Removes areas along which a crack runs and that are long for their
      * thickness: they are the shoulders of the crack. */
@@ -52,19 +54,50 @@ namespace squeal::tribology
 
 
 
-    /** Takes out what lies in @p areas. */
-    void
-    cut(cv::Mat &centre_line, const cv::Mat &areas)
+    /** Whether there is a gap between a pixel of a line and one of an area: a
+     * place brighter than the line, by a share of what its other side is. */
+    bool
+    is_apart(const cv::Mat1f &smooth, const cv::Point &p, const cv::Point &area)
     {
-      cv::Mat wide;
-      cv::dilate(areas,
-                 wide,
-                 cv::getStructuringElement(
-                   cv::MORPH_ELLIPSE,
-                   cv::Size(2 * exfoliation_rim + 1, 2 * exfoliation_rim + 1)));
-      if (cv::countNonZero(centre_line & wide) == 0)
+      const cv::Point2d d        = area - p;
+      const double      distance = cv::norm(d);
+      if (distance < 2.)
+        return false;
+      const auto at = [&](const double t) {
+        const cv::Point2d q = cv::Point2d(p) + d * (t / distance);
+        return smooth(std::clamp(cvRound(q.y), 0, smooth.rows - 1),
+                      std::clamp(cvRound(q.x), 0, smooth.cols - 1));
+      };
+      float gap = at(1.), other_side = at(-1.);
+      for (double t = 1.; t < distance; t += 0.5)
+        gap = std::max(gap, at(t));
+      for (double t = 1.; t <= exfoliation_rim; t += 0.5)
+        other_side = std::max(other_side, at(-t));
+      return gap - at(0.) > least_gap * (other_side - at(0.));
+    }
+
+
+
+    /** Takes out what lies in @p areas or on their rims. A line on a rim gets
+     * brighter away from the area only, a crack beside it on both sides. */
+    void
+    cut(cv::Mat &centre_line, const cv::Mat &areas, const cv::Mat &grey)
+    {
+      if (cv::countNonZero(areas) == 0)
         return;
-      centre_line.setTo(0, wide);
+      const NearestPixels nearest(areas);
+      cv::Mat1f           smooth;
+      cv::GaussianBlur(grey, smooth, cv::Size(), 0.7);
+      PixelPath pixels, taken;
+      cv::findNonZero(centre_line, pixels);
+      for (const cv::Point &p : pixels)
+        if (nearest.distance(p) <= exfoliation_rim + 0.5 &&
+            !is_apart(smooth, p, nearest.place(p)))
+          taken.push_back(p);
+      if (taken.empty())
+        return;
+      for (const cv::Point &p : taken)
+        centre_line.at<uchar>(p) = 0;
       for (const LinePiece &piece : line_pieces(centre_line))
         if (int(piece.pixels.size()) < shortest_rest)
           for (const cv::Point &p : piece.pixels)
@@ -85,7 +118,7 @@ namespace squeal::tribology
     result.areas  = find_areas(grey, result.cracks.area, settings.areas);
     leave_shoulders(result.areas.exfoliation, line);
     result.areas.rough &= result.areas.exfoliation;
-    cut(line, result.areas.rough);
+    cut(line, result.areas.rough, grey);
     result.cracks = measure_cracks(grey, move_to_middle(grey, line), ridges);
     return result;
   }

@@ -27,8 +27,35 @@ namespace squeal::tribology
   {
     cv::Point   tip;
     cv::Point2d ahead;
+    PixelPath   behind; /**< the last pixels, from the tip on */
   };
   std::vector<LineEnd> line_ends(const cv::Mat &skeleton);
+
+  /** The pixel of a mask that is nearest to any pixel of the image. Throws
+   * nothing; the mask must not be empty. */
+  class NearestPixels
+  {
+  public:
+    explicit NearestPixels(const cv::Mat &mask);
+
+    /** Pixels; 0 on the mask. */
+    double
+    distance(const cv::Point &p) const
+    {
+      return distances(p);
+    }
+
+    const cv::Point &
+    place(const cv::Point &p) const
+    {
+      return places[labels(p)];
+    }
+
+  private:
+    cv::Mat1f distances;
+    cv::Mat1i labels;
+    PixelPath places;
+  };
 
   /** A connected piece of a skeleton. */
   struct LinePiece

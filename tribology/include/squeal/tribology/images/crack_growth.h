@@ -18,9 +18,12 @@ namespace squeal::tribology
     /** @p contrast is that of @p ridges at each pixel, without what must not
      * lead on. The background is what lies away from @p centre_line; of its
      * spread only the lower half counts, since cracks that have not been found
-     * yet make the upper one. @p reach: pixels that are searched ahead. */
+     * yet make the upper one. @p darkness: by how much each pixel is darker than
+     * the darker flank, relative to it; a crack does not lose most of it at
+     * once. @p reach: pixels that are searched ahead. */
     CrackGrowth(const RidgeField &ridges,
                 const cv::Mat    &contrast,
+                const cv::Mat1f  &darkness,
                 const cv::Mat    &centre_line,
                 double            reach);
 
@@ -47,9 +50,11 @@ namespace squeal::tribology
     };
     Extension extend(const LineEnd &end, const cv::Mat &network) const;
     void      calibrate(const cv::Mat &centre_line);
+    double    mean_darkness(const PixelPath &pixels) const;
 
     const RidgeField &ridges;
     const cv::Mat     contrast;
+    const cv::Mat1f   darkness;
     const double      reach;
     cv::Mat           cost;
     double            threshold = 0.;
