@@ -70,16 +70,11 @@ namespace squeal
       /** For a thread of its own. With a comparison the run ends with its
        * linear phase. */
       static TransientRecord
-      integrate(const CampaignRun       &run,
-                const PreparedTransient &prepared,
-                const StopRequest       &stop)
+      integrate(const CampaignRun &run,
+                TransientRun      &transient,
+                const StopRequest &stop)
       {
-        TransientRun transient(prepared.pressed,
-                               prepared.steady,
-                               prepared.linear,
-                               prepared.branches,
-                               run.parameters);
-        const bool   linear_only = run.parameters.transient.compare_with_cea;
+        const bool linear_only = run.parameters.transient.compare_with_cea;
         transient.advance([&](const unsigned int) {
           return stop.is_there() ||
                  (linear_only && !transient.record().changes.empty());
@@ -212,6 +207,7 @@ namespace squeal
     {
       std::vector<Cell>                  row; /**< if it was finished before */
       std::unique_ptr<PreparedTransient> prepared; /**< null: no sliding */
+      std::unique_ptr<TransientRun>      transient;
       std::future<TransientRecord>       record;
     };
 
@@ -272,10 +268,19 @@ namespace squeal
         if (!group)
           group = std::make_unique<CampaignGroup>(run.parameters, context);
         started.prepared = group->prepare(run);
-        if (started.prepared)
-          started.record = std::async(std::launch::async, [&]() {
-            return CampaignGroup::integrate(run, *started.prepared, stop);
-          });
+        if (!started.prepared)
+          return;
+        // Not in the thread: a blow is a load that MUMPS solves for, and MUMPS
+        // runs in one thread at a time.
+        started.transient =
+          std::make_unique<TransientRun>(started.prepared->pressed,
+                                         started.prepared->steady,
+                                         started.prepared->linear,
+                                         started.prepared->branches,
+                                         run.parameters);
+        started.record = std::async(std::launch::async, [&]() {
+          return CampaignGroup::integrate(run, *started.transient, stop);
+        });
       }
 
       void
