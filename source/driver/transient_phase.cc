@@ -48,6 +48,9 @@ namespace squeal
       return {mean, std::sqrt(std::max(0., squares / n - mean * mean))};
     }
 
+    /** Runs of a campaign that one picture shows. */
+    constexpr std::size_t most_runs = 6;
+
     ChartSeries
     dots(const std::string &label, const Ink ink)
     {
@@ -160,10 +163,10 @@ namespace squeal
     amplitude.y.scale = AxisSettings::Scale::logarithmic;
     phase.title       = "Phase of the tangential against the normal force";
     phase.x.label     = "time in ms";
-    phase.y.label     = "degrees";
-    phase.legend      = Chart::Legend::none;
-    double largest = 0., last = 0.;
-    for (std::size_t k = 0; k < std::min<std::size_t>(runs.size(), 6); ++k)
+    phase.y.label     = "phase in degrees";
+    double            largest = 0., last = 0.;
+    const std::size_t n = std::min(runs.size(), most_runs);
+    for (std::size_t k = 0; k < n; ++k)
       {
         const auto &[label, table] = runs[k];
         ChartSeries a              = dots(label, series_ink(k)),
@@ -186,13 +189,13 @@ namespace squeal
         amplitude.series.push_back(a);
         phase.series.push_back(p);
       }
-    if (runs.size() < 2)
-      amplitude.legend = Chart::Legend::none;
     if (!(largest > 0.))
       return;
     amplitude.y.lower = 1e-6 * largest;
     for (Chart *chart : {&amplitude, &phase})
       {
+        if (runs.size() < 2)
+          chart->legend = Chart::Legend::none;
         chart->x.lower = 0.;
         chart->x.upper = last;
       }
@@ -200,11 +203,17 @@ namespace squeal
     phase.y.upper = 180.;
     context.output.file("plots/phase.png");
     const std::string path = context.output.path() + "/plots/phase";
-    context.plotter.draw(draw_charts({amplitude, phase}, 1400, 1000), path);
+    context.plotter.draw(
+      draw_charts({amplitude, phase}, 1400, runs.size() < 2 ? 1000 : 1200),
+      path);
     report.figure(path + ".png",
                   "Amplitude of the normal force, and phase of the tangential "
                   "against the normal force where both are above 0.1 % of the "
-                  "mean normal force",
+                  "mean normal force" +
+                    (n < runs.size()
+                       ? "; the first " + std::to_string(n) + " of " +
+                           std::to_string(runs.size()) + " runs"
+                       : ""),
                   true);
   }
 } // namespace squeal
