@@ -169,11 +169,11 @@ namespace squeal
 
 
   std::string
-  shown_unit(const SweepAxisParameters &axis)
+  shown_unit(const SweepAxisParameters &axis, const SceneParameters &scene)
   {
     if (is_logarithm(axis.name))
       return "";
-    return is_in_mpa(axis.name) ? "MPa" : unit_of_entry(axis.entries[0]);
+    return is_in_mpa(axis.name) ? "MPa" : unit_of_entry(axis.entries[0], scene);
   }
 
 

@@ -206,7 +206,7 @@ namespace squeal
     Table table;
     for (const auto &axis : p.sweep.axes)
       table.add_column(
-        {axis.name, Type::real, shown_unit(axis), axis.entries[0]});
+        {axis.name, Type::real, shown_unit(axis, p.scene), axis.entries[0]});
     table.add_column({"top", Type::text, "", "kind of the support"});
     const bool compares = p.transient.compare_with_cea;
     for (const auto &column : compares ? comparison_columns() : cycle_columns())

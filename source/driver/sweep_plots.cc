@@ -38,7 +38,7 @@ namespace squeal
     axis_label(const SweepModel &model, const unsigned int a)
     {
       const auto       &axis = model.grid().axis(a);
-      const std::string unit = unit_of_entry(axis.entries[0]);
+      const std::string unit = unit_of_entry(axis.entries[0], model.scene());
       const std::string entry =
         axis.entries[0].substr(axis.entries[0].find('/') + 1) +
         (unit.empty() ? "" : " in " + unit);

@@ -69,7 +69,7 @@ namespace squeal
             const auto &axis = grid.axis(a);
             scene.columns.push_back({axis.name,
                                      Table::Type::real,
-                                     unit_of_entry(axis.entries[0]),
+                                     unit_of_entry(axis.entries[0], p.scene),
                                      axis.entries[0],
                                      6});
             scene.values.push_back(grid.value(a, point[a]));

@@ -60,6 +60,36 @@ namespace squeal
       s.marker_size = 0.8;
       return s;
     }
+    /** Adds one run to both charts of draw_phases(). */
+    void
+    add_run(const std::string &label,
+            const Table       &table,
+            Chart             &amplitude,
+            Chart             &phase)
+    {
+      const Ink   ink = series_ink(amplitude.series.size());
+      ChartSeries a = dots(label, ink), p = dots(label, ink);
+      a.style = ChartSeries::Style::lines;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        {
+          const double t    = 1e3 * table.real(i, "time_s"),
+                       size = table.real(i, "normal_amplitude_n");
+          // Six decades under the largest.
+          amplitude.y.lower =
+            std::max(amplitude.y.lower.value_or(0.), 1e-6 * size);
+          a.x.push_back(t);
+          a.y.push_back(size);
+          if (!table.is_missing(i, "phase_deg"))
+            {
+              p.x.push_back(t);
+              p.y.push_back(table.real(i, "phase_deg"));
+            }
+          for (Chart *chart : {&amplitude, &phase})
+            chart->x.upper = std::max(chart->x.upper.value_or(0.), t);
+        }
+      amplitude.series.push_back(a);
+      phase.series.push_back(p);
+    }
   } // namespace
 
 
@@ -164,43 +194,19 @@ namespace squeal
     phase.title       = "Phase of the tangential against the normal force";
     phase.x.label     = "time in ms";
     phase.y.label     = "phase in degrees";
-    double            largest = 0., last = 0.;
-    const std::size_t n = std::min(runs.size(), most_runs);
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        const auto &[label, table] = runs[k];
-        ChartSeries a              = dots(label, series_ink(k)),
-                    p              = dots(label, series_ink(k));
-        a.style                    = ChartSeries::Style::lines;
-        for (std::size_t i = 0; i < table.n_rows(); ++i)
-          {
-            const double t    = 1e3 * table.real(i, "time_s"),
-                         size = table.real(i, "normal_amplitude_n");
-            largest           = std::max(largest, size);
-            last              = std::max(last, t);
-            a.x.push_back(t);
-            a.y.push_back(size);
-            if (!table.is_missing(i, "phase_deg"))
-              {
-                p.x.push_back(t);
-                p.y.push_back(table.real(i, "phase_deg"));
-              }
-          }
-        amplitude.series.push_back(a);
-        phase.series.push_back(p);
-      }
-    if (!(largest > 0.))
-      return;
-    amplitude.y.lower = 1e-6 * largest;
+    phase.y.lower     = -180.;
+    phase.y.upper     = 180.;
     for (Chart *chart : {&amplitude, &phase})
       {
+        chart->x.lower = 0.;
         if (runs.size() < 2)
           chart->legend = Chart::Legend::none;
-        chart->x.lower = 0.;
-        chart->x.upper = last;
       }
-    phase.y.lower = -180.;
-    phase.y.upper = 180.;
+    const std::size_t n = std::min(runs.size(), most_runs);
+    for (std::size_t k = 0; k < n; ++k)
+      add_run(runs[k].first, runs[k].second, amplitude, phase);
+    if (!(amplitude.y.lower.value_or(0.) > 0.))
+      return;
     context.output.file("plots/phase.png");
     const std::string path = context.output.path() + "/plots/phase";
     context.plotter.draw(

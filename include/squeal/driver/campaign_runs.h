@@ -29,7 +29,8 @@ namespace squeal
 
   /** The unit of an axis' values as tables show them: that of its entries, MPa
    * where its name ends in "_mpa", none of a logarithm. */
-  std::string shown_unit(const SweepAxisParameters &axis);
+  std::string shown_unit(const SweepAxisParameters &axis,
+                         const SceneParameters     &scene);
 } // namespace squeal
 
 #endif
