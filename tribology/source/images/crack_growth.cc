@@ -122,7 +122,7 @@ namespace squeal::tribology
         const int       to_edge =
           std::min({p.x, p.y, cost.cols - 1 - p.x, cost.rows - 1 - p.y});
         extension.is_full = distance >= reach - 0.7;
-        if (extension.is_full || (distance > 6. && to_edge == 0) ||
+        if (extension.is_full || (distance > 6. && to_edge < 2) ||
             (distance > 3. && network.at<uchar>(p) != 0))
           {
             last = u;
