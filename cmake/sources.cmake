@@ -151,6 +151,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc
     source/results/chart.cc
     source/results/chart_layout.cc
+    source/results/column_title.cc
     source/results/compare.cc
     source/results/contact_map.cc
     source/results/cost_at_error.cc
@@ -164,8 +165,8 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/matrix_market.cc
     source/results/measured_shapes.cc
     source/results/motion_writer.cc
-    source/results/plots.cc
     source/results/planar_cells.cc
+    source/results/plots.cc
     source/results/plotter.cc
     source/results/read_csv.cc
     source/results/result_checks.cc
@@ -190,6 +191,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/contact_output.cc
     source/driver/contact_states.cc
     source/driver/doublets.cc
+    source/driver/entry_units.cc
     source/driver/finished_runs.cc
     source/driver/matrix_output.cc
     source/driver/measured_points.cc

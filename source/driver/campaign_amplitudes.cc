@@ -6,6 +6,7 @@
 #include <squeal/driver/campaign_table.h>
 #include <squeal/driver/run_context.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/column_title.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,9 +43,9 @@ namespace squeal
       std::string name;
       for (const auto &axis : axes)
         if (axis.name != left_out)
-          name += (name.empty() ? "" : ", ") + axis.name + " " +
-                  shortest_text(
-                    std::stod(rounded_text(table.real(row, axis.name), 4)));
+          name += (name.empty() ? "" : ", ") +
+                  ColumnTitle(table.columns()[table.column_index(axis.name)])
+                    .with(table.real(row, axis.name));
       const std::string top = table.text(row, "top");
       return name + (name.empty() || top.empty() ? "" : ", ") + top;
     }

@@ -5,6 +5,7 @@
 #include <squeal/driver/campaign_table.h>
 #include <squeal/driver/run_context.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/column_title.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,11 @@ namespace squeal
       const std::string path = context.output.path() + "/plots/comparison";
       context.plotter.draw(draw_charts({chart}), path);
       report.section("Comparison");
-      report.figure(path + ".png", "Growth rates", true);
+      report.figure(
+        path + ".png",
+        "Growth rate in time over sigma of the whole model, both in "
+        "1/s: a point for each run; on the line they are equal",
+        true);
     }
 
 
@@ -71,9 +76,12 @@ namespace squeal
                     const bool         is_first)
     {
       Chart chart;
-      chart.title       = (top.empty() ? "" : "top " + top + ": ") + "unstable";
-      chart.x.label     = x;
-      chart.y.label     = y;
+      chart.title      = (top.empty() ? "" : "top " + top + ": ") + "unstable";
+      const auto label = [&](const std::string &name) {
+        return ColumnTitle(table.columns()[table.column_index(name)]).of_axis();
+      };
+      chart.x.label     = label(x);
+      chart.y.label     = label(y);
       chart.legend      = is_first ? Chart::Legend::above : Chart::Legend::none;
       const auto series = [](const std::string        &label,
                              const ChartSeries::Marker marker,
@@ -151,8 +159,10 @@ namespace squeal
       report.section("Where the motion grows");
       report.figure(
         path + ".png",
-        "Growth by three ways of looking; numbers: kHz of the limit "
-        "cycle",
+        "Points where the motion grows. Large circle: by the eigenvalues with "
+        "the whole face in contact; square: by those about the contact of "
+        "steady sliding; dot: in time, its number the frequency of the "
+        "vibration in kHz; small dot: not in time",
         true);
     }
   } // namespace

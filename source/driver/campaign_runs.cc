@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/driver/campaign_runs.h>
+#include <squeal/driver/entry_units.h>
 #include <squeal/driver/transient_results.h>
 #include <squeal/parameters/choices.h>
 
@@ -36,15 +37,25 @@ namespace squeal
       return true;
     }
 
+    bool
+    is_logarithm(const std::string &axis)
+    {
+      return axis.rfind("log10_", 0) == 0;
+    }
+
+    bool
+    is_in_mpa(const std::string &axis)
+    {
+      return axis.size() > 4 && axis.substr(axis.size() - 4) == "_mpa";
+    }
+
     /** What a table shows of a value: names tell. */
     double
     shown_value(const std::string &axis, const double value)
     {
-      if (axis.rfind("log10_", 0) == 0)
+      if (is_logarithm(axis))
         return std::log10(value);
-      return axis.size() > 4 && axis.substr(axis.size() - 4) == "_mpa"
-               ? 1e-6 * value
-               : value;
+      return is_in_mpa(axis) ? 1e-6 * value : value;
     }
 
     /** Combinations of the values of some axes. */
@@ -154,6 +165,16 @@ namespace squeal
       return key;
     }
   } // namespace
+
+
+
+  std::string
+  shown_unit(const SweepAxisParameters &axis, const SceneParameters &scene)
+  {
+    if (is_logarithm(axis.name))
+      return "";
+    return is_in_mpa(axis.name) ? "MPa" : unit_of_entry(axis.entries[0], scene);
+  }
 
 
 

@@ -23,42 +23,41 @@ namespace squeal
     {
       return f.leading >= 0 ? &f.branches[f.leading] : nullptr;
     }
-  } // namespace
 
+    using Columns = std::vector<Table::Column>;
 
+    Columns
+    comparison_columns()
+    {
+      return {
+        {"contact_state", Type::text, "", "closed and all nodes"},
+        {"integrator", Type::text, "", ""},
+        {"sigma_cea_per_s", Type::real, "1/s", "whole model"},
+        {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
+        {"growth_rate_ci_per_s",
+         Type::real,
+         "1/s",
+         "95 % and the time step's part",
+         3},
+        {"frequency_cea_hz", Type::real, "Hz", "whole model", 7},
+        {"frequency_transient_hz", Type::real, "Hz", "linear phase", 7},
+        {"e_foldings", Type::real, "", "within the window", 3},
+        {"sigma_reduced_per_s", Type::real, "1/s", "reduced model"},
+        {"rate_difference",
+         Type::real,
+         "",
+         "over the larger of 2 % and 3 1/s",
+         3},
+        {"frequency_difference_rel", Type::real, "", "", 2},
+        {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
+        {"steps_per_second", Type::real, "1/s", "of one core", 4},
+        {"sigma_full_contact_per_s", Type::real, "1/s", "whole face, reduced"}};
+    }
 
-  Table
-  campaign_columns(const Parameters &p)
-  {
-    Table table;
-    for (const auto &axis : p.sweep.axes)
-      table.add_column({axis.name, Type::real, "", "axis of the campaign"});
-    table.add_column({"top", Type::text, "", "kind of the support"});
-    std::vector<Table::Column> columns = {
-      {"contact_state", Type::text, "", "closed and all nodes"},
-      {"integrator", Type::text, "", ""},
-      {"sigma_cea_per_s", Type::real, "1/s", "whole model"},
-      {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
-      {"growth_rate_ci_per_s",
-       Type::real,
-       "1/s",
-       "95 % and the time step's part",
-       3},
-      {"frequency_cea_hz", Type::real, "Hz", "whole model", 7},
-      {"frequency_transient_hz", Type::real, "Hz", "linear phase", 7},
-      {"e_foldings", Type::real, "", "within the window", 3},
-      {"sigma_reduced_per_s", Type::real, "1/s", "reduced model"},
-      {"rate_difference",
-       Type::real,
-       "",
-       "over the larger of 2 % and 3 1/s",
-       3},
-      {"frequency_difference_rel", Type::real, "", "", 2},
-      {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
-      {"steps_per_second", Type::real, "1/s", "of one core", 4},
-      {"sigma_full_contact_per_s", Type::real, "1/s", "whole face, reduced"}};
-    if (!p.transient.compare_with_cea)
-      columns = {
+    Columns
+    cycle_columns()
+    {
+      return {
         {"stable", Type::text, "", "yes, no or undecided"},
         {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
         {"frequency_hz", Type::real, "Hz", "of the period", 6},
@@ -84,20 +83,137 @@ namespace squeal
         {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
         {"phase_deg", Type::real, "deg", "tangential against normal", 4},
         {"repetition", Type::real, "", "of the normal force", 3}};
-    if (!p.transient.compare_with_cea && has_trigger(p.transient))
-      for (const Table::Column &column : std::vector<Table::Column>{
-             {"outcome", Type::text, "", "squeal by itself, after the trigger"},
-             {"before_trigger_n",
-              Type::real,
-              "N",
-              "rms of the normal force",
-              3},
-             {"after_trigger_n", Type::real, "N", "the tenth that follows", 3},
-             {"end_n", Type::real, "N", "the last tenth of the run", 3},
-             {"lasting_s", Type::real, "s", "above 10 % of the mean force", 3}})
-        columns.push_back(column);
-    for (const auto &column : columns)
+    }
+
+    Columns
+    trigger_columns()
+    {
+      return {
+        {"outcome", Type::text, "", "squeal by itself, after the trigger"},
+        {"before_trigger_n", Type::real, "N", "rms of the normal force", 3},
+        {"after_trigger_n", Type::real, "N", "the tenth that follows", 3},
+        {"end_n", Type::real, "N", "the last tenth of the run", 3},
+        {"lasting_s", Type::real, "s", "above 10 % of the mean force", 3}};
+    }
+
+
+
+    std::vector<Cell>
+    comparison_cells(const CampaignRun       &run,
+                     const PreparedTransient &prepared,
+                     const TransientFigures  &f)
+    {
+      const BranchResult *b     = leading_branch(f);
+      const double        nan   = std::nan("");
+      const bool          fit   = b && b->fit.is_valid;
+      const double        sigma = b ? b->sigma_cea : nan,
+                   rate         = fit ? b->fit.rate : nan,
+                   freq         = fit ? b->fit.frequency : nan;
+      std::vector<Cell> cells;
+      cells.emplace_back(std::to_string(prepared.steady.n_closed()) + " of " +
+                         std::to_string(prepared.steady.status.size()));
+      cells.emplace_back(choice_name(run.parameters.transient.integrator));
+      for (const double value :
+           {sigma,
+            rate,
+            fit ? b->fit.rate_ci : nan,
+            b ? b->frequency_cea : nan,
+            freq,
+            fit ? b->fit.e_foldings() : nan,
+            b ? b->sigma : nan,
+            std::abs(rate - sigma) / std::max(0.02 * std::abs(sigma), 3.),
+            b ? std::abs(freq / b->frequency_cea - 1.) : nan,
+            f.worst_imbalance,
+            f.steps_per_second,
+            sigma_with_full_contact(prepared, run.parameters)})
+        cells.push_back(known(value));
+      return cells;
+    }
+
+    /** Number of unstable pairs, and their text: "3417 (382); 6583 (207)". */
+    std::pair<unsigned int, std::string>
+    unstable_pairs(const TransientFigures &f)
+    {
+      std::string  pairs;
+      unsigned int n = 0;
+      for (const auto &branch : f.branches)
+        if (branch.sigma > 0.)
+          {
+            ++n;
+            pairs += (pairs.empty() ? "" : "; ") +
+                     rounded_text(branch.frequency, 4) + " (" +
+                     rounded_text(branch.sigma, 3) + ")";
+          }
+      return {n, n == 0 ? "none" : pairs};
+    }
+
+    std::vector<Cell>
+    cycle_cells(const CampaignRun       &run,
+                const PreparedTransient &prepared,
+                const TransientFigures  &f)
+    {
+      const BranchResult *b          = leading_branch(f);
+      const double        nan        = std::nan("");
+      const auto [n_unstable, pairs] = unstable_pairs(f);
+      const auto vibrating           = [&](const double value) {
+        return known(f.vibrates ? value : nan);
+      };
+      return {f.verdict == "unstable" ? "no"
+              : f.verdict == "stable" ? "yes"
+                                      : "undecided",
+              known(b && b->fit.is_valid ? b->fit.rate : nan),
+              vibrating(f.frequency),
+              known(f.rms_normal),
+              known(f.min_normal),
+              known(f.max_normal),
+              f.separates ? "yes" : "no",
+              known(b ? b->sigma : nan),
+              known(f.max_slip_speed_ratio),
+              known(f.stick_fraction),
+              known(f.rms_acceleration),
+              known(b ? b->frequency : nan),
+              prepared.steady.n_closed(),
+              n_unstable,
+              f.has_limit_cycle ? "yes" : "no",
+              known(f.worst_imbalance),
+              known(f.steps_per_second),
+              pairs,
+              choice_name(run.parameters.transient.integrator),
+              vibrating(f.frequency_ci),
+              vibrating(f.largest_line),
+              known(sigma_with_full_contact(prepared, run.parameters)),
+              known(f.macroscopic_friction),
+              known(f.phase),
+              vibrating(f.repetition)};
+    }
+
+    std::vector<Cell>
+    trigger_cells(const TriggerOutcome &trigger)
+    {
+      return {trigger.text,
+              known(trigger.before),
+              known(trigger.after),
+              known(trigger.end),
+              known(trigger.lasting)};
+    }
+  } // namespace
+
+
+
+  Table
+  campaign_columns(const Parameters &p)
+  {
+    Table table;
+    for (const auto &axis : p.sweep.axes)
+      table.add_column(
+        {axis.name, Type::real, shown_unit(axis, p.scene), axis.entries[0]});
+    table.add_column({"top", Type::text, "", "kind of the support"});
+    const bool compares = p.transient.compare_with_cea;
+    for (const auto &column : compares ? comparison_columns() : cycle_columns())
       table.add_column(column);
+    if (!compares && has_trigger(p.transient))
+      for (const auto &column : trigger_columns())
+        table.add_column(column);
     return table;
   }
 
@@ -109,82 +225,16 @@ namespace squeal
                const TransientRecord   &record,
                const TransientFigures  &f)
   {
-    const bool        compares = run.parameters.transient.compare_with_cea;
+    const auto       &t = run.parameters.transient;
     std::vector<Cell> row(run.shown.begin(), run.shown.end());
     row.emplace_back(run.top);
-    const BranchResult *b   = leading_branch(f);
-    const double        nan = std::nan("");
-    const bool          fit = b && b->fit.is_valid;
-    if (compares)
-      {
-        const double sigma = b ? b->sigma_cea : nan,
-                     rate  = fit ? b->fit.rate : nan,
-                     freq  = fit ? b->fit.frequency : nan;
-        row.emplace_back(std::to_string(prepared.steady.n_closed()) + " of " +
-                         std::to_string(prepared.steady.status.size()));
-        row.emplace_back(choice_name(run.parameters.transient.integrator));
-        for (const double value :
-             {sigma,
-              rate,
-              fit ? b->fit.rate_ci : nan,
-              b ? b->frequency_cea : nan,
-              freq,
-              fit ? b->fit.e_foldings() : nan,
-              b ? b->sigma : nan,
-              std::abs(rate - sigma) / std::max(0.02 * std::abs(sigma), 3.),
-              b ? std::abs(freq / b->frequency_cea - 1.) : nan,
-              f.worst_imbalance,
-              f.steps_per_second,
-              sigma_with_full_contact(prepared, run.parameters)})
-          row.push_back(known(value));
-        return row;
-      }
-    std::string  pairs;
-    unsigned int n_unstable = 0;
-    for (const auto &branch : f.branches)
-      if (branch.sigma > 0.)
-        {
-          ++n_unstable;
-          pairs += (pairs.empty() ? "" : "; ") +
-                   rounded_text(branch.frequency, 4) + " (" +
-                   rounded_text(branch.sigma, 3) + ")";
-        }
-    const bool is_unstable = f.verdict == "unstable";
-    row.emplace_back(is_unstable             ? "no"
-                     : f.verdict == "stable" ? "yes"
-                                             : "undecided");
-    row.push_back(known(fit ? b->fit.rate : nan));
-    row.push_back(known(f.vibrates ? f.frequency : nan));
-    for (const double value : {f.rms_normal, f.min_normal, f.max_normal})
-      row.push_back(known(value));
-    row.emplace_back(f.separates ? "yes" : "no");
-    row.push_back(known(b ? b->sigma : nan));
-    for (const double value :
-         {f.max_slip_speed_ratio, f.stick_fraction, f.rms_acceleration})
-      row.push_back(known(value));
-    row.push_back(known(b ? b->frequency : nan));
-    row.emplace_back(prepared.steady.n_closed());
-    row.emplace_back(n_unstable);
-    row.emplace_back(f.has_limit_cycle ? "yes" : "no");
-    row.push_back(known(f.worst_imbalance));
-    row.push_back(known(f.steps_per_second));
-    row.emplace_back(pairs.empty() ? "none" : pairs);
-    row.emplace_back(choice_name(run.parameters.transient.integrator));
-    row.push_back(known(f.vibrates ? f.frequency_ci : nan));
-    row.push_back(known(f.vibrates ? f.largest_line : nan));
-    row.push_back(known(sigma_with_full_contact(prepared, run.parameters)));
-    row.push_back(known(f.macroscopic_friction));
-    row.push_back(known(f.phase));
-    row.push_back(known(f.vibrates ? f.repetition : nan));
-    if (has_trigger(run.parameters.transient))
-      {
-        const TriggerOutcome trigger =
-          evaluate_trigger(record, run.parameters.transient);
-        row.emplace_back(trigger.text);
-        for (const double value :
-             {trigger.before, trigger.after, trigger.end, trigger.lasting})
-          row.push_back(known(value));
-      }
+    const auto append = [&](const std::vector<Cell> &cells) {
+      row.insert(row.end(), cells.begin(), cells.end());
+    };
+    append(t.compare_with_cea ? comparison_cells(run, prepared, f)
+                              : cycle_cells(run, prepared, f));
+    if (!t.compare_with_cea && has_trigger(t))
+      append(trigger_cells(evaluate_trigger(record, t)));
     return row;
   }
 

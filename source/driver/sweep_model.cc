@@ -71,6 +71,12 @@ namespace squeal
       build(context, vectors);
   }
 
+  const SceneParameters &
+  SweepModel::scene() const
+  {
+    return parameters.scene;
+  }
+
   const Model &
   SweepModel::model() const
   {

@@ -3,6 +3,7 @@
 // Charts of a sweep: frequency and sigma against the parameter, loci, the map
 // of unstable ranges, the errors of the basis.
 
+#include <squeal/driver/entry_units.h>
 #include <squeal/driver/sweep_solution.h>
 #include <squeal/results/chart.h>
 
@@ -37,8 +38,10 @@ namespace squeal
     axis_label(const SweepModel &model, const unsigned int a)
     {
       const auto       &axis = model.grid().axis(a);
+      const std::string unit = unit_of_entry(axis.entries[0], model.scene());
       const std::string entry =
-        axis.entries[0].substr(axis.entries[0].find('/') + 1);
+        axis.entries[0].substr(axis.entries[0].find('/') + 1) +
+        (unit.empty() ? "" : " in " + unit);
       return model.grid().is_logarithmic(a) ? "log10 of " + entry : entry;
     }
 
@@ -320,15 +323,27 @@ namespace squeal
         if (!line.exceptional.empty())
           loci.push_back(locus_chart(model, line));
       }
-    draw("frequencies", "Frequencies; triangles are unstable", frequencies);
-    draw("sigma", "Growth rates of the branches that are unstable", sigmas);
+    draw("frequencies",
+         "Frequencies in kHz of all pairs over the axis, a line for each "
+         "branch, a panel for each value of the other axes; triangles: points "
+         "of the grid where the pair is unstable",
+         frequencies);
+    draw("sigma",
+         "Growth rates sigma in 1/s of the branches that are unstable "
+         "somewhere: above the line at 0 they squeal",
+         sigmas);
     if (!loci.empty())
-      draw("locus", "Paths of the pairs that coalesce", loci);
+      draw("locus",
+           "Paths of the pairs that coalesce, frequency in kHz over sigma in "
+           "1/s; tinted: unstable",
+           loci);
     if (model.grid().n_axes() == 2)
       draw(
         "stability_map",
-        "Unstable ranges: a line from the lower to the upper edge of each, in "
-        "the colour of its frequency; ranges that overlap are shifted a little",
+        "Unstable ranges: each a line between two marks, its lower and its "
+        "upper edge along the first axis, at a value of the second; colour and "
+        "shape of the marks: its frequency where sigma is largest; ranges that "
+        "overlap are shifted up a little",
         {map_chart(model, solution)});
     for (const ChartGroup &group : others)
       draw(group.name, group.caption, group.charts);

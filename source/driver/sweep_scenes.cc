@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/driver/entry_units.h>
 #include <squeal/driver/sweep_scenes.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/sweep/parametric_system.h>
@@ -66,8 +67,11 @@ namespace squeal
         for (unsigned int a = 0; a < grid.n_axes(); ++a)
           {
             const auto &axis = grid.axis(a);
-            scene.columns.push_back(
-              {axis.name, Table::Type::real, "", axis.entries[0], 6});
+            scene.columns.push_back({axis.name,
+                                     Table::Type::real,
+                                     unit_of_entry(axis.entries[0], p.scene),
+                                     axis.entries[0],
+                                     6});
             scene.values.push_back(grid.value(a, point[a]));
             scene.name += (a > 0 ? "_" : "") + axis.name + "_" +
                           rounded_text(scene.values.back(), 6);

@@ -8,6 +8,8 @@
 #include <squeal/driver/finished_runs.h>
 #include <squeal/driver/run_context.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/parameters/choices.h>
+#include <squeal/results/column_title.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,16 +72,11 @@ namespace squeal
       /** For a thread of its own. With a comparison the run ends with its
        * linear phase. */
       static TransientRecord
-      integrate(const CampaignRun       &run,
-                const PreparedTransient &prepared,
-                const StopRequest       &stop)
+      integrate(const CampaignRun &run,
+                TransientRun      &transient,
+                const StopRequest &stop)
       {
-        TransientRun transient(prepared.pressed,
-                               prepared.steady,
-                               prepared.linear,
-                               prepared.branches,
-                               run.parameters);
-        const bool   linear_only = run.parameters.transient.compare_with_cea;
+        const bool linear_only = run.parameters.transient.compare_with_cea;
         transient.advance([&](const unsigned int) {
           return stop.is_there() ||
                  (linear_only && !transient.record().changes.empty());
@@ -159,15 +156,20 @@ namespace squeal
       std::vector<std::pair<std::string, Table>> phases;
     };
 
-    /** The values of a run's axes, "mu 0.35". */
+    /** The values of a run's axes, its top and, of several, its integrator:
+     * "mu 0.35, guided". */
     std::string
     run_label(const CampaignRun &run, const Table &table)
     {
       std::string label;
       for (std::size_t i = 0; i < run.shown.size(); ++i)
-        label += (label.empty() ? "" : ", ") + table.columns()[i].name + " " +
-                 rounded_text(run.shown[i], 4);
-      return label + (label.empty() ? "" : " ") + run.top;
+        label += (label.empty() ? "" : ", ") +
+                 ColumnTitle(table.columns()[i]).with(run.shown[i]);
+      const auto &t = run.parameters.transient;
+      for (const std::string &part :
+           {run.top, t.integrators.empty() ? "" : choice_name(t.integrator)})
+        label += (label.empty() || part.empty() ? "" : ", ") + part;
+      return label;
     }
 
     /** All rows of a table of numbers one after the other, and back. */
@@ -191,7 +193,7 @@ namespace squeal
       return table;
     }
 
-    /** The phases of all runs as one table with the axes in front. */
+    /** The phases of all runs as one table, in front what tells runs apart. */
     Table
     all_phases(const CampaignResults          &results,
                const std::vector<CampaignRun> &runs)
@@ -200,6 +202,10 @@ namespace squeal
       for (std::size_t k = 0; k < results.phases.size(); ++k)
         {
           Table part = results.phases[k].second;
+          part.put_first({"integrator", Table::Type::text, "", ""},
+                         choice_name(runs[k].parameters.transient.integrator));
+          part.put_first({"top", Table::Type::text, "", "kind of the support"},
+                         runs[k].top);
           for (std::size_t i = runs[k].shown.size(); i-- > 0;)
             part.put_first(results.table.columns()[i], runs[k].shown[i]);
           table.append(part);
@@ -212,6 +218,7 @@ namespace squeal
     {
       std::vector<Cell>                  row; /**< if it was finished before */
       std::unique_ptr<PreparedTransient> prepared; /**< null: no sliding */
+      std::unique_ptr<TransientRun>      transient;
       std::future<TransientRecord>       record;
     };
 
@@ -272,10 +279,19 @@ namespace squeal
         if (!group)
           group = std::make_unique<CampaignGroup>(run.parameters, context);
         started.prepared = group->prepare(run);
-        if (started.prepared)
-          started.record = std::async(std::launch::async, [&]() {
-            return CampaignGroup::integrate(run, *started.prepared, stop);
-          });
+        if (!started.prepared)
+          return;
+        // Not in the thread: a blow is a load that MUMPS solves for, and MUMPS
+        // runs in one thread at a time.
+        started.transient =
+          std::make_unique<TransientRun>(started.prepared->pressed,
+                                         started.prepared->steady,
+                                         started.prepared->linear,
+                                         started.prepared->branches,
+                                         run.parameters);
+        started.record = std::async(std::launch::async, [&]() {
+          return CampaignGroup::integrate(run, *started.transient, stop);
+        });
       }
 
       void

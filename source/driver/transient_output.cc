@@ -30,6 +30,113 @@ namespace squeal
     {
       return std::isfinite(value) ? Json(value) : Json();
     }
+
+    std::vector<Table::Column>
+    transient_columns()
+    {
+      return {
+        {"verdict", Type::text, "", "stable, unstable or undecided"},
+        {"growth_rate_per_s", Type::real, "1/s", "of the leading branch"},
+        {"growth_rate_ci_per_s",
+         Type::real,
+         "1/s",
+         "half width, 95 %, and the time step's part",
+         3},
+        {"growth_frequency_hz", Type::real, "Hz", "of the leading branch", 7},
+        {"e_foldings", Type::real, "", "within the fitted window", 3},
+        {"sigma_linear_per_s", Type::real, "1/s", "about steady sliding"},
+        {"frequency_linear_hz", Type::real, "Hz", "about steady sliding", 7},
+        {"sigma_cea_per_s", Type::real, "1/s", "by the whole model"},
+        {"frequency_cea_hz", Type::real, "Hz", "by the whole model", 7},
+        {"limit_cycle", Type::text, "", "the second half is steady"},
+        {"limit_cycle_frequency_hz", Type::real, "Hz", "of its period", 6},
+        {"mean_normal_n", Type::real, "N", "second half of the run"},
+        {"rms_normal_n", Type::real, "N", "about the mean"},
+        {"min_normal_n", Type::real, "N", ""},
+        {"max_normal_n", Type::real, "N", ""},
+        {"rms_tangential_n", Type::real, "N", "about the mean"},
+        {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
+        {"phase_deg",
+         Type::real,
+         "deg",
+         "tangential against normal at the largest line",
+         4},
+        {"separates", Type::text, "", "all nodes are open at a time"},
+        {"stick_fraction", Type::real, "", "of closed node-time", 4},
+        {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
+        {"rms_pad_acceleration", Type::real, "m/s2", "centre of the pad", 4},
+        {"leading_edge_factor", Type::real, "", "mean", 4},
+        {"peak_pressure_pa", Type::real, "Pa", "", 4},
+        {"n_never", Type::integer, "", "nodes never closed"},
+        {"n_slip", Type::integer, "", "nodes that always slip"},
+        {"n_stick_slip", Type::integer, "", "nodes that stick and slip"},
+        {"n_separating", Type::integer, "", "nodes that open and close"},
+        {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
+        {"steps_per_second", Type::real, "1/s", "of one core", 4},
+        {"iterations_per_step", Type::real, "", "of Newton's method", 3},
+        {"inversions", Type::real, "", "of the contact Jacobian", 5},
+        {"limit_cycle_frequency_ci_hz",
+         Type::real,
+         "Hz",
+         "largest deviation of its quarters that have a line",
+         2},
+        {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
+        {"repetition",
+         Type::real,
+         "",
+         "correlation of the normal force periods later",
+         3}};
+    }
+
+
+
+    std::vector<Cell>
+    transient_cells(const TransientFigures &f)
+    {
+      const bool         has   = f.leading >= 0;
+      const BranchResult b     = has ? f.branches[f.leading] : BranchResult();
+      const auto         known = [&](const double value) {
+        return has ? Cell(value) : Cell();
+      };
+      const auto fitted = [&](const double value) {
+        return b.fit.is_valid ? Cell(value) : Cell();
+      };
+      return {f.verdict,
+              fitted(b.fit.rate),
+              fitted(b.fit.rate_ci),
+              fitted(b.fit.frequency),
+              fitted(b.fit.e_foldings()),
+              known(b.sigma),
+              known(b.frequency),
+              known(b.sigma_cea),
+              known(b.frequency_cea),
+              yes_or_no(f.has_limit_cycle),
+              f.frequency,
+              f.mean_normal,
+              f.rms_normal,
+              f.min_normal,
+              f.max_normal,
+              f.rms_tangential,
+              f.macroscopic_friction,
+              f.phase,
+              yes_or_no(f.separates),
+              f.stick_fraction,
+              f.max_slip_speed_ratio,
+              f.rms_acceleration,
+              f.mean_leading_edge_factor,
+              f.peak_pressure,
+              f.n_never,
+              f.n_slip,
+              f.n_stick_slip,
+              f.n_separating,
+              f.worst_imbalance,
+              f.steps_per_second,
+              f.iterations_per_step,
+              f.n_inversions,
+              std::isfinite(f.frequency_ci) ? Cell(f.frequency_ci) : Cell(),
+              f.largest_line,
+              f.repetition};
+    }
   } // namespace
 
 
@@ -37,102 +144,8 @@ namespace squeal
   Table
   transient_table(const TransientFigures &f)
   {
-    Table table(
-      {{"verdict", Type::text, "", "stable, unstable or undecided"},
-       {"growth_rate_per_s", Type::real, "1/s", "of the leading branch"},
-       {"growth_rate_ci_per_s",
-        Type::real,
-        "1/s",
-        "half width, 95 %, and the time step's part",
-        3},
-       {"growth_frequency_hz", Type::real, "Hz", "of the leading branch", 7},
-       {"e_foldings", Type::real, "", "within the fitted window", 3},
-       {"sigma_linear_per_s", Type::real, "1/s", "about steady sliding"},
-       {"frequency_linear_hz", Type::real, "Hz", "about steady sliding", 7},
-       {"sigma_cea_per_s", Type::real, "1/s", "by the whole model"},
-       {"frequency_cea_hz", Type::real, "Hz", "by the whole model", 7},
-       {"limit_cycle", Type::text, "", "the second half is steady"},
-       {"limit_cycle_frequency_hz", Type::real, "Hz", "of its period", 6},
-       {"mean_normal_n", Type::real, "N", "second half of the run"},
-       {"rms_normal_n", Type::real, "N", "about the mean"},
-       {"min_normal_n", Type::real, "N", ""},
-       {"max_normal_n", Type::real, "N", ""},
-       {"rms_tangential_n", Type::real, "N", "about the mean"},
-       {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
-       {"phase_deg",
-        Type::real,
-        "deg",
-        "tangential against normal at the largest line",
-        4},
-       {"separates", Type::text, "", "all nodes are open at a time"},
-       {"stick_fraction", Type::real, "", "of closed node-time", 4},
-       {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
-       {"rms_pad_acceleration", Type::real, "m/s2", "centre of the pad", 4},
-       {"leading_edge_factor", Type::real, "", "mean", 4},
-       {"peak_pressure_pa", Type::real, "Pa", "", 4},
-       {"n_never", Type::integer, "", "nodes never closed"},
-       {"n_slip", Type::integer, "", "nodes that always slip"},
-       {"n_stick_slip", Type::integer, "", "nodes that stick and slip"},
-       {"n_separating", Type::integer, "", "nodes that open and close"},
-       {"worst_imbalance", Type::real, "", "of the energy ledger", 2},
-       {"steps_per_second", Type::real, "1/s", "of one core", 4},
-       {"iterations_per_step", Type::real, "", "of Newton's method", 3},
-       {"inversions", Type::real, "", "of the contact Jacobian", 5},
-       {"limit_cycle_frequency_ci_hz",
-        Type::real,
-        "Hz",
-        "largest deviation of its quarters that have a line",
-        2},
-       {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
-       {"repetition",
-        Type::real,
-        "",
-        "correlation of the normal force periods later",
-        3}});
-    const bool         has   = f.leading >= 0;
-    const BranchResult b     = has ? f.branches[f.leading] : BranchResult();
-    const auto         known = [&](const double value) {
-      return has ? Cell(value) : Cell();
-    };
-    const auto fitted = [&](const double value) {
-      return b.fit.is_valid ? Cell(value) : Cell();
-    };
-    table.add_row(
-      {f.verdict,
-       fitted(b.fit.rate),
-       fitted(b.fit.rate_ci),
-       fitted(b.fit.frequency),
-       fitted(b.fit.e_foldings()),
-       known(b.sigma),
-       known(b.frequency),
-       known(b.sigma_cea),
-       known(b.frequency_cea),
-       yes_or_no(f.has_limit_cycle),
-       f.frequency,
-       f.mean_normal,
-       f.rms_normal,
-       f.min_normal,
-       f.max_normal,
-       f.rms_tangential,
-       f.macroscopic_friction,
-       f.phase,
-       yes_or_no(f.separates),
-       f.stick_fraction,
-       f.max_slip_speed_ratio,
-       f.rms_acceleration,
-       f.mean_leading_edge_factor,
-       f.peak_pressure,
-       f.n_never,
-       f.n_slip,
-       f.n_stick_slip,
-       f.n_separating,
-       f.worst_imbalance,
-       f.steps_per_second,
-       f.iterations_per_step,
-       f.n_inversions,
-       std::isfinite(f.frequency_ci) ? Cell(f.frequency_ci) : Cell(),
-       f.largest_line,
-       f.repetition});
+    Table table(transient_columns());
+    table.add_row(transient_cells(f));
     return table;
   }
 

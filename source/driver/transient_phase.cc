@@ -48,6 +48,9 @@ namespace squeal
       return {mean, std::sqrt(std::max(0., squares / n - mean * mean))};
     }
 
+    /** Runs of a campaign that one picture shows. */
+    constexpr std::size_t most_runs = 6;
+
     ChartSeries
     dots(const std::string &label, const Ink ink)
     {
@@ -56,6 +59,36 @@ namespace squeal
       s.ink         = ink;
       s.marker_size = 0.8;
       return s;
+    }
+    /** Adds one run to both charts of draw_phases(). */
+    void
+    add_run(const std::string &label,
+            const Table       &table,
+            Chart             &amplitude,
+            Chart             &phase)
+    {
+      const Ink   ink = series_ink(amplitude.series.size());
+      ChartSeries a = dots(label, ink), p = dots(label, ink);
+      a.style = ChartSeries::Style::lines;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        {
+          const double t    = 1e3 * table.real(i, "time_s"),
+                       size = table.real(i, "normal_amplitude_n");
+          // Six decades under the largest.
+          amplitude.y.lower =
+            std::max(amplitude.y.lower.value_or(0.), 1e-6 * size);
+          a.x.push_back(t);
+          a.y.push_back(size);
+          if (!table.is_missing(i, "phase_deg"))
+            {
+              p.x.push_back(t);
+              p.y.push_back(table.real(i, "phase_deg"));
+            }
+          for (Chart *chart : {&amplitude, &phase})
+            chart->x.upper = std::max(chart->x.upper.value_or(0.), t);
+        }
+      amplitude.series.push_back(a);
+      phase.series.push_back(p);
     }
   } // namespace
 
@@ -160,51 +193,33 @@ namespace squeal
     amplitude.y.scale = AxisSettings::Scale::logarithmic;
     phase.title       = "Phase of the tangential against the normal force";
     phase.x.label     = "time in ms";
-    phase.y.label     = "degrees";
-    phase.legend      = Chart::Legend::none;
-    double largest = 0., last = 0.;
-    for (std::size_t k = 0; k < std::min<std::size_t>(runs.size(), 6); ++k)
-      {
-        const auto &[label, table] = runs[k];
-        ChartSeries a              = dots(label, series_ink(k)),
-                    p              = dots(label, series_ink(k));
-        a.style                    = ChartSeries::Style::lines;
-        for (std::size_t i = 0; i < table.n_rows(); ++i)
-          {
-            const double t    = 1e3 * table.real(i, "time_s"),
-                         size = table.real(i, "normal_amplitude_n");
-            largest           = std::max(largest, size);
-            last              = std::max(last, t);
-            a.x.push_back(t);
-            a.y.push_back(size);
-            if (!table.is_missing(i, "phase_deg"))
-              {
-                p.x.push_back(t);
-                p.y.push_back(table.real(i, "phase_deg"));
-              }
-          }
-        amplitude.series.push_back(a);
-        phase.series.push_back(p);
-      }
-    if (runs.size() < 2)
-      amplitude.legend = Chart::Legend::none;
-    if (!(largest > 0.))
-      return;
-    amplitude.y.lower = 1e-6 * largest;
+    phase.y.label     = "phase in degrees";
+    phase.y.lower     = -180.;
+    phase.y.upper     = 180.;
     for (Chart *chart : {&amplitude, &phase})
       {
         chart->x.lower = 0.;
-        chart->x.upper = last;
+        if (runs.size() < 2)
+          chart->legend = Chart::Legend::none;
       }
-    phase.y.lower = -180.;
-    phase.y.upper = 180.;
+    const std::size_t n = std::min(runs.size(), most_runs);
+    for (std::size_t k = 0; k < n; ++k)
+      add_run(runs[k].first, runs[k].second, amplitude, phase);
+    if (!(amplitude.y.lower.value_or(0.) > 0.))
+      return;
     context.output.file("plots/phase.png");
     const std::string path = context.output.path() + "/plots/phase";
-    context.plotter.draw(draw_charts({amplitude, phase}, 1400, 1000), path);
+    context.plotter.draw(
+      draw_charts({amplitude, phase}, 1400, runs.size() < 2 ? 1000 : 1200),
+      path);
     report.figure(path + ".png",
                   "Amplitude of the normal force, and phase of the tangential "
                   "against the normal force where both are above 0.1 % of the "
-                  "mean normal force",
+                  "mean normal force" +
+                    (n < runs.size()
+                       ? "; the first " + std::to_string(n) + " of " +
+                           std::to_string(runs.size()) + " runs"
+                       : ""),
                   true);
   }
 } // namespace squeal

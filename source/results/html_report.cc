@@ -2,12 +2,12 @@
 #include <squeal/base/base64.h>
 #include <squeal/base/files.h>
 #include <squeal/base/run_log.h>
+#include <squeal/results/column_title.h>
 #include <squeal/results/html_report.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
-#include <set>
 
 namespace squeal
 {
@@ -38,7 +38,12 @@ h2 { font-size: 1.25rem; margin: 2.4rem 0 .8rem; padding-bottom: .25rem;
 .figures dd { margin: 0; font-weight: 600; }
 nav { margin: 1.2rem 0 0; font-size: .9rem; }
 nav a { color: var(--neutral); text-decoration: none; margin-right: 1.1rem; }
-.wide { overflow-x: auto; }
+/* A table that goes on beyond the right edge has a shadow there: a cover that
+   moves with the table hides it at the end. */
+.wide { overflow-x: auto; background:
+  linear-gradient(to left, #fff 40%, #fff0) 100% 0 / 3rem 100% local no-repeat,
+  linear-gradient(to left, #1d273340, #fff0) 100% 0 / 1rem 100% scroll
+    no-repeat; }
 table { border-collapse: collapse; font-size: .84rem; margin: .4rem 0; }
 caption { text-align: left; color: var(--faint); padding-bottom: .4rem; }
 th { text-align: left; vertical-align: bottom; font-weight: 600;
@@ -51,6 +56,10 @@ td.number { text-align: right; white-space: nowrap;
   font-variant-numeric: tabular-nums; padding-left: .7rem; }
 tr.marked td { background: #fdeadd; font-weight: 600; }
 table.data td:not(.number) { min-width: 5.5em; }
+/* What a row is about stays in sight. */
+.wide th:first-child, .wide td:first-child { position: sticky; left: 0;
+  background: #fff; }
+.wide tr.marked td:first-child { background: #fdeadd; }
 td.ok { color: var(--good); font-weight: 600; }
 td.failed { color: var(--bad); font-weight: 600; }
 dl.legend { font-size: .8rem; color: var(--faint); columns: 2; margin: .3rem 0; }
@@ -70,7 +79,7 @@ table.pairs td { overflow-wrap: anywhere; }
 @media print { body { background: #fff; font-size: 10.5pt; }
   main { padding: 0; max-width: none; } nav { display: none; }
   figure, tr, .verdict, pre { break-inside: avoid; } h2 { break-after: avoid; }
-  .wide { overflow: visible; } table { font-size: 7.5pt; }
+  .wide { overflow: visible; background: none; } table { font-size: 7.5pt; }
   table.data td { white-space: normal; } th, td { padding-right: .35rem; }
   td.number, th.number { padding-left: .2rem; } }
 )";
@@ -100,26 +109,6 @@ table.pairs td { overflow-wrap: anywhere; }
       return result;
     }
 
-    /** A name without the words of its unit ("frequency_hz": "frequency"),
-     * and the unit. */
-    std::pair<std::string, std::string>
-    heading(const Table::Column &column)
-    {
-      static const std::set<std::string> unit_words = {
-        "hz", "s", "per", "rel", "mb", "mm", "m", "n", "pa", "mpa"};
-      std::string name = column.name, unit = column.unit;
-      const auto  last_word = [&]() {
-        const std::size_t cut = name.rfind('_');
-        return cut == std::string::npos ? "" : name.substr(cut + 1);
-      };
-      if (unit.empty() && last_word() == "rel")
-        unit = "relative";
-      while (!unit.empty() && unit_words.count(last_word()) > 0)
-        name.erase(name.rfind('_'));
-      std::replace(name.begin(), name.end(), '_', ' ');
-      return {name, unit};
-    }
-
     std::string
     anchor(const std::size_t number)
     {
@@ -134,7 +123,7 @@ table.pairs td { overflow-wrap: anywhere; }
         {
           const Table::Column &column = table.columns()[c];
           if (!column.description.empty())
-            items += "<div><dt>" + escaped(heading(column).first) +
+            items += "<div><dt>" + escaped(ColumnTitle(column).name) +
                      "</dt> <dd>" + escaped(column.description) +
                      "</dd></div>\n";
         }
@@ -210,15 +199,16 @@ table.pairs td { overflow-wrap: anywhere; }
                                                           : " class=\"number\"";
     };
 
-    body += "<div class=\"wide\"><table class=\"data\">\n<caption>" +
-            escaped(caption) + "</caption>\n<thead><tr>";
+    body +=
+      "<div class=\"wide\" tabindex=\"0\"><table class=\"data\">\n<caption>" +
+      escaped(caption) + "</caption>\n<thead><tr>";
     for (const std::size_t c : shown)
       {
         const Table::Column &column = table.columns()[c];
-        const auto [name, unit]     = heading(column);
+        const ColumnTitle    title(column);
         body += std::string("<th") + class_of(c) + " title=\"" +
-                escaped(column.description) + "\">" + escaped(name) +
-                "<small>" + escaped(unit) + "</small></th>";
+                escaped(column.description) + "\">" + escaped(title.name) +
+                "<small>" + escaped(title.unit) + "</small></th>";
       }
     body += "</tr></thead>\n<tbody>\n";
     for (std::size_t r = 0; r < table.n_rows(); ++r)
@@ -301,7 +291,8 @@ table.pairs td { overflow-wrap: anywhere; }
   HtmlReport::checks(const std::vector<ResultCheck> &results)
   {
     section("Result checks");
-    body += "<div class=\"wide\"><table>\n<thead><tr><th></th><th>check</th>"
+    body += "<div class=\"wide\" "
+            "tabindex=\"0\"><table>\n<thead><tr><th></th><th>check</th>"
             "<th class=\"number\">got</th><th class=\"number\">expected</th>"
             "<th class=\"number\">tolerance</th><th></th></tr></thead>\n"
             "<tbody>\n";

@@ -7,6 +7,8 @@
 
 #include "program.h"
 
+#include <set>
+
 using namespace squeal;
 using namespace squeal::testing;
 
@@ -62,6 +64,17 @@ namespace
 
 
 
+  /** Names of the columns. */
+  std::string
+  first_line(const std::string &file)
+  {
+    std::istringstream text(text_of(file));
+    std::string        line;
+    while (std::getline(text, line) && !line.empty() && line[0] == '#')
+      ;
+    return line;
+  }
+
   /** Lines of the campaign's table without its head. */
   std::vector<std::string>
   rows_of(const std::string &file)
@@ -78,11 +91,13 @@ namespace
 
 
 
+  /** Rows of a campaign over friction; @p more is added to `Transient`. */
   std::vector<std::string>
   run(const std::string &program,
       const std::string &folder,
       const std::string &frictions,
-      std::string       &output)
+      std::string       &output,
+      const std::string &more = "")
   {
     write_text("campaign.prm",
                "include " + folder + R"(/pin_on_beam/scene.prm
@@ -95,6 +110,7 @@ subsection Transient
   set Time step       = 1e-6
   set Sample interval = 1e-6
   set End time        = 0.002
+)" + more + R"(
 end
 subsection Sweep
   set Axes = mu
@@ -144,6 +160,37 @@ end
             std::string::npos,
           "with a warning");
   }
+
+
+
+  /** Each run solves for the pin's shape under the blow, and two go side by
+   * side. */
+  void
+  blows_are_struck_side_by_side(const std::string &program,
+                                const std::string &folder)
+  {
+    std::filesystem::remove("campaign_runs.json");
+    std::string output;
+    const auto  rows = run(program, folder, "0.1, 0.15, 0.2, 0.3", output, R"(
+  set Threads = 2
+  subsection Hammer
+    set Body     = pin
+    set Face     = y_min
+    set Force    = 0, 20, 0
+    set Time     = 0.001
+    set Duration = 1e-4
+  end)");
+    check(rows.size() == 4, "a row for each run with a blow");
+    check(first_line("campaign/phases.csv") ==
+            "mu,top,integrator,time_s,normal_amplitude_n,"
+            "tangential_amplitude_n,phase_deg",
+          "phases say which run they are of, and their units");
+    std::set<std::string> frictions;
+    for (const std::string &row : rows_of("campaign/phases.csv"))
+      frictions.insert(row.substr(0, row.find(',')));
+    check(frictions == std::set<std::string>{"0.1", "0.15", "0.2", "0.3"},
+          "there are phases of every run");
+  }
 } // namespace
 
 
@@ -154,4 +201,5 @@ main(int argc, char *argv[])
   check(argc == 3, "two arguments: program and folder");
   rows_are_kept();
   runs_are_not_run_again(argv[1], argv[2]);
+  blows_are_struck_side_by_side(argv[1], argv[2]);
 }

@@ -107,7 +107,7 @@ namespace
     for (Eigen::Index k = 0; k < result.size(); ++k)
       {
         double re, im;
-        check(bool(in >> re >> im) || k < 0, file + " is complete");
+        check(bool(in >> re >> im), file + " is complete");
         result.data()[k] = {re, im};
       }
     return result;

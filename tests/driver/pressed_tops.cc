@@ -80,9 +80,11 @@ namespace
         const auto r = contact_resultant(brake.pressed.geometry(), s.forces);
         check_close(r.force[2], 100., 1e-6, top + ": carries the load");
         check_close(r.force[1], 50., 1e-6, top + ": friction along +y");
-        check(r.leading_edge_factor > 1.5,
-              top + ": pressed at the edge of entry");
-        check(r.centre[1] < -1e-3, top + ": centre of pressure towards it");
+        // About 4.6 times the mean, 3 mm from the middle of a pad of 10 mm.
+        check(r.leading_edge_factor > 4.,
+              top + ": pressed at the edge of entry, " +
+                std::to_string(r.leading_edge_factor));
+        check(r.centre[1] < -2.5e-3, top + ": centre of pressure towards it");
         forces.push_back(s.forces);
 
         TransientDrive drive;
@@ -185,7 +187,7 @@ namespace
     check_close(samples.back().normal, 100., 5., "the load at the end");
     check(worst < 1e-3,
           "the ledger closes over ramp and blow: " + std::to_string(worst));
-    check(struck > 5., "the blow is felt: " + std::to_string(struck));
+    check(struck > 30., "the blow is felt: " + std::to_string(struck));
   }
   /** What rings on about a steady sliding that is stable is no limit cycle;
    * what the contact bounds is one. */
@@ -219,7 +221,9 @@ namespace
         // How even the squeal is differs from machine to machine.
         const bool looks_steady =
           f.least_rms > .8 * f.most_rms && f.most_rms > 1e-4 * f.mean_normal;
-        check(squeals || looks_steady,
+        check(squeals
+                ? f.least_rms > .5 * f.mean_normal && f.most_rms < f.mean_normal
+                : looks_steady,
               name + "quarters of " + std::to_string(f.least_rms) + " to " +
                 std::to_string(f.most_rms) + " N rms");
         check(f.verdict == (squeals ? "unstable" : "stable"), name + f.verdict);

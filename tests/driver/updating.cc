@@ -187,9 +187,13 @@ subsection Updating
       check(value(noisy, number, "interval_lower") < exact &&
               exact < value(noisy, number, "interval_upper"),
             "the confidence interval holds the true " + number);
-    check(value(noisy, "disc", "interval_upper") <
-            1.01 * value(noisy, "disc", "interval_lower"),
-          "and is narrow for the disc");
+    for (const auto &[number, ratio] :
+         {std::make_pair("disc", 1.01), {"pad", 1.01}, {"contact", 1.1}})
+      check(value(noisy, number, "interval_upper") <
+              ratio * value(noisy, number, "interval_lower"),
+            std::string("and is narrow for ") + number + ": " +
+              shortest_text(value(noisy, number, "interval_upper") /
+                            value(noisy, number, "interval_lower")));
   }
 
   void

@@ -41,9 +41,10 @@ namespace
 
     Table table({{"frequency_hz", Type::real, "Hz", "f = omega/2 pi", 6, 2},
                  {"residual_rel", Type::real, "", "", 3},
-                 {"name", Type::text, "", "<name>"}});
-    table.add_row({3520.0, 1.2345e-12, "(0,3)+ & <b>"});
-    table.add_row({5003.9, Cell(), "(0,4)+"});
+                 {"name", Type::text, "", "<name>"},
+                 {"support_density_kg_per_m3", Type::real, "kg/m^3", ""}});
+    table.add_row({3520.0, 1.2345e-12, "(0,3)+ & <b>", 70200.});
+    table.add_row({5003.9, Cell(), "(0,4)+", 7e4});
 
     RunRecord record;
     record.versions       = {{"squeal", "0.1.0"}};
@@ -105,7 +106,8 @@ main()
         "texts are escaped");
   check(has(html, "3520.00") && has(html, "1.23e-12") &&
           has(html, "frequency<small>Hz</small>") &&
-          has(html, "residual<small>relative</small>"),
+          has(html, "residual<small>relative</small>") &&
+          has(html, "support density<small>kg/m^3</small>"),
         "numbers are rounded under headings with units");
   check(count(html, "<tr class=\"marked\">") == 1, "one row is tinted");
   check(has(html, "2 unstable pairs") && has(html, "438.6 1/s") &&

@@ -26,6 +26,11 @@ namespace squeal
    */
   std::vector<std::vector<CampaignRun>> campaign_groups(
     const Parameters &parameters);
+
+  /** The unit of an axis' values as tables show them: that of its entries, MPa
+   * where its name ends in "_mpa", none of a logarithm. */
+  std::string shown_unit(const SweepAxisParameters &axis,
+                         const SceneParameters     &scene);
 } // namespace squeal
 
 #endif

@@ -32,6 +32,7 @@ namespace squeal
                Block             *vectors = nullptr);
 
     const Model            &model() const;
+    const SceneParameters  &scene() const;
     const SweepGrid        &grid() const;
     const ParametricSystem &system() const;
     const ReducedModel     &reduced() const;

@@ -156,8 +156,9 @@ namespace squeal::tribology
     drawing.add("unset key");
     drawing.add("set style fill solid 1.0 noborder");
     drawing.add("set title " + quoted(title));
-    drawing.add("set xlabel 'mean stress in MPa'");
-    drawing.add("set ylabel 'range in MPa'");
+    drawing.add("set xlabel 'mean stress of a cycle in MPa'");
+    drawing.add(
+      "set ylabel 'range of a cycle, largest less least stress, in MPa'");
     set_colours(drawing, colours);
     if (data.str().empty())
       data << "0 0 0 0 0 0 1\n";

@@ -267,6 +267,17 @@ namespace squeal::tribology
 
 
 
+    /** What the cycles are of. */
+    std::string
+    counted_stress(const FatigueParameters &fatigue)
+    {
+      return fatigue.quantity == FatigueParameters::Quantity::pressure
+               ? "normal stress, compression negative"
+               : choice_name(fatigue.quantity);
+    }
+
+
+
     void
     fill_report(HtmlReport    &report,
                 const Context &context,
@@ -303,7 +314,9 @@ namespace squeal::tribology
                     "Damage seen from the disc; the leading edge is below.");
       report.figure(plots + "range_mean.png",
                     "Range-mean matrix of the node with the largest damage: "
-                    "cycles of each range and mean of the normal stress.",
+                    "number of counted cycles of each range and mean of the " +
+                      counted_stress(p.fatigue) +
+                      ", both in MPa, a box for each class; white: none.",
                     true);
       if (has_silent)
         report.figure(
