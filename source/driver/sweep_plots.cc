@@ -341,9 +341,9 @@ namespace squeal
       draw(
         "stability_map",
         "Unstable ranges: each a line between two marks, its lower and its "
-        "upper edge along the first axis, at a value of the second; colour and "
-        "shape of the marks: its frequency where sigma is largest; ranges that "
-        "overlap are shifted up a little",
+        "upper edge along the first axis or its end, at a value of the second; "
+        "colour and shape of the marks: its frequency where sigma is largest; "
+        "ranges that overlap are shifted up a little",
         {map_chart(model, solution)});
     for (const ChartGroup &group : others)
       draw(group.name, group.caption, group.charts);
