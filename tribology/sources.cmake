@@ -37,6 +37,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/line_graph.cc
     source/images/line_length.cc
     source/images/line_position.cc
+    source/images/line_smoothing.cc
     source/images/metadata.cc
     source/images/micrograph.cc
     source/images/path_evidence.cc

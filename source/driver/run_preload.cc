@@ -297,13 +297,22 @@ namespace squeal
 
 
 
+    /** The value of a column as the table shows it, in the last step. */
+    std::string
+    at_full_load(const Table &steps, const std::string &name)
+    {
+      return steps.display(steps.n_rows() - 1, steps.column_index(name));
+    }
+
+
+
     /** The contact under the full load, the last of @p steps, as figures of the
      * run. */
     std::vector<std::pair<std::string, std::string>>
     full_load_figures(const Table &steps, const unsigned int n_unknowns)
     {
       const auto shown = [&](const std::string &name) {
-        return steps.display(steps.n_rows() - 1, steps.column_index(name));
+        return at_full_load(steps, name);
       };
       return {
         {"nodes open, slipping, sticking",
@@ -325,7 +334,7 @@ namespace squeal
     full_load_text(const Table &steps, const std::size_t n_nodes)
     {
       const auto shown = [&](const std::string &name) {
-        return steps.display(steps.n_rows() - 1, steps.column_index(name));
+        return at_full_load(steps, name);
       };
       return shown("n_slip") + " of " + std::to_string(n_nodes) +
              " nodes slip, " + shown("n_stick") + " stick, " + shown("n_open") +

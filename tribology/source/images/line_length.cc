@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
+#include <squeal/tribology/images/line_smoothing.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -13,26 +14,6 @@ namespace squeal::tribology
   {
     constexpr double smoothing = 1.25; // pixels, deviation of the weights
     constexpr int    reach     = 4;    // pixels, of the weights
-
-    using Points = std::vector<cv::Point2d>;
-
-    /** Weights of a mean over the neighbours along a line; their sum is 1. */
-    std::vector<double>
-    mean_weights()
-    {
-      std::vector<double> weights;
-      double              sum = 0.;
-      for (int k = -reach; k <= reach; ++k)
-        {
-          weights.push_back(std::exp(-0.5 * k * k / (smoothing * smoothing)));
-          sum += weights.back();
-        }
-      for (double &w : weights)
-        w /= sum;
-      return weights;
-    }
-
-
 
     /** Variance of the steps of a smoothed line, pixels^2: rounding errors are
      * uniform, of variance 1/12, and those of different pixels independent;
@@ -96,46 +77,19 @@ namespace squeal::tribology
 
 
 
-    /** Weighted means of each point and its neighbours on both sides. Beyond
-     * its ends a line goes on as its image in the end point, which therefore
-     * stays; a ring goes on around. */
-    Points
-    averaged(const Points              &line,
-             const bool                 is_ring,
-             const std::vector<double> &weights)
-    {
-      const int  n  = int(line.size());
-      const auto at = [&](const int i) -> cv::Point2d {
-        if (is_ring)
-          return line[(i % (n - 1) + n - 1) % (n - 1)];
-        if (i < 0)
-          return 2. * line[0] - line[std::min(-i, n - 1)];
-        if (i >= n)
-          return 2. * line[n - 1] - line[std::max(2 * (n - 1) - i, 0)];
-        return line[i];
-      };
-      Points result(n, {0., 0.});
-      for (int i = 0; i < n; ++i)
-        for (int k = -reach; k <= reach; ++k)
-          result[i] += weights[reach + k] * at(i + k);
-      return result;
-    }
-
-
-
     /** Smoothed by twicing: what the mean takes from a bend is averaged and
      * added again. The bend loses the fourth power of (deviation over radius)
      * instead of the second. */
-    Points
-    smoothed(const Points              &line,
+    Curve
+    smoothed(const Curve               &line,
              const bool                 is_ring,
              const std::vector<double> &weights)
     {
-      const Points mean = averaged(line, is_ring, weights);
-      Points       rest = line;
+      const Curve mean = averaged_along(line, is_ring, weights);
+      Curve       rest = line;
       for (std::size_t i = 0; i < line.size(); ++i)
         rest[i] = line[i] - mean[i];
-      rest = averaged(rest, is_ring, weights);
+      rest = averaged_along(rest, is_ring, weights);
       for (std::size_t i = 0; i < line.size(); ++i)
         rest[i] += mean[i];
       return rest;
@@ -149,7 +103,7 @@ namespace squeal::tribology
     public:
       explicit Measurement(const cv::Mat &skeleton)
         : links(skeleton)
-        , weights(mean_weights())
+        , weights(mean_weights(smoothing, reach))
         , variance(step_variance(weights))
         , degree(cv::Mat1b::zeros(skeleton.size()))
         , lengths(cv::Mat1f::zeros(skeleton.size()))
@@ -209,7 +163,7 @@ namespace squeal::tribology
         const bool is_ring = start == end && degree(start) == 2;
         if (!is_ring && met_before(path))
           return;
-        Points line;
+        Curve line;
         for (const cv::Point &p : path)
           line.push_back(nodes(p) > 0 ? centre(p) : cv::Point2d(p));
         line = smoothed(line, is_ring, weights);

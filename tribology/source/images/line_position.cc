@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/line_graph.h>
 #include <squeal/tribology/images/line_position.h>
+#include <squeal/tribology/images/line_smoothing.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -12,8 +13,6 @@ namespace squeal::tribology
 {
   namespace
   {
-    using Curve = std::vector<cv::Point2d>;
-
     // In pixels.
     constexpr double image_deviation = 1.2;
     constexpr double curve_deviation = 1.5; // along the line
@@ -29,35 +28,11 @@ namespace squeal::tribology
     // In depths of the line, for a shift by a pixel.
     constexpr double shift_cost = 0.1;
 
-    /** Average with the weights of a normal distribution along the curve; its
-     * ends stay where they are. */
     Curve
     smoothed(const Curve &curve)
     {
-      const int  n     = int(curve.size());
-      const int  reach = int(std::ceil(3. * curve_deviation));
-      const auto at    = [&](const int i) {
-        if (i < 0)
-          return 2. * curve[0] - curve[std::min(-i, n - 1)];
-        if (i >= n)
-          return 2. * curve[n - 1] - curve[std::max(0, 2 * (n - 1) - i)];
-        return curve[i];
-      };
-      Curve result;
-      for (int i = 0; i < n; ++i)
-        {
-          cv::Point2d sum(0., 0.);
-          double      weights = 0.;
-          for (int k = -reach; k <= reach; ++k)
-            {
-              const double u = k / curve_deviation;
-              const double w = std::exp(-0.5 * u * u);
-              sum += w * at(i + k);
-              weights += w;
-            }
-          result.push_back(sum * (1. / weights));
-        }
-      return result;
+      const int reach = int(std::ceil(3. * curve_deviation));
+      return averaged_along(curve, false, mean_weights(curve_deviation, reach));
     }
 
 
