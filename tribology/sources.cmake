@@ -49,6 +49,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/segmentation.cc
     source/images/segmentation_record.cc
     source/images/specimen.cc
+    source/images/specimen_length.cc
     source/images/specimen_shapes.cc
     source/images/statistics.cc
     source/setup/choices.cc

@@ -42,7 +42,6 @@ namespace squeal::tribology
     constexpr int    shortest_branch = 12;
     constexpr double longest_join    = 6.; // of a branch to its crack
     constexpr double flank           = 4.;
-    constexpr double least_flank     = 2.; // of ridge_filter.cc
     constexpr double far_ahead = 70., ahead = 35.;
     // Straight lines of this length are scratches, grooves or edges.
     constexpr double strong_contrast = 3.25;
@@ -50,6 +49,10 @@ namespace squeal::tribology
     constexpr double led_on_scratch = 140.;
     constexpr int    scratch_width  = 3;
     constexpr int    scratch_part   = 40;
+    // Filters of half an octave less, and the share of the strength of cracks
+    // that they have to keep.
+    constexpr double narrow_filters = 0.7; // pixels, deviation
+    constexpr double least_kept     = 0.95;
 
     cv::Mat
     find_crests(const RidgeField &ridges)
@@ -143,8 +146,8 @@ namespace squeal::tribology
     is_known(const RidgeField &ridges, const cv::Point &p)
     {
       const double   a    = ridges.angle(p);
-      const int      x    = std::abs(cvRound(least_flank * std::sin(a)));
-      const int      y    = std::abs(cvRound(least_flank * std::cos(a)));
+      const int      x    = std::abs(cvRound(ridges.flank * std::sin(a)));
+      const int      y    = std::abs(cvRound(ridges.flank * std::cos(a)));
       const cv::Size size = ridges.local.size();
       return p.x >= x && p.x < size.width - x && p.y >= y &&
              p.y < size.height - y;
@@ -372,9 +375,30 @@ namespace squeal::tribology
         kept.push_back(straight_run(all, edge.piece) < led_on_scratch);
       skeleton = graph.draw(kept);
       for (const LinePiece &piece : line_pieces(skeleton))
-        if (int(piece.pixels.size()) <= shortest_crack)
+        if (int(piece.pixels.size()) < shortest_crack)
           for (const cv::Point &p : piece.pixels)
             skeleton.at<uchar>(p) = 0;
+    }
+
+
+
+    /** Median over the pixels of cracks of their strength in other filters,
+     * over that in which they were found. A crest may lie a pixel beside. */
+    double
+    kept_strength(const CrackLines &cracks, const RidgeField &other)
+    {
+      cv::Mat strength, other_strength;
+      cv::dilate(cracks.ridges.strength, strength, cv::Mat());
+      cv::dilate(other.strength, other_strength, cv::Mat());
+      PixelPath pixels;
+      cv::findNonZero(cracks.centre_line, pixels);
+      std::vector<float> kept;
+      for (const cv::Point &p : pixels)
+        kept.push_back(other_strength.at<float>(p) /
+                       std::max(0.01F, strength.at<float>(p)));
+      const auto middle = kept.begin() + kept.size() / 2;
+      std::nth_element(kept.begin(), middle, kept.end());
+      return *middle;
     }
   } // namespace
 
@@ -400,6 +424,24 @@ namespace squeal::tribology
     cracks = near.finish_ends(near.grow(cracks));
     remove_spurs(cracks, longest_spur);
     remove_straight_edges(cracks, graph.crests);
-    return cracks;
+    return near.place_ends(cracks);
+  }
+
+
+
+  CrackLines
+  find_at_best_scale(const cv::Mat &grey, const int n_octaves)
+  {
+    CrackLines wide;
+    wide.ridges      = filter_ridges(grey, n_octaves);
+    wide.centre_line = find_centre_lines(grey, wide.ridges);
+    if (cv::countNonZero(wide.centre_line) == 0)
+      return wide;
+    CrackLines narrow;
+    narrow.ridges = filter_ridges(grey, n_octaves, narrow_filters);
+    if (kept_strength(wide, narrow.ridges) < least_kept)
+      return wide;
+    narrow.centre_line = find_centre_lines(grey, narrow.ridges);
+    return narrow;
   }
 } // namespace squeal::tribology

@@ -25,6 +25,12 @@ namespace squeal::tribology
     constexpr int    n_rounds        = 12;
     constexpr double n_deviations    = 3.;
     constexpr double one_below       = 0.1587; // quantile of a deviation below
+    // Of the place of an end, in pixels.
+    constexpr int shortest_behind = 10; // of the line that is looked at
+    constexpr int farthest_in = 6, farthest_out = 4;
+    constexpr int seen_through = 6; // from the border of the image
+    // A crack is narrower, so less dark, at its tip.
+    constexpr double darkness_of_tip = 1. / 3.;
 
     /** A groove that the crack meets. */
     bool
@@ -198,6 +204,51 @@ namespace squeal::tribology
           }
         for (std::size_t i = way.size() - n; i < way.size(); ++i)
           network.at<uchar>(way[i]) = 255;
+      }
+    return thin(network);
+  }
+
+
+
+  cv::Mat
+  CrackGrowth::place_ends(const cv::Mat &before) const
+  {
+    cv::Mat network = before.clone();
+    for (const LineEnd &end : line_ends(before))
+      {
+        const int n_behind = int(end.behind.size());
+        if (n_behind < shortest_behind)
+          continue;
+        const auto   inside = end.behind.begin() + farthest_in;
+        const double level =
+          darkness_of_tip * mean_darkness(PixelPath(inside, end.behind.end()));
+        // From the inside out; the way is listed from its far end.
+        PixelPath path(std::make_reverse_iterator(inside), end.behind.rend());
+        const PixelPath way   = extend(end, before).way;
+        const int       n_out = std::min(farthest_out, int(way.size()));
+        path.insert(path.end(), way.rbegin(), way.rbegin() + n_out);
+        double sum = 0., best = 0.;
+        int    n = 0;
+        for (int i = 0; i < int(path.size()); ++i)
+          {
+            sum += darkness(path[i]) - level;
+            if (sum > best)
+              {
+                best = sum;
+                n    = i + 1;
+              }
+          }
+        // A crack that goes on beyond the image has no end there.
+        const cv::Rect image({0, 0}, before.size());
+        const cv::Rect middle(seen_through,
+                              seen_through,
+                              image.width - 2 * seen_through,
+                              image.height - 2 * seen_through);
+        if (!middle.contains(end.tip))
+          n = std::max(n, farthest_in);
+        for (int i = 0; i < int(path.size()); ++i)
+          if (i < farthest_in ? i >= n : i < n)
+            network.at<uchar>(path[i]) = i < n ? 255 : 0;
       }
     return thin(network);
   }

@@ -16,6 +16,7 @@ namespace squeal::tribology
     constexpr int    n_directions   = RidgeField::n_directions;
     constexpr double half_length    = 3.;   // of a line, in its deviations
     constexpr double flank_distance = 2.;   // in deviations
+    constexpr double second_width   = 1.5;  // of a level, over the first
     constexpr float  mean_flank     = 0.2F; // weight beside the lesser flank
     constexpr float  heaviest_tail  = 3.F;  // 90th percentile over median
     constexpr double noise_block    = 64.;  // pixels of the finest level
@@ -217,10 +218,12 @@ namespace squeal::tribology
     /** The better of two widths. */
     OrientedContrast
     contrast_of_level(const cv::Mat &level,
+                      const double   narrowest,
                       const double   block,
                       cv::Mat       &unlimited)
     {
-      const LineFilter narrow(level, 1., block), wide(level, 1.5, block);
+      const LineFilter narrow(level, narrowest, block),
+        wide(level, second_width * narrowest, block);
       OrientedContrast contrast;
       for (int t = 0; t < n_directions; ++t)
         {
@@ -259,7 +262,9 @@ namespace squeal::tribology
 
 
   RidgeField
-  filter_ridges(const cv::Mat &grey, const int n_octaves)
+  filter_ridges(const cv::Mat &grey,
+                const int      n_octaves,
+                const double   narrowest)
   {
     OrientedContrast contrast;
     cv::Mat          level  = grey, unlimited, coarse;
@@ -267,8 +272,11 @@ namespace squeal::tribology
     for (int octave = 0; octave < n_octaves; ++octave)
       {
         cv::Mat                found_unlimited;
-        const OrientedContrast found = contrast_of_level(
-          level, std::max(16., noise_block / factor), found_unlimited);
+        const OrientedContrast found =
+          contrast_of_level(level,
+                            narrowest,
+                            std::max(16., noise_block / factor),
+                            found_unlimited);
         for (int t = 0; t < n_directions; ++t)
           keep_larger(contrast.planes[t], found.planes[t]);
         keep_larger(unlimited, found_unlimited);
@@ -294,6 +302,7 @@ namespace squeal::tribology
             evidence.local,
             evidence.direction,
             unlimited,
-            coarse};
+            coarse,
+            flank_distance * narrowest};
   }
 } // namespace squeal::tribology

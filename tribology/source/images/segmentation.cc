@@ -16,11 +16,15 @@ namespace squeal::tribology
     constexpr int   shortest_rest   = 15;  // pixels of a crack that was cut
     constexpr int   longest_spur    = 6;   // pixels
     constexpr float longest_shape   = 3.F; // length over thickness
+    // Share of an area beside no crack, and what counts as beside.
+    constexpr double least_free = 0.3;
+    constexpr double beside     = 4.5; // pixels
     // Between a crack and an area, over the crack's other side.
     constexpr float least_gap = 0.3F;
 
     /** Removes areas along which a crack runs and that are long for their
-     * thickness: they are the shoulders of the crack. */
+     * thickness, or that lie beside cracks for the most part: they are the
+     * shoulders of the crack, or where it forks. */
     void
     leave_shoulders(cv::Mat &areas, const cv::Mat &centre_line)
     {
@@ -30,10 +34,17 @@ namespace squeal::tribology
         cv::connectedComponentsWithStats(areas, labels, stats, centroids, 8);
       cv::Mat1f depth;
       cv::distanceTransform(areas, depth, cv::DIST_L2, 3);
+      cv::Mat1f distance;
+      cv::distanceTransform(~centre_line, distance, cv::DIST_L2, 5);
       std::vector<float> radius(n, 0.F);
+      std::vector<int>   n_free(n, 0);
       for (int y = 0; y < labels.rows; ++y)
         for (int x = 0; x < labels.cols; ++x)
-          radius[labels(y, x)] = std::max(radius[labels(y, x)], depth(y, x));
+          {
+            const int l = labels(y, x);
+            radius[l]   = std::max(radius[l], depth(y, x));
+            n_free[l] += distance(y, x) > beside;
+          }
       cv::Mat wide;
       cv::dilate(centre_line, wide, cv::Mat(), {-1, -1}, exfoliation_rim);
       std::vector<char> is_crossed(n, 0);
@@ -44,10 +55,12 @@ namespace squeal::tribology
       for (int y = 0; y < labels.rows; ++y)
         for (int x = 0; x < labels.cols; ++x)
           {
-            const int   l = labels(y, x);
-            const float r = radius[l];
+            const int   l    = labels(y, x);
+            const float r    = radius[l];
+            const int   area = stats(l, cv::CC_STAT_AREA);
             if (l > 0 && is_crossed[l] &&
-                stats(l, cv::CC_STAT_AREA) > longest_shape * 4.F * r * r)
+                (area > longest_shape * 4.F * r * r ||
+                 n_free[l] < least_free * area))
               areas.at<uchar>(y, x) = 0;
           }
     }
@@ -111,15 +124,16 @@ namespace squeal::tribology
   Segmentation
   segment(const cv::Mat &grey, const SegmentationSettings &settings)
   {
-    const RidgeField ridges = filter_ridges(grey, settings.n_octaves);
-    cv::Mat          line   = find_centre_lines(grey, ridges);
+    const CrackLines found = find_at_best_scale(grey, settings.n_octaves);
+    cv::Mat          line  = found.centre_line;
     Segmentation     result;
-    result.cracks = measure_cracks(grey, line, ridges);
+    result.cracks = measure_cracks(grey, line, found.ridges);
     result.areas  = find_areas(grey, result.cracks.area, settings.areas);
     leave_shoulders(result.areas.exfoliation, line);
     result.areas.rough &= result.areas.exfoliation;
     cut(line, result.areas.rough, grey);
-    result.cracks = measure_cracks(grey, move_to_middle(grey, line), ridges);
+    result.cracks =
+      measure_cracks(grey, move_to_middle(grey, line), found.ridges);
     return result;
   }
 } // namespace squeal::tribology

@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -168,26 +167,6 @@ namespace squeal::tribology
         tone += coarse(bright) - coarse(dark);
       }
 
-      /** Share of the way from @p a to @p b inside the field of view. */
-      double
-      share_inside(const cv::Point2d &a, const cv::Point2d &b) const
-      {
-        double begin = 0., end = 1.;
-        for (const auto &[from, to, size] :
-             {std::array{a.x, b.x, s.width}, std::array{a.y, b.y, s.height}})
-          {
-            const double step = to - from;
-            if (step == 0. && (from < 0. || from > size))
-              return 0.;
-            if (step == 0.)
-              continue;
-            const double at_0 = -from / step, at_size = (size - from) / step;
-            begin = std::max(begin, std::min(at_0, at_size));
-            end   = std::min(end, std::max(at_0, at_size));
-          }
-        return std::max(0., end - begin);
-      }
-
       void
       paint_cracks(cv::Mat &tone, Specimen &result) const
       {
@@ -211,7 +190,6 @@ namespace squeal::tribology
                              cv::FILLED,
                              cv::LINE_8,
                              shift);
-                result.crack_length += share_inside(a, b) * cv::norm(b - a);
                 const double k = (1 << shift) / s.pixel_size;
                 const double o = -0.5 * (1 << shift);
                 cv::line(centre,
@@ -227,6 +205,8 @@ namespace squeal::tribology
         const cv::Mat all = coarse(cover);
         result.cracks     = (all > 0.5) | centre;
         result.crack_area = cv::sum(all)[0] * s.pixel_size * s.pixel_size;
+        result.crack_length =
+          seen_crack_length(shapes.cracks, cv::Size2d(s.width, s.height));
       }
 
       /** Shading, blur, noise, eight bits, data bar. */

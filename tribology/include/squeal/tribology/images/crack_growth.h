@@ -41,6 +41,14 @@ namespace squeal::tribology
      * weak as a whole, thinned. */
     cv::Mat finish_ends(const cv::Mat &centre_line) const;
 
+    /** The skeleton with its ends where the darkness along the line falls
+     * below a third of that farther back: the place up to which its sum over
+     * that level is largest, between 6 pixels back and 4 ahead. This is the
+     * most likely place of a step in normal noise; filters that average along
+     * a line end too early or too late, by contrast. Ends within 6 pixels of
+     * the border of the image are not moved back. */
+    cv::Mat place_ends(const cv::Mat &centre_line) const;
+
   private:
     struct Extension
     {

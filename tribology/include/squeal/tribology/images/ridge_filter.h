@@ -27,6 +27,8 @@ namespace squeal::tribology
     /** CV_32F, as strength at half the resolution: along 72 pixels, of the
      * wider lines alone, so that the grain of the surface averages out. */
     cv::Mat coarse;
+    /** Distance of the nearest flanks from a line, pixels. */
+    double flank = 0.;
 
     /** Angle of the line through (x, y), in [0, pi). */
     double angle(const cv::Point &p) const;
@@ -48,10 +50,13 @@ namespace squeal::tribology
    * and added up along paths, see integrate_paths(). The second octave is also
    * added up by itself, along paths twice as long.
    *
-   * @p grey is CV_32F. @p n_octaves 2 reaches lines about 9 pixels wide, each
+   * @p grey is CV_32F. @p narrowest is the deviation of the narrowest filter,
+   * pixels. With 1, @p n_octaves 2 reaches lines about 9 pixels wide, each
    * further one doubles that.
    */
-  RidgeField filter_ridges(const cv::Mat &grey, int n_octaves = 2);
+  RidgeField filter_ridges(const cv::Mat &grey,
+                           int            n_octaves = 2,
+                           double         narrowest = 1.);
 } // namespace squeal::tribology
 
 #endif

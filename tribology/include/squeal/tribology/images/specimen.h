@@ -38,7 +38,7 @@ namespace squeal::tribology
     cv::Mat  plateau;     /**< CV_8U, as above */
     cv::Rect scale_bar;   /**< pixels, around the bar; empty: no data bar */
     double   scale_bar_length = 0.; /**< um */
-    double   crack_length     = 0.; /**< um, of all centre lines */
+    double   crack_length     = 0.; /**< um, see seen_crack_length() */
     double   crack_area       = 0.; /**< um^2 */
     double   exfoliated_area  = 0.; /**< um^2 */
     int      n_cracks         = 0;

@@ -37,6 +37,13 @@ namespace squeal::tribology
 
   /** Draws the shapes of a specimen from its seed. */
   SpecimenShapes draw_shapes(const SpecimenSettings &settings);
+
+  /** Length of the centre lines inside the field of @p view, um. Where a centre
+   * line runs inside a crack drawn before, as a branch does before it leaves
+   * its parent, there is one dark line and it counts once. Lines are sampled in
+   * twelfths of their steps. */
+  double seen_crack_length(const std::vector<CrackShape> &cracks,
+                           const cv::Size2d              &view);
 } // namespace squeal::tribology
 
 #endif
