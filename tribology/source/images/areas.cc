@@ -18,6 +18,7 @@ namespace squeal::tribology
     constexpr double plateau_roughness = 1.3; // of the bulk's
     constexpr double rough_pit         = 1.5; // of the bulk's
     constexpr double half_depth        = 0.5;
+    constexpr int    depth_rounds      = 3;  // the last changes areas by 0.5 %
     constexpr double least_thickness   = 3.; // pixels, radius
 
     double
@@ -159,27 +160,32 @@ namespace squeal::tribology
 
   namespace
   {
-    /** Moves the edge of each part to half of its mean depth: the threshold
-     * that finds it lies far out on the blurred edge of a deep pit. */
+    /** Moves the edge of each part to half of its depth: the threshold that
+     * finds it lies far out on the blurred edge of a deep pit. The depth is the
+     * mean within that edge, the slope outside would make it less. */
     void
     sharpen_edges(cv::Mat &mask, const cv::Mat1f &depth)
     {
       cv::Mat1i           labels;
       const int           n = cv::connectedComponents(mask, labels, 8);
-      std::vector<double> sum(n, 0.), area(n, 0.);
+      std::vector<double> level(n, 0.);
+      for (int round = 0; round < depth_rounds; ++round)
+        {
+          std::vector<double> sum(n, 0.), area(n, 0.);
+          for (int y = 0; y < labels.rows; ++y)
+            for (int x = 0; x < labels.cols; ++x)
+              if (depth(y, x) >= level[labels(y, x)])
+                {
+                  sum[labels(y, x)] += depth(y, x);
+                  area[labels(y, x)] += 1.;
+                }
+          for (int l = 0; l < n; ++l)
+            level[l] = half_depth * sum[l] / std::max(1., area[l]);
+        }
       for (int y = 0; y < labels.rows; ++y)
         for (int x = 0; x < labels.cols; ++x)
-          {
-            sum[labels(y, x)] += depth(y, x);
-            area[labels(y, x)] += 1.;
-          }
-      for (int y = 0; y < labels.rows; ++y)
-        for (int x = 0; x < labels.cols; ++x)
-          {
-            const int l = labels(y, x);
-            if (l > 0 && depth(y, x) * area[l] < half_depth * sum[l])
-              mask.at<uchar>(y, x) = 0;
-          }
+          if (depth(y, x) < level[labels(y, x)])
+            mask.at<uchar>(y, x) = 0;
       const int r = int(least_thickness);
       cv::morphologyEx(mask,
                        mask,

@@ -11,11 +11,12 @@ namespace squeal::tribology
     constexpr double assumed_mean  = 0.57; // depth, mean over an image
     constexpr double assumed_error = 0.10; // of that, deviation
     constexpr double spread        = 0.13; // of depths in an image
-    // b^2: optics 0.49, pixel 1/12, smoothing and interpolation of profiles
-    // 1/3 + 1/6, bends of the crack along which profiles are averaged 1/4.
-    constexpr double blur           = 1.15; // pixels, b
-    constexpr double blur_error     = 0.20; // of b, relative
-    constexpr double peak_error     = 0.03; // texture and noise
+    // b^2 but for the bends that show: optics 0.49, pixel 1/12, smoothing and
+    // interpolation of profiles 1/3 + 1/6, what a smoothed centre line hides of
+    // the bends (0.3 pixels)^2.
+    constexpr double straight_blur  = 1.163; // pixels^2
+    constexpr double blur_error     = 0.20;  // of b, relative
+    constexpr double peak_error     = 0.03;  // texture and noise
     constexpr double smallest_depth = 0.3, largest_depth = 0.95;
 
     double
@@ -33,7 +34,7 @@ namespace squeal::tribology
     };
 
     Peak
-    peak_of(const double deficit, const double depth)
+    peak_of(const double deficit, const double depth, const double blur)
     {
       const double x = deficit / depth / (2. * std::sqrt(2.) * blur);
       const double e = std::erf(x);
@@ -55,9 +56,9 @@ namespace squeal::tribology
      * crack with a peak a little too low could else pass for a wide one that
      * is shallow, of which the depth would be known well. */
     Depth
-    depth_of(const Dip &dip, const double before)
+    depth_of(const Dip &dip, const double before, const double blur)
     {
-      const Peak p = peak_of(dip.deficit, before);
+      const Peak p = peak_of(dip.deficit, before, blur);
       return {before + (dip.peak - p.value) / p.by_depth,
               (square(peak_error) + square(blur_error * p.by_blur)) /
                 square(p.by_depth),
@@ -67,8 +68,10 @@ namespace squeal::tribology
 
 
 
-  CrackDepth::CrackDepth(const std::vector<std::vector<Dip>> &cracks)
-    : mean_depth(assumed_mean)
+  CrackDepth::CrackDepth(const std::vector<std::vector<Dip>> &cracks,
+                         const double                         bends)
+    : blur(std::sqrt(straight_blur + bends))
+    , mean_depth(assumed_mean)
     , error(assumed_error)
   {
     // Each crack has one vote: its pixels are wrong together.
@@ -78,7 +81,7 @@ namespace squeal::tribology
         double weights = 0., mean = 0., change = 0., length = 0.;
         for (const Dip &dip : crack)
           {
-            const Depth  d = depth_of(dip, assumed_mean);
+            const Depth  d = depth_of(dip, assumed_mean, blur);
             const double w = dip.deficit / d.variance;
             weights += w;
             mean += w * d.value;
@@ -109,7 +112,7 @@ namespace squeal::tribology
   CrackDepth::width(const Dip &dip) const
   {
     const double prior = square(spread) + square(error);
-    const Depth  d     = depth_of(dip, mean_depth);
+    const Depth  d     = depth_of(dip, mean_depth, blur);
     const double seen  = prior / (prior + d.variance);
     const double depth = std::clamp(mean_depth + seen * (d.value - mean_depth),
                                     smallest_depth,

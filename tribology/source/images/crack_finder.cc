@@ -35,7 +35,7 @@ namespace squeal::tribology
     constexpr double faint_waviness = 0.011; // of its length
     // In pixels.
     constexpr int    crest_spur      = 4;
-    constexpr int    longest_spur    = 8;
+    constexpr int    longest_spur    = 6;
     constexpr int    shortest_crack  = 20;
     constexpr int    shortest_end    = 4;
     constexpr int    shortest_bridge = 5;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace squeal::tribology
 {
@@ -19,8 +18,20 @@ namespace squeal::tribology
     constexpr double sample_step   = 0.5; // pixels
     constexpr double beyond_edge   = 1.5; // pixels, to the flank
     constexpr double flank_length  = 4.;  // pixels
-    constexpr double off_line      = 1.;  // pixels, of the darkest sample
-    constexpr double least_deficit = 0.1; // pixels
+    constexpr double off_line      = 1.;  // pixels, of the middle
+    constexpr double beyond_half   = 1.;  // pixels, of the crack for its middle
+    constexpr double rounding      = 1. / 12.; // pixels^2, of a skeleton
+    constexpr double least_deficit = 0.1;      // pixels
+
+    float
+    median(std::vector<float> values)
+    {
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
+    }
+
+
 
     float
     value_at(const cv::Mat &grey, const double x, const double y)
@@ -37,17 +48,46 @@ namespace squeal::tribology
 
 
 
+    /** Moments of the centre line within @p reach of @p p. */
+    cv::Moments
+    moments_at(const cv::Mat &line, const cv::Point &p, const int reach)
+    {
+      const int      n   = 2 * reach + 1;
+      const cv::Rect box = cv::Rect(p.x - reach, p.y - reach, n, n) &
+                           cv::Rect({0, 0}, line.size());
+      return cv::moments(line(box), true);
+    }
+
+
+
     /** Direction of the centre line from the pixels within five of @p p. */
     double
     direction_at(const cv::Mat &line, const cv::Point &p, const double fallback)
     {
-      const cv::Rect box =
-        cv::Rect(p.x - 5, p.y - 5, 11, 11) & cv::Rect({0, 0}, line.size());
-      const cv::Moments m = cv::moments(line(box), true);
+      const cv::Moments m = moments_at(line, p, 5);
       if (m.m00 < 4.)
         return fallback;
       const double a = 0.5 * std::atan2(2. * m.mu11, m.mu20 - m.mu02);
       return a < 0. ? a + CV_PI : a;
+    }
+
+
+
+    /** Variance of the centre line across itself, pixels^2, over the length of
+     * a profile's mean: the median over its pixels. */
+    double
+    bends_of(const cv::Mat &line)
+    {
+      PixelPath pixels;
+      cv::findNonZero(line, pixels);
+      std::vector<float> across;
+      for (const cv::Point &p : pixels)
+        {
+          const cv::Moments m = moments_at(line, p, n_along);
+          const double      d = std::hypot(m.mu20 - m.mu02, 2. * m.mu11);
+          across.push_back(float(0.5 * (m.mu20 + m.mu02 - d) / m.m00));
+        }
+      return across.empty() ? 0. : std::max(0., median(across) - rounding);
     }
 
 
@@ -132,34 +172,49 @@ namespace squeal::tribology
 
 
 
-    float
-    median(std::vector<float> values)
+    /** Distance from the line to the middle of the missing light, pixels,
+     * positive on the second side. The darkest sample would be chosen by noise,
+     * and be darker for it. */
+    double
+    middle_of(const std::array<Profile, 2> &sides,
+              const double                  half_width,
+              const double                  brightness)
     {
-      const auto middle = values.begin() + values.size() / 2;
-      std::nth_element(values.begin(), middle, values.end());
-      return *middle;
+      const int n   = std::min(int(sides[0].size()) - 1,
+                             cvRound((half_width + beyond_half) / sample_step));
+      double    sum = 0., moment = 0.;
+      for (int i = -n; i <= n; ++i)
+        {
+          const double missing =
+            brightness - (i < 0 ? sides[0][-i] : sides[1][i]);
+          sum += missing;
+          moment += missing * i * sample_step;
+        }
+      return sum > 0. ? std::clamp(moment / sum, -off_line, off_line) : 0.;
     }
 
 
 
     /** Missing light and depth of the profiles: neither optics nor pixels
-     * change the former. The line may run beside the darkest sample. */
+     * change the former. The line may run beside the middle. */
     Dip
     dip_of(const std::array<Profile, 2> &sides, const double half_width)
     {
       double deficit = 0., brightness = 0.;
-      float  darkest = std::numeric_limits<float>::max();
       for (const Profile &profile : sides)
         {
           const Flank flank = measure_flank(profile, half_width);
           deficit += flank.deficit;
           brightness += 0.5 * flank.brightness;
-          for (int i = 0; i * sample_step <= off_line; ++i)
-            darkest = std::min(darkest, profile[i]);
         }
-      brightness = std::max(1., brightness);
+      brightness           = std::max(1., brightness);
+      const double   place = middle_of(sides, half_width, brightness);
+      const Profile &side  = sides[place < 0. ? 0 : 1];
+      const double   steps = std::abs(place) / sample_step;
+      const int      i     = int(steps);
+      const double   dark  = side[i] + (steps - i) * (side[i + 1] - side[i]);
       return {std::max(least_deficit, deficit / brightness),
-              std::clamp(1. - darkest / brightness, 0., 1.)};
+              std::clamp(1. - dark / brightness, 0., 1.)};
     }
 
 
@@ -285,7 +340,7 @@ namespace squeal::tribology
         for (const cv::Point &p : crack.pixels)
           dips.back().push_back(median_dip(deficits, peaks, p));
       }
-    const CrackDepth depth(dips);
+    const CrackDepth depth(dips, bends_of(centre_line));
     for (std::size_t c = 0; c < cracks.size(); ++c)
       for (std::size_t i = 0; i < dips[c].size(); ++i)
         {

@@ -10,7 +10,7 @@ namespace squeal::tribology
   struct Dip
   {
     double deficit = 0.; /**< missing light, pixels: width times depth */
-    double peak    = 0.; /**< at the line */
+    double peak    = 0.; /**< in its middle */
   };
 
   /**
@@ -26,8 +26,10 @@ namespace squeal::tribology
   class CrackDepth
   {
   public:
-    /** One list of dips for each connected crack. */
-    explicit CrackDepth(const std::vector<std::vector<Dip>> &cracks);
+    /** One list of dips for each connected crack. @p bends is the variance
+     * of a crack about a straight line along which its profiles were averaged,
+     * pixels^2; it adds to the blur. */
+    CrackDepth(const std::vector<std::vector<Dip>> &cracks, double bends);
 
     struct Width
     {
@@ -53,7 +55,7 @@ namespace squeal::tribology
     }
 
   private:
-    double mean_depth, error;
+    double blur, mean_depth, error;
   };
 } // namespace squeal::tribology
 
