@@ -89,7 +89,7 @@ main(int argc, char **argv)
     }
   std::fflush(stdout);
 
-  check(mean(all) >= 0.80, "mean F1 at 2 px is at least 0.80");
+  check(mean(all) >= 0.82, "mean F1 at 2 px is at least 0.82");
   check(groups.count("cfd") == 0 || mean(groups["cfd"]) >= 0.86,
         "mean F1 of cracks in asphalt is at least 0.86");
   check(false_length < 200., "less than 200 px in images without cracks");

@@ -128,10 +128,7 @@ namespace squeal::tribology
       for (int y = 0; y < grey.rows; ++y)
         for (int x = 0; x < grey.cols; ++x)
           {
-            const cv::Point p(x, y);
-            const double    a = ridges.angle(p);
-            const cv::Point across(cvRound(-flank * std::sin(a)),
-                                   cvRound(flank * std::cos(a)));
+            const cv::Point p(x, y), across = ridges.across(p, flank);
             const float     beside = std::min(at(p + across), at(p - across));
             darkness(p)            = (beside - at(p)) / beside;
           }
@@ -145,10 +142,9 @@ namespace squeal::tribology
     bool
     is_known(const RidgeField &ridges, const cv::Point &p)
     {
-      const double   a    = ridges.angle(p);
-      const int      x    = std::abs(cvRound(ridges.flank * std::sin(a)));
-      const int      y    = std::abs(cvRound(ridges.flank * std::cos(a)));
-      const cv::Size size = ridges.local.size();
+      const cv::Point across = ridges.across(p, ridges.flank);
+      const int       x = std::abs(across.x), y = std::abs(across.y);
+      const cv::Size  size = ridges.local.size();
       return p.x >= x && p.x < size.width - x && p.y >= y &&
              p.y < size.height - y;
     }
@@ -382,66 +378,83 @@ namespace squeal::tribology
 
 
 
-    /** Median over the pixels of cracks of their strength in other filters,
-     * over that in which they were found. A crest may lie a pixel beside. */
-    double
-    kept_strength(const CrackLines &cracks, const RidgeField &other)
+    /** Cracks in the evidence of one set of filters. */
+    class Search
     {
-      cv::Mat strength, other_strength;
-      cv::dilate(cracks.ridges.strength, strength, cv::Mat());
-      cv::dilate(other.strength, other_strength, cv::Mat());
-      PixelPath pixels;
-      cv::findNonZero(cracks.centre_line, pixels);
-      std::vector<float> kept;
-      for (const cv::Point &p : pixels)
-        kept.push_back(other_strength.at<float>(p) /
-                       std::max(0.01F, strength.at<float>(p)));
-      const auto middle = kept.begin() + kept.size() / 2;
-      std::nth_element(kept.begin(), middle, kept.end());
-      return *middle;
-    }
+    public:
+      Search(const cv::Mat &grey, const RidgeField &ridges)
+        : ridges(ridges)
+        , darkness(relative_darkness(grey, ridges))
+        , graph(ridges, darkness)
+        , start(graph.cracks())
+      {
+        remove_spurs(start, longest_spur);
+      }
+
+      bool
+      is_empty() const
+      {
+        return cv::countNonZero(start) == 0;
+      }
+
+      /** What the cracks keep of their strength in other filters: the median
+       * over their pixels. A crest may lie a pixel beside. */
+      double
+      kept_strength(const RidgeField &other) const
+      {
+        cv::Mat strength, other_strength;
+        cv::dilate(ridges.strength, strength, cv::Mat());
+        cv::dilate(other.strength, other_strength, cv::Mat());
+        PixelPath pixels;
+        cv::findNonZero(start, pixels);
+        std::vector<float> kept;
+        for (const cv::Point &p : pixels)
+          kept.push_back(other_strength.at<float>(p) /
+                         std::max(0.01F, strength.at<float>(p)));
+        const auto middle = kept.begin() + kept.size() / 2;
+        std::nth_element(kept.begin(), middle, kept.end());
+        return *middle;
+      }
+
+      /** The cracks with what goes on from their ends. */
+      CrackLines
+      finished() const
+      {
+        if (is_empty())
+          return {ridges, start};
+        // Neither scratches nor the outermost pixels lead a crack on.
+        cv::Mat closed = graph.scratches();
+        cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255);
+        cv::Mat free = ridges.local.clone();
+        free.setTo(0., closed);
+        cv::Mat cracks =
+          CrackGrowth(ridges, free, darkness, start, far_ahead).grow(start);
+        const CrackGrowth near(ridges, free, darkness, cracks, ahead);
+        cracks = near.finish_ends(near.grow(cracks));
+        remove_spurs(cracks, longest_spur);
+        remove_straight_edges(cracks, graph.crests);
+        return {ridges, near.place_ends(cracks)};
+      }
+
+    private:
+      const RidgeField ridges;
+      const cv::Mat1f  darkness;
+      const CrestGraph graph;
+      cv::Mat          start;
+    };
   } // namespace
 
 
 
-  cv::Mat
-  find_centre_lines(const cv::Mat &grey, const RidgeField &ridges)
-  {
-    const cv::Mat1f  darkness = relative_darkness(grey, ridges);
-    const CrestGraph graph(ridges, darkness);
-    cv::Mat          cracks = graph.cracks();
-    remove_spurs(cracks, longest_spur);
-    if (cv::countNonZero(cracks) == 0)
-      return cracks;
-    // Neither scratches nor the outermost pixels lead a crack on.
-    cv::Mat closed = graph.scratches();
-    cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255);
-    cv::Mat free = ridges.local.clone();
-    free.setTo(0., closed);
-    cracks =
-      CrackGrowth(ridges, free, darkness, cracks, far_ahead).grow(cracks);
-    const CrackGrowth near(ridges, free, darkness, cracks, ahead);
-    cracks = near.finish_ends(near.grow(cracks));
-    remove_spurs(cracks, longest_spur);
-    remove_straight_edges(cracks, graph.crests);
-    return near.place_ends(cracks);
-  }
-
-
-
   CrackLines
-  find_at_best_scale(const cv::Mat &grey, const int n_octaves)
+  find_cracks(const cv::Mat &grey, const int n_octaves)
   {
-    CrackLines wide;
-    wide.ridges      = filter_ridges(grey, n_octaves);
-    wide.centre_line = find_centre_lines(grey, wide.ridges);
-    if (cv::countNonZero(wide.centre_line) == 0)
-      return wide;
-    CrackLines narrow;
-    narrow.ridges = filter_ridges(grey, n_octaves, narrow_filters);
-    if (kept_strength(wide, narrow.ridges) < least_kept)
-      return wide;
-    narrow.centre_line = find_centre_lines(grey, narrow.ridges);
-    return narrow;
+    const Search wide(grey, filter_ridges(grey, n_octaves));
+    if (wide.is_empty())
+      return wide.finished();
+    const RidgeField ridges = filter_ridges(grey, n_octaves, narrow_filters);
+    return wide.kept_strength(ridges) < least_kept
+             ? wide.finished()
+             : Search(grey, ridges).finished();
   }
 } // namespace squeal::tribology

@@ -15,8 +15,8 @@ namespace squeal::tribology
     constexpr int    n_steps       = 6; // samples in each half
     constexpr int    step          = 3; // pixels
     constexpr double turn_cost     = 0.5;
-    constexpr float  weaker_half   = 0.5F;
-    constexpr float  own_weight    = 6.F; // of the pixel, for sharp crests
+    constexpr int    own_weight    = 6; // of the pixel, for sharp crests
+    constexpr int    lowest        = -1'000'000'000;
     constexpr int    halo          = n_steps * step + 1; // pixels
     constexpr int    fewest_inside = 3;   // samples of a half that count
     constexpr int    tile          = 160; // pixels, fits a cache
@@ -70,42 +70,51 @@ namespace squeal::tribology
         for (int k = 1; k <= n_steps; ++k)
           advance(k);
         complete_halves();
-        const float unit        = 1.F / OrientedContrast::per_unit;
-        const float scale       = unit / (2 * n_steps + 1),
-                    sharp_scale = unit / (2 * n_steps + own_weight);
         for (int y = 0; y < inside.height; ++y)
-          {
-            float *mean = evidence.mean.ptr<float>(y + inside.y) + inside.x;
-            uchar *direction =
-              evidence.direction.ptr<uchar>(y + inside.y) + inside.x;
-            float *own   = evidence.local.ptr<float>(y + inside.y) + inside.x;
-            float *sharp = evidence.sharp.ptr<float>(y + inside.y) + inside.x;
-            std::fill(sharp, sharp + inside.width, -1e9F);
-            std::fill(mean, mean + inside.width, -1e9F);
-            for (int t = 0; t < n_directions; ++t)
-              {
-                const auto row = [&](const cv::Mat &m) {
-                  return m.ptr<std::int16_t>(y + halo) + halo;
-                };
-                const std::int16_t *r = row(local[t]), *a = row(ahead[t]),
-                                   *b = row(ahead[t + n_directions]);
-                for (int x = 0; x < inside.width; ++x)
-                  {
-                    const float sum  = float(a[x]) + float(b[x]);
-                    const float less = float(std::min(a[x], b[x]));
-                    const float halves =
-                      weaker_half * 2.F * less + (1.F - weaker_half) * sum;
-                    const float v = sharp_scale * (own_weight * r[x] + halves);
-                    direction[x]  = v > sharp[x] ? uchar(t) : direction[x];
-                    own[x]        = v > sharp[x] ? unit * r[x] : own[x];
-                    sharp[x]      = std::max(v, sharp[x]);
-                    mean[x]       = std::max(scale * (r[x] + halves), mean[x]);
-                  }
-              }
-          }
+          collect_row(y, evidence);
       }
 
     private:
+      /** The best of all directions in one row. A path is worth the mean of its
+       * halves and of twice the weaker one; sums are twice that, whole numbers
+       * that several pixels are compared by at once. */
+      void
+      collect_row(const int y, PathEvidence &evidence) const
+      {
+        const int        n = inside.width;
+        std::vector<int> mean(n, lowest), sharp(n, lowest), own(n),
+          direction(n);
+        for (int t = 0; t < n_directions; ++t)
+          {
+            const auto row = [&](const cv::Mat &m) {
+              return m.ptr<std::int16_t>(y + halo) + halo;
+            };
+            const std::int16_t *r = row(local[t]), *a = row(ahead[t]),
+                               *b = row(ahead[t + n_directions]);
+            for (int x = 0; x < n; ++x)
+              {
+                const int  halves    = a[x] + b[x] + 2 * std::min(a[x], b[x]);
+                const int  value     = 2 * own_weight * r[x] + halves;
+                const bool is_better = value > sharp[x];
+                direction[x]         = is_better ? t : direction[x];
+                own[x]               = is_better ? r[x] : own[x];
+                sharp[x]             = std::max(value, sharp[x]);
+                mean[x]              = std::max(2 * r[x] + halves, mean[x]);
+              }
+          }
+        constexpr float unit        = 1.F / OrientedContrast::per_unit;
+        constexpr float scale       = 0.5F * unit / (2 * n_steps + 1);
+        constexpr float sharp_scale = 0.5F * unit / (2 * n_steps + own_weight);
+        for (int x = 0; x < n; ++x)
+          {
+            const cv::Point p               = inside.tl() + cv::Point(x, y);
+            evidence.mean.at<float>(p)      = scale * float(mean[x]);
+            evidence.direction.at<uchar>(p) = uchar(direction[x]);
+            evidence.local.at<float>(p)     = unit * float(own[x]);
+            evidence.sharp.at<float>(p)     = sharp_scale * float(sharp[x]);
+          }
+      }
+
       /** Samples of a straight half path from a pixel that lie inside of the
        * image. */
       int
@@ -158,11 +167,16 @@ namespace squeal::tribology
       void
       advance(const int k)
       {
-        for (int h = 0; h < n_headings; ++h)
-          cv::add(local[h % n_directions], ahead[h], whole[h]);
-        const auto cost = std::int16_t(turn_cost * OrientedContrast::per_unit);
         // What lies farther out than the remaining steps does not matter.
-        const int border = k * step;
+        const int      border = k * step, before = border - step;
+        const cv::Rect inner(before,
+                             before,
+                             ahead[0].cols - 2 * before,
+                             ahead[0].rows - 2 * before);
+        for (int h = 0; h < n_headings; ++h)
+          cv::add(
+            local[h % n_directions](inner), ahead[h](inner), whole[h](inner));
+        const auto cost = std::int16_t(turn_cost * OrientedContrast::per_unit);
         for (int h = 0; h < n_headings; ++h)
           {
             const int left     = (h + n_headings - 1) % n_headings,

@@ -47,10 +47,10 @@ namespace squeal::tribology
               }
             if (sample.empty())
               continue;
-            const auto nth = sample.begin() + (9 * sample.size()) / 10;
-            std::nth_element(sample.begin(), nth, sample.end());
+            const auto nth    = sample.begin() + (9 * sample.size()) / 10;
             const auto middle = sample.begin() + sample.size() / 2;
-            std::nth_element(sample.begin(), middle, nth);
+            std::nth_element(sample.begin(), middle, sample.end());
+            std::nth_element(middle, nth, sample.end());
             grid(j, i) =
               std::min(*nth / 1.645F, heaviest_tail * *middle / 0.6745F);
           }
@@ -124,12 +124,13 @@ namespace squeal::tribology
       /** Contrast over noise, limited, as stored in OrientedContrast; before
        * that the larger of it and what is there goes to @p unlimited. */
       cv::Mat
-      contrast(const double angle, cv::Mat &unlimited) const
+      contrast(const double angle, cv::Mat &unlimited)
       {
-        const cv::Mat line = average(angle);
-        const int     nx   = cvRound(-flank * std::sin(angle));
-        const int     ny   = cvRound(flank * std::cos(angle));
-        cv::Mat       mixed(size, CV_32F), mean(size, CV_32F);
+        average(angle);
+        const int nx = cvRound(-flank * std::sin(angle));
+        const int ny = cvRound(flank * std::cos(angle));
+        mixed.create(size, CV_32F);
+        mean.create(size, CV_32F);
         for (int y = 0; y < size.height; ++y)
           {
             const float *c  = line.ptr<float>(y + margin) + margin;
@@ -145,11 +146,24 @@ namespace squeal::tribology
                 m[x] = mean_flank * both + (1.F - mean_flank) * least;
               }
           }
-        cv::divide(mixed, local_noise(mean, block), mixed);
-        silence_border(mixed, std::abs(nx), std::abs(ny));
-        keep_larger(unlimited, mixed);
-        cv::min(mixed, OrientedContrast::most, mixed);
-        cv::max(mixed, OrientedContrast::least, mixed);
+        constexpr auto lowest  = float(OrientedContrast::least);
+        constexpr auto highest = float(OrientedContrast::most);
+        const cv::Mat  noise   = local_noise(mean, block);
+        if (unlimited.empty())
+          unlimited = cv::Mat(size, CV_32F, cv::Scalar(-1e9));
+        for (int y = 0; y < size.height; ++y)
+          {
+            float       *m = mixed.ptr<float>(y), *u = unlimited.ptr<float>(y);
+            const float *n = noise.ptr<float>(y);
+            for (int x = 0; x < size.width; ++x)
+              m[x] /= n[x];
+            silence_border(m, y, std::abs(nx), std::abs(ny));
+            for (int x = 0; x < size.width; ++x)
+              {
+                u[x] = std::max(u[x], m[x]);
+                m[x] = std::min(std::max(m[x], lowest), highest);
+              }
+          }
         cv::Mat stored;
         mixed.convertTo(stored, CV_16S, OrientedContrast::per_unit);
         return stored;
@@ -157,53 +171,47 @@ namespace squeal::tribology
 
     private:
       /** Average over a line centred at each pixel, with the margin. */
-      cv::Mat
-      average(const double angle) const
+      void
+      average(const double angle)
       {
-        const int                  border = wide - margin;
-        const cv::Size             inner(padded.cols - 2 * border,
+        const int      border = wide - margin;
+        const cv::Size inner(padded.cols - 2 * border,
                              padded.rows - 2 * border);
-        cv::Mat                    sum(inner, CV_32F);
-        std::vector<const float *> taps(n_taps);
-        const float                share = 1.F / n_taps;
+        line.create(inner, CV_32F);
+        std::vector<cv::Point> taps;
+        const float            share = 1.F / n_taps;
+        for (int i = 0; i < n_taps; ++i)
+          {
+            const double u = (i - 0.5 * (n_taps - 1)) * step;
+            taps.emplace_back(border + cvRound(u * std::cos(angle)),
+                              border + cvRound(u * std::sin(angle)));
+          }
         for (int y = 0; y < inner.height; ++y)
           {
-            for (int i = 0; i < n_taps; ++i)
-              {
-                const double u = (i - 0.5 * (n_taps - 1)) * step;
-                taps[i] =
-                  padded.ptr<float>(y + border + cvRound(u * std::sin(angle))) +
-                  border + cvRound(u * std::cos(angle));
-              }
-            float *row = sum.ptr<float>(y);
+            float *row = line.ptr<float>(y);
             std::fill(row, row + inner.width, 0.F);
-            for (int i = 0; i < n_taps; ++i)
-              for (int x = 0; x < inner.width; ++x)
-                row[x] += share * taps[i][x];
+            for (const cv::Point &tap : taps)
+              {
+                const float *value = padded.ptr<float>(y + tap.y) + tap.x;
+                for (int x = 0; x < inner.width; ++x)
+                  row[x] += share * value[x];
+              }
           }
-        return sum;
       }
 
 
 
-      /** No evidence where a flank would lie outside. */
+      /** No evidence in row @p y where a flank would lie outside. */
       void
-      silence_border(cv::Mat &values, const int nx, const int ny) const
+      silence_border(float *row, const int y, const int nx, const int ny) const
       {
-        const auto quiet = [&](const cv::Rect &r) {
-          cv::Mat part = values(r);
-          cv::min(part, 0., part);
-        };
-        const int w = std::min(nx, size.width), h = std::min(ny, size.height);
-        if (w > 0)
+        const bool is_border = y < ny || y >= size.height - ny;
+        const int  w = is_border ? size.width : std::min(nx, size.width);
+        for (int x = 0; x < w; ++x)
           {
-            quiet({0, 0, w, size.height});
-            quiet({size.width - w, 0, w, size.height});
-          }
-        if (h > 0)
-          {
-            quiet({0, 0, size.width, h});
-            quiet({0, size.height - h, size.width, h});
+            row[x]       = std::min(row[x], 0.F);
+            float &other = row[size.width - 1 - x];
+            other        = std::min(other, 0.F);
           }
       }
 
@@ -211,6 +219,7 @@ namespace squeal::tribology
       double   block, flank, step;
       int      n_taps, margin, wide;
       cv::Mat  padded;
+      cv::Mat  line, mixed, mean; // of one direction, kept for the next
     };
 
 
@@ -222,7 +231,7 @@ namespace squeal::tribology
                       const double   block,
                       cv::Mat       &unlimited)
     {
-      const LineFilter narrow(level, narrowest, block),
+      LineFilter narrow(level, narrowest, block),
         wide(level, second_width * narrowest, block);
       OrientedContrast contrast;
       for (int t = 0; t < n_directions; ++t)
@@ -246,11 +255,26 @@ namespace squeal::tribology
 
 
 
+  cv::Point
+  RidgeField::across(const cv::Point &p, const double distance) const
+  {
+    static const auto normals = [] {
+      std::array<cv::Point2d, n_directions> table;
+      for (int t = 0; t < n_directions; ++t)
+        table[t] = {-std::sin(CV_PI * t / n_directions),
+                    std::cos(CV_PI * t / n_directions)};
+      return table;
+    }();
+    const cv::Point2d &n = normals[direction.at<uchar>(p)];
+    return {cvRound(distance * n.x), cvRound(distance * n.y)};
+  }
+
+
+
   bool
   RidgeField::is_crest(const cv::Point &p) const
   {
-    const double    a = angle(p);
-    const cv::Point across(cvRound(-std::sin(a)), cvRound(std::cos(a)));
+    const cv::Point across = this->across(p, 1.);
     const cv::Rect  inside({0, 0}, strength.size());
     const float     z  = sharp.at<float>(p);
     const auto      at = [&](const cv::Point &q) {

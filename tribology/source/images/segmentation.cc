@@ -124,7 +124,7 @@ namespace squeal::tribology
   Segmentation
   segment(const cv::Mat &grey, const SegmentationSettings &settings)
   {
-    const CrackLines found = find_at_best_scale(grey, settings.n_octaves);
+    const CrackLines found = find_cracks(grey, settings.n_octaves);
     cv::Mat          line  = found.centre_line;
     Segmentation     result;
     result.cracks = measure_cracks(grey, line, found.ridges);

@@ -18,6 +18,13 @@ namespace squeal::tribology
     cv::Mat direction; /**< CV_32F, radians in [0, pi), on the centre line */
   };
 
+  /** Centre lines and the evidence that they were found in. */
+  struct CrackLines
+  {
+    RidgeField ridges;
+    cv::Mat    centre_line;
+  };
+
   /**
    * Centre lines of cracks.
    *
@@ -34,28 +41,15 @@ namespace squeal::tribology
    * a good path at half the resolution, else the part of it that is contrasty
    * itself. At last the ends are moved to where the line stops being dark.
    *
-   * Nothing depends on quantiles of the evidence: an image without cracks
-   * gives none. @p grey is CV_32F.
-   */
-  cv::Mat find_centre_lines(const cv::Mat &grey, const RidgeField &ridges);
-
-  /** Centre lines and the evidence that they were found in. */
-  struct CrackLines
-  {
-    RidgeField ridges;
-    cv::Mat    centre_line;
-  };
-
-  /**
-   * Centre lines of cracks with the filters that suit them.
-   *
    * Wide filters see faint cracks, narrow ones tell cracks apart from what lies
-   * beside them and are fooled less often. Cracks are found with the wider
-   * filters first; when these cracks keep 95 % of their strength (median over
-   * their pixels) in filters of half an octave less, they are found again with
-   * those. An image without cracks stays one.
+   * beside them and are fooled less often. The wider filters come first; when
+   * the cracks that they start with keep 95 % of their strength (median over
+   * their pixels) in filters of half an octave less, those are used.
+   *
+   * Nothing depends on quantiles of the evidence: an image without cracks
+   * gives none. @p grey is CV_32F; for @p n_octaves see filter_ridges().
    */
-  CrackLines find_at_best_scale(const cv::Mat &grey, int n_octaves);
+  CrackLines find_cracks(const cv::Mat &grey, int n_octaves);
 
   /** Width, direction and area from the dark profile across the centre line:
    * the width is the missing light over the depth, see CrackDepth. @p grey is

@@ -9,7 +9,7 @@ namespace squeal::tribology
 {
   /** Extends the ends of a skeleton along crests that are stronger than the
    * same search finds in the background, or that lie on a good path at half the
-   * resolution; see find_centre_lines(). A longer
+   * resolution; see find_cracks(). A longer
    * search finds fainter cracks, because chance averages out along it; a
    * shorter one finds short rests. */
   class CrackGrowth

@@ -38,8 +38,8 @@ namespace squeal::tribology
    * pixel: samples are 3 pixels apart, the direction turns by at most one step
    * between two samples and each turn costs. Solved exactly by dynamic
    * programming over place and direction, for each half of the path apart. The
-   * weaker half has twice the weight of the stronger: a spot or the end of a
-   * line lies on one side only. A half that leaves the image counts by its
+   * weaker half has three times the weight of the stronger: a spot or the end
+   * of a line lies on one side only. A half that leaves the image counts by its
    * samples inside; when they are fewer than three the other half counts twice.
    */
   PathEvidence integrate_paths(const OrientedContrast &contrast);

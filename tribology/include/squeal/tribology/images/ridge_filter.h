@@ -33,6 +33,9 @@ namespace squeal::tribology
     /** Angle of the line through (x, y), in [0, pi). */
     double angle(const cv::Point &p) const;
 
+    /** The step from (x, y) to the pixel at @p distance across the line. */
+    cv::Point across(const cv::Point &p, double distance) const;
+
     /** The strength is a maximum across the line. */
     bool is_crest(const cv::Point &p) const;
   };
