@@ -20,12 +20,15 @@ namespace squeal::tribology
     constexpr float  mean_flank     = 0.2F; // weight beside the lesser flank
     constexpr float  heaviest_tail  = 3.F;  // 90th percentile over median
     constexpr double noise_block    = 64.;  // pixels of the finest level
+    // Of the noise of the median block.
+    constexpr float quietest_block = 0.3F, loudest_block = 3.F;
 
 
     /** Spread of |values| by block from their 90th percentile, which is 1.645
      * deviations of a normal distribution and follows heavy tails, but not
      * those that cracks themselves make; interpolated. A block never counts as
-     * much quieter than the others. */
+     * much quieter than the others, nor as much louder: a dense network of
+     * cracks would pass for noise. */
     cv::Mat
     local_noise(const cv::Mat &values, const double block)
     {
@@ -57,8 +60,9 @@ namespace squeal::tribology
       std::vector<float> all(grid.begin(), grid.end());
       std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
       // Below a thousandth of a grey level there is only rounding.
-      const float least = std::max(0.3F * all[all.size() / 2], 1e-3F);
-      cv::max(grid, least, grid);
+      const float usual = all[all.size() / 2];
+      cv::max(grid, std::max(quietest_block * usual, 1e-3F), grid);
+      cv::min(grid, std::max(loudest_block * usual, 1e-3F), grid);
       cv::GaussianBlur(
         grid, grid, cv::Size(3, 3), 0., 0., cv::BORDER_REPLICATE);
       cv::Mat noise;
