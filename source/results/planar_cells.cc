@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/results/planar_cells.h>
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/adapted/std_array.hpp>
 #include <boost/polygon/voronoi.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+BOOST_GEOMETRY_REGISTER_STD_ARRAY_CS(cs::cartesian)
+
 namespace squeal
 {
   namespace
   {
     using Polygon = std::vector<PlanarPoint>;
-
-    /** Twice the area of a triangle, positive if it is counter-clockwise. */
-    double
-    turn(const PlanarPoint &a, const PlanarPoint &b, const PlanarPoint &c)
-    {
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    }
-
-
 
     /** The part of a convex polygon where normal . x <= bound. */
     Polygon
@@ -70,24 +65,17 @@ namespace squeal
   {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    if (points.size() < 3)
-      return points;
-    // Andrew's monotone chain: the lower side, then the upper one.
-    Polygon hull;
-    for (unsigned int side = 0; side < 2; ++side)
-      {
-        const std::size_t first = hull.size();
-        for (const PlanarPoint &p : points)
-          {
-            while (hull.size() >= first + 2 &&
-                   turn(hull[hull.size() - 2], hull.back(), p) <= 0.)
-              hull.pop_back();
-            hull.push_back(p);
-          }
-        hull.pop_back();
-        std::reverse(points.begin(), points.end());
-      }
-    return hull;
+    constexpr bool clockwise = false, closed = false;
+    boost::geometry::model::ring<PlanarPoint, clockwise, closed> hull;
+    boost::geometry::convex_hull(
+      boost::geometry::model::multi_point<PlanarPoint>(points.begin(),
+                                                       points.end()),
+      hull);
+    if (boost::geometry::area(hull) <= 0.) // all on one line
+      points.resize(std::min<std::size_t>(2, points.size()));
+    else
+      points.assign(hull.begin(), hull.end());
+    return points;
   }
 
 

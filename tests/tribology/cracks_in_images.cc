@@ -58,7 +58,7 @@ main(int argc, char **argv)
   std::map<std::string, std::vector<double>> groups;
   std::printf(
     "%-22s %9s %7s %6s %6s\n", "image", "precision", "recall", "F1", "F1 5px");
-  for (const std::string file : files)
+  for (const std::string &file : files)
     {
       const std::string stem = fs::path(file).stem();
       const cv::Mat     mask =
@@ -81,7 +81,7 @@ main(int argc, char **argv)
 
   double false_length = 0.;
   cv::glob((data / "negatives" / "images" / "*.jpg").string(), files);
-  for (const std::string file : files)
+  for (const std::string &file : files)
     {
       const int n = cv::countNonZero(thin(centre_lines_of(file)));
       std::printf("no crack: %-22s %d px\n", fs::path(file).stem().c_str(), n);

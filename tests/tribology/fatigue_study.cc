@@ -163,7 +163,7 @@ main(int argc, char **argv)
         "the report needs no network");
 
   // The same chain with cracks anywhere.
-  for (const std::string &seed : {"21", "22", "23"})
+  for (const std::string seed : {"21", "22", "23"})
     {
       run({"--set",
            "Synthetic specimen/Link strength = 0",
