@@ -14,6 +14,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/subsurface.cc
     source/damage/surface.cc
     source/driver/context.cc
+    source/driver/damage_pictures.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
     source/driver/run_recorded_history.cc

@@ -3,11 +3,8 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/text.h>
-#include <squeal/results/chart.h>
-#include <squeal/tribology/damage/damage_files.h>
-#include <squeal/tribology/damage/damage_table.h>
-#include <squeal/tribology/damage/map_picture.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/damage_study.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,27 +13,8 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** One history with all that is computed from it. */
-    struct Study
-    {
-      Study(const std::string &file, const HistoryParameters &history)
-        : reader(file)
-        , window(history_window(reader, history))
-        , grid(reader.layout())
-      {
-      }
-
-      HistoryReader                reader;
-      HistoryWindow                window;
-      ContactGrid                  grid;
-      HistoryDamage                damage;
-      std::vector<SubsurfacePoint> subsurface;
-    };
-
-
-
     void
-    count(Context &context, Study &study, const std::string &name)
+    count(Context &context, DamageStudy &study, const std::string &name)
     {
       const TribologyParameters &p = context.parameters;
       Timers::Section            section(context.timers, "Count: " + name);
@@ -55,7 +33,7 @@ namespace squeal::tribology
 
 
     void
-    require_same_nodes(const Study &a, const Study &b)
+    require_same_nodes(const DamageStudy &a, const DamageStudy &b)
     {
       bool same = a.grid.n_nodes() == b.grid.n_nodes();
       for (std::size_t k = 0; same && k < a.grid.n_nodes(); ++k)
@@ -66,130 +44,6 @@ namespace squeal::tribology
         throw InputError("'" + b.reader.path() +
                          "' has other contact nodes than '" + a.reader.path() +
                          "': compare runs of the same contact mesh");
-    }
-
-
-
-    /** Column of the table as a map. */
-    FaceMap
-    map_of(const Table       &table,
-           const std::string &column,
-           const std::string &title,
-           const std::string &unit,
-           const double       scale       = 1.,
-           const bool         logarithmic = false)
-    {
-      FaceMap map{title, unit, table.reals(column), logarithmic};
-      for (double &value : map.values)
-        value *= scale;
-      return map;
-    }
-
-
-
-    void
-    draw(Context &context, const Drawing &drawing, const std::string &name)
-    {
-      const std::string path = context.output.file("plots/" + name + ".png");
-      context.plotter.draw(drawing, path.substr(0, path.size() - 4));
-    }
-
-
-
-    std::size_t
-    worst_node(const HistoryDamage &damage)
-    {
-      std::size_t worst = 0;
-      for (std::size_t k = 1; k < damage.nodes.size(); ++k)
-        if (damage.nodes[k].damage.back() > damage.nodes[worst].damage.back())
-          worst = k;
-      return worst;
-    }
-
-
-
-    void
-    draw_damage(Context &context, const Study &study, const Table &table)
-    {
-      const FatigueParameters &f = context.parameters.fatigue;
-      std::vector<FaceMap>     maps;
-      for (const double exponent : f.exponents)
-        maps.push_back(map_of(table,
-                              "damage_" + slope_name(exponent) + "_per_s",
-                              "Damage, slope " + slope_name(exponent),
-                              f.constants.empty() ? "index in 1/s" : "1/s",
-                              1.,
-                              true));
-      draw(context, draw_maps(study.grid, maps), "damage_maps");
-      draw(
-        context,
-        draw_maps(
-          study.grid,
-          {map_of(table, "peak_pressure_pa", "Peak pressure", "MPa", 1e-6),
-           map_of(table,
-                  "friction_power_w_per_m2",
-                  "Friction power",
-                  "kW/m^2",
-                  1e-3),
-           map_of(table, "contact_duty", "Duty of contact", "part"),
-           map_of(table, "impacts_per_s", "Impacts", "1/s"),
-           map_of(
-             table, "impulse_per_impact_pa_s", "Impulse of an impact", "Pa s"),
-           map_of(table, "stick_slip_per_s", "Stick-slip changes", "1/s")}),
-        "surface_maps");
-      const std::size_t      worst  = worst_node(study.damage);
-      const RangeMeanMatrix &matrix = study.damage.matrices[worst];
-      std::vector<double>    ranges, means;
-      for (std::size_t i = 0; i < matrix.n_classes(); ++i)
-        {
-          ranges.push_back(matrix.range(i));
-          means.push_back(matrix.mean(i));
-        }
-      draw(context,
-           draw_matrix(ranges,
-                       means,
-                       matrix.values(),
-                       "Cycles at node " + std::to_string(worst) +
-                         ", where damage is largest"),
-           "range_mean");
-    }
-
-
-
-    /** Largest and mean utilisation against depth, flagged points left out. */
-    void
-    draw_depths(Context &context, const Study &study)
-    {
-      const SubsurfaceParameters &p = context.parameters.subsurface;
-      Chart                       chart;
-      const bool                  has_limit = p.axial_limit > 0.;
-      chart.title =
-        has_limit ? "Largest value over its limit under the face"
-                  : "Largest value over the reference stress (no limit given)";
-      chart.x.label = "depth in um";
-      chart.x.scale = AxisSettings::Scale::logarithmic;
-      chart.y.label = has_limit ? "value / limit" : "value / reference stress";
-      for (std::size_t c = 0; c < p.criteria.size(); ++c)
-        {
-          ChartSeries series;
-          series.label = choice_name(p.criteria[c]);
-          series.ink   = static_cast<Ink>(c % 8);
-          series.style = ChartSeries::Style::lines_points;
-          for (const double depth : p.depths)
-            {
-              double largest = -1e300;
-              for (const SubsurfacePoint &point : study.subsurface)
-                if (point.depth == depth && !point.is_near_edge)
-                  largest = std::max(largest, point.values[c].utilisation());
-              if (largest > -1e300)
-                {
-                  series.x.push_back(1e6 * depth);
-                  series.y.push_back(largest);
-                }
-            }
-          chart.series.push_back(series);
-        }
-      draw(context, draw_charts({chart}, 1100, 700), "depths");
     }
 
 
@@ -208,8 +62,8 @@ namespace squeal::tribology
 
     /** Totals over the face, one row for each history. */
     Table
-    totals(const TribologyParameters        &p,
-           const std::vector<const Study *> &studies)
+    totals(const TribologyParameters              &p,
+           const std::vector<const DamageStudy *> &studies)
     {
       Table table(
         {{"run", Table::Type::text, "", "history"},
@@ -223,7 +77,7 @@ namespace squeal::tribology
                           "1/s",
                           "area mean of the damage",
                           5});
-      for (const Study *study : studies)
+      for (const DamageStudy *study : studies)
         {
           double area = 0., pressure = 0., power = 0., impacts = 0.;
           std::vector<double> damage(p.fatigue.exponents.size(), 0.);
@@ -279,12 +133,12 @@ namespace squeal::tribology
 
 
     void
-    fill_report(HtmlReport    &report,
-                const Context &context,
-                const Table   &table,
-                const Table   &sums,
-                const bool     has_silent,
-                const Study   &study)
+    fill_report(HtmlReport        &report,
+                const Context     &context,
+                const Table       &table,
+                const Table       &sums,
+                const bool         has_silent,
+                const DamageStudy &study)
     {
       const TribologyParameters &p        = context.parameters;
       const std::string          plots    = context.output.path() + "/plots/";
@@ -366,6 +220,97 @@ namespace squeal::tribology
       report.section("Nodes");
       report.table(table, "All nodes (damage.csv)", {}, {}, false);
     }
+
+
+
+    void
+    warn_of_what_is_missing(Context &context, const DamageStudy &study)
+    {
+      if (!study.grid.is_grid())
+        context.log.warning("the contact nodes stand on no rectangular grid: "
+                            "nodal cells are taken as squares");
+      if (!study.grid.is_grid() &&
+          context.parameters.subsurface.pad_thickness > 0.)
+        context.log.warning("stresses under the face are those of a "
+                            "half-space, in spite of 'Pad thickness'");
+      if (!study.reader.layout().has_slip_rate)
+        context.log.warning("the history has no slip rate: friction power, "
+                            "wear and stick-slip are 0");
+    }
+
+
+
+    void
+    evaluate_below_the_face(Context &context, DamageStudy &study)
+    {
+      const TribologyParameters &p = context.parameters;
+      Timers::Section section(context.timers, "Evaluate: subsurface");
+      Progress        progress(context.log, "subsurface", study.grid.n_nodes());
+      study.subsurface = evaluate_subsurface(
+        study.reader,
+        study.window,
+        p.subsurface,
+        p.fatigue,
+        study.grid,
+        [&progress](const std::size_t n) { progress.advance(n); });
+    }
+
+
+
+    void
+    write_maps(Context &context, const DamageStudy &study, const Table &table)
+    {
+      if (!study.subsurface.empty())
+        context.write_table("subsurface.csv",
+                            subsurface_table(context.parameters.subsurface,
+                                             study.grid,
+                                             study.subsurface));
+      write_damage_hdf5(context.output.file("damage.h5"), table, study.damage);
+      write_damage_vtu(context.output.file("damage.vtu"), table, study.grid);
+    }
+
+
+
+    RunRecord::Pairs
+    main_figures(const DamageStudy &study,
+                 const Table       &table,
+                 const double       exponent)
+    {
+      const std::string slope = slope_name(exponent);
+      return {
+        {"nodes", std::to_string(study.grid.n_nodes())},
+        {"samples", std::to_string(study.damage.samples)},
+        {"largest pressure in MPa",
+         rounded_text(1e-6 * largest(table, "peak_pressure_pa"), 4)},
+        {"largest damage per second, " + slope,
+         rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
+        {"points kept by a counter", std::to_string(study.damage.deepest)}};
+    }
+
+
+
+    /** Mean damage over that of the silent run, for each slope with its name;
+     * the numbers alone are added to @p figures. */
+    std::string
+    ratios_to_silent(const Table               &sums,
+                     const std::vector<double> &exponents,
+                     RunRecord::Pairs          &figures)
+    {
+      std::vector<std::string> ratios;
+      for (const double m : exponents)
+        {
+          const std::string column = "mean_damage_" + slope_name(m) + "_per_s";
+          const double      quiet  = sums.real(1, column);
+          ratios.push_back(quiet > 0.
+                             ? rounded_text(sums.real(0, column) / quiet, 3) +
+                                 " (slope " + slope_name(m) + ")"
+                             : "infinitely many (" + slope_name(m) + ")");
+          figures.emplace_back(
+            "squealing over silent, " + slope_name(m),
+            ratios.back().substr(0, ratios.back().find(' ')));
+        }
+      return prm::join(ratios, ", ");
+    }
   } // namespace
 
 
@@ -376,37 +321,20 @@ namespace squeal::tribology
     const TribologyParameters &p = context.parameters;
     prm::require_file(p.history.file, "History", "File", true);
     prm::require_file(p.history.silent_file, "History", "Silent file", false);
-    Study                  study(p.history.file, p.history);
-    std::unique_ptr<Study> silent;
+    DamageStudy                  study(p.history.file, p.history);
+    std::unique_ptr<DamageStudy> silent;
     if (!p.history.silent_file.empty())
       {
-        silent = std::make_unique<Study>(p.history.silent_file, p.history);
+        silent =
+          std::make_unique<DamageStudy>(p.history.silent_file, p.history);
         require_same_nodes(study, *silent);
       }
-    if (!study.grid.is_grid())
-      context.log.warning("the contact nodes stand on no rectangular grid: "
-                          "nodal cells are taken as squares");
-    if (!study.grid.is_grid() && p.subsurface.pad_thickness > 0.)
-      context.log.warning("stresses under the face are those of a half-space, "
-                          "in spite of 'Pad thickness'");
-    if (!study.reader.layout().has_slip_rate)
-      context.log.warning("the history has no slip rate: friction power, wear "
-                          "and stick-slip are 0");
+    warn_of_what_is_missing(context, study);
     count(context, study, "squealing");
     if (silent)
       count(context, *silent, "silent");
     if (p.subsurface.compute)
-      {
-        Timers::Section section(context.timers, "Evaluate: subsurface");
-        Progress progress(context.log, "subsurface", study.grid.n_nodes());
-        study.subsurface = evaluate_subsurface(
-          study.reader,
-          study.window,
-          p.subsurface,
-          p.fatigue,
-          study.grid,
-          [&progress](const std::size_t n) { progress.advance(n); });
-      }
+      evaluate_below_the_face(context, study);
 
     const Table table = damage_table(p,
                                      study.grid,
@@ -414,69 +342,23 @@ namespace squeal::tribology
                                      silent ? &silent->damage : nullptr,
                                      study.subsurface);
     context.write_table("damage.csv", table);
-    std::vector<const Study *> studies = {&study};
+    std::vector<const DamageStudy *> studies = {&study};
     if (silent)
       studies.push_back(silent.get());
     const Table sums = totals(p, studies);
     context.write_table("totals.csv", sums);
-    if (!study.subsurface.empty())
-      context.write_table(
-        "subsurface.csv",
-        subsurface_table(p.subsurface, study.grid, study.subsurface));
-    write_damage_hdf5(context.output.file("damage.h5"), table, study.damage);
-    write_damage_vtu(context.output.file("damage.vtu"), table, study.grid);
-
+    write_maps(context, study, table);
     if (p.output.plots && context.plotter.is_available())
-      {
-        Timers::Section section(context.timers, "Write: plots");
-        draw_damage(context, study, table);
-        if (silent)
-          {
-            std::vector<FaceMap> maps;
-            for (const double m : p.fatigue.exponents)
-              maps.push_back(map_of(table,
-                                    "ratio_damage_" + slope_name(m) + "_per_s",
-                                    "Squealing over silent, " + slope_name(m),
-                                    "ratio",
-                                    1.,
-                                    true));
-            draw(context, draw_maps(study.grid, maps), "ratio_maps");
-          }
-        if (!study.subsurface.empty())
-          draw_depths(context, study);
-      }
+      draw_damage_pictures(context, study, table, silent != nullptr);
 
-    const std::string slope   = slope_name(p.fatigue.exponents.back());
     RunRecord::Pairs &figures = context.record.figures;
-    figures                   = {
-                        {"nodes", std::to_string(study.grid.n_nodes())},
-                        {"samples", std::to_string(study.damage.samples)},
-                        {"largest pressure in MPa",
-                         rounded_text(1e-6 * largest(table, "peak_pressure_pa"), 4)},
-                        {"largest damage per second, " + slope,
-                         rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
-                        {"points kept by a counter", std::to_string(study.damage.deepest)}};
+    figures = main_figures(study, table, p.fatigue.exponents.back());
     std::string headline = "Damage of " + std::to_string(study.grid.n_nodes()) +
                            " nodes" +
                            (p.fatigue.constants.empty() ? " (index)" : "");
     if (silent)
-      {
-        std::vector<std::string> ratios;
-        for (const double m : p.fatigue.exponents)
-          {
-            const std::string column =
-              "mean_damage_" + slope_name(m) + "_per_s";
-            const double quiet = sums.real(1, column);
-            ratios.push_back(quiet > 0.
-                               ? rounded_text(sums.real(0, column) / quiet, 3) +
-                                   " (slope " + slope_name(m) + ")"
-                               : "infinitely many (" + slope_name(m) + ")");
-            figures.emplace_back(
-              "squealing over silent, " + slope_name(m),
-              ratios.back().substr(0, ratios.back().find(' ')));
-          }
-        headline += ": " + prm::join(ratios, ", ") + " times the silent run's";
-      }
+      headline += ": " + ratios_to_silent(sums, p.fatigue.exponents, figures) +
+                  " times the silent run's";
     HtmlReport report("Damage" + (p.name.empty() ? "" : " of " + p.name),
                       p.history.file);
     report.set_verdict(HtmlReport::Verdict::neutral, headline, figures);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_driver_damage_study_h
+#define squeal_tribology_driver_damage_study_h
+
+#include <squeal/results/table.h>
+#include <squeal/tribology/damage/damage_files.h>
+#include <squeal/tribology/damage/damage_table.h>
+#include <squeal/tribology/driver/context.h>
+
+namespace squeal::tribology
+{
+  /** One history with all that is computed from it. */
+  struct DamageStudy
+  {
+    DamageStudy(const std::string &file, const HistoryParameters &history)
+      : reader(file)
+      , window(history_window(reader, history))
+      , grid(reader.layout())
+    {
+    }
+
+    HistoryReader                reader;
+    HistoryWindow                window;
+    ContactGrid                  grid;
+    HistoryDamage                damage;
+    std::vector<SubsurfacePoint> subsurface;
+  };
+
+  /** Pictures of a damage @p table into the folder `plots`: maps of damage and
+   * of the surface indices, over the silent run if the table has one, largest
+   * values over depth, and the worst node's counts. */
+  void draw_damage_pictures(Context           &context,
+                            const DamageStudy &study,
+                            const Table       &table,
+                            bool               has_silent);
+} // namespace squeal::tribology
+
+#endif
