@@ -35,6 +35,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_width.cc
     source/images/image_files.cc
     source/images/image_parameters.cc
+    source/images/image_size.cc
     source/images/line_graph.cc
     source/images/line_length.cc
     source/images/line_position.cc
@@ -53,6 +54,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/specimen_length.cc
     source/images/specimen_shapes.cc
     source/images/statistics.cc
+    source/images/tiff_directory.cc
     source/setup/choices.cc
     source/setup/declare.cc
     source/setup/declare_correlation.cc

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check.h"
+#include "worst.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -97,26 +98,25 @@ namespace
     double before = 0.;
     for (const unsigned int n : {25u, 100u, 400u, 1600u})
       {
-        double error = 0.;
+        Worst error;
         for (const Point &p : points)
           {
             // the third one is printed to three digits
             if (p.x == 1.2)
               continue;
             const Eigen::Vector3d s = line_contact(.4, n, p.x, p.z);
-            error                   = std::max({error,
-                                                std::abs(s(0) - p.xx),
-                                                std::abs(s(1) - p.zz),
-                                                std::abs(s(2) - p.xz)});
+            error.add(std::abs(s(0) - p.xx));
+            error.add(std::abs(s(1) - p.zz));
+            error.add(std::abs(s(2) - p.xz));
           }
         const double order =
-          before > 0. ? std::log(before / error) / std::log(4.) : 0.;
-        std::cout << n << " strips: error " << error << ", order " << order
-                  << "\n";
+          before > 0. ? std::log(before / error.largest()) / std::log(4.) : 0.;
+        std::cout << n << " strips: error " << error.largest() << ", order "
+                  << order << "\n";
         if (before > 0.)
           check(order > 1.4,
                 "the error falls with order " + std::to_string(order));
-        before = error;
+        before = error.largest();
       }
     check(before < 1e-6, "1600 strips: " + std::to_string(before));
     const Eigen::Vector3d s = line_contact(.4, 1600, 1.2, .4);
@@ -162,13 +162,13 @@ namespace
           "mu = 0.37: the maximum lies below the surface, " +
             std::to_string(below.value) + " at depth " +
             std::to_string(below.z));
-    double deep = 0.;
+    Worst deep;
     for (double x = .7; x < 1.1; x += .01)
       for (double z = .03; z < .5; z += .01)
-        deep = std::max(deep, shear(line_contact(.38, n, x, z)));
-    check(deep < .38,
+        deep.add(shear(line_contact(.38, n, x, z)));
+    check(deep.largest() < .38,
           "mu = 0.38: at the surface; below 0.03 a it is " +
-            std::to_string(deep));
+            std::to_string(deep.largest()));
     // tension behind the contact
     check_close(line_contact(.5, 4000, -1. - 1e-6, 1e-9)(0),
                 1.,
@@ -229,18 +229,19 @@ namespace
                 -(1. + r.nu) * (1. - z * std::atan(1. / z)) + .5 / (1. + z * z);
               return .5 * (p + 1. / (1. + z * z));
             };
-            double error = 0.;
+            Worst error;
             for (const double z : {.2, .48086, 1.})
-              error = std::max(error, std::abs(at(z) - exact(z)));
+              error.add(std::abs(at(z) - exact(z)));
             std::cout << "nu " << r.nu << ", " << n << " x " << n
-                      << " patches: error " << error << "\n";
+                      << " patches: error " << error.largest() << "\n";
             if (before > 0.)
-              check(error < .45 * before,
-                    "order " + std::to_string(std::log2(before / error)));
-            before = error;
+              check(error.largest() < .45 * before,
+                    "order " +
+                      std::to_string(std::log2(before / error.largest())));
+            before = error.largest();
             if (n == 64)
               {
-                check(error < 1e-4, "64 x 64 patches: 1e-4");
+                check(error.largest() < 1e-4, "64 x 64 patches: 1e-4");
                 check(std::abs(at(r.z) - r.value) < 1e-4 &&
                         at(r.z) > at(r.z - .02) && at(r.z) > at(r.z + .02),
                       "Hertz point: " + std::to_string(at(r.z)) + " at " +

@@ -2,15 +2,19 @@
 
 // Contact histories: what is written is read, and faults are refused in one
 // line.
+#include <squeal/base/child_process.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
 #include <squeal/tribology/damage/history_damage.h>
 #include <squeal/tribology/history/clipped_sine.h>
 #include <squeal/tribology/history/csv_import.h>
 
 #include <hdf5.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "check.h"
 
@@ -102,6 +106,19 @@ namespace
           "a sample is found by its time");
   }
 
+  /** "bad.h5": the good file without the mark of squeal, as from elsewhere; its
+   * checksum does not count then. */
+  void
+  copy_without_mark()
+  {
+    fs::copy_file("good.h5", "bad.h5", fs::copy_options::overwrite_existing);
+    std::fstream      file("bad.h5",
+                      std::ios::in | std::ios::out | std::ios::binary);
+    const std::string nothing(512, '\0');
+    file.write(nothing.data(), nothing.size());
+    check(file.good(), "the test takes the mark away");
+  }
+
   /** A copy of the good file, changed by @p change, is refused. */
   template <typename Change>
   void
@@ -109,7 +126,7 @@ namespace
           const std::string &part,
           const std::string &claim)
   {
-    fs::copy_file("good.h5", "bad.h5", fs::copy_options::overwrite_existing);
+    copy_without_mark();
     change();
     const auto read = [] {
       const HistoryReader reader("bad.h5");
@@ -215,7 +232,7 @@ namespace
     {
       // 32-bit field of another number of nodes
       HistoryLayout layout = two_nodes();
-      fs::copy_file("good.h5", "bad.h5", fs::copy_options::overwrite_existing);
+      copy_without_mark();
       const hid_t file = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
       H5Ldelete(file, "samples/gap", H5P_DEFAULT);
       const hsize_t extent[2] = {1000, 3};
@@ -233,6 +250,59 @@ namespace
                                "'samples/gap' that does not fit",
                                "a dataset of another shape");
     }
+  }
+
+  /** @p file with the byte at @p place changed. */
+  void
+  change_byte(const std::string &file,
+              const std::size_t  place,
+              const char         value)
+  {
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(static_cast<std::streamoff>(place));
+    stream.put(value);
+  }
+
+  /** Any change of a history that squeal has written is found. */
+  void
+  damage_is_found()
+  {
+    const std::string good = read_file("good.h5");
+    std::mt19937      random(4);
+    // Behind the mark: without it the file is one from elsewhere.
+    std::uniform_int_distribution<std::size_t> place(40, good.size() - 1);
+    unsigned int                               n_refused = 0;
+    constexpr unsigned int                     n         = 50;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        fs::copy_file(
+          "good.h5", "bad.h5", fs::copy_options::overwrite_existing);
+        const std::size_t p = place(random);
+        change_byte("bad.h5", p, static_cast<char>(good[p] ^ (1 << (i % 8))));
+        try
+          {
+            const HistoryReader reader("bad.h5");
+          }
+        catch (const InputError &e)
+          {
+            n_refused +=
+              std::string(e.what()).find("is damaged") != std::string::npos;
+          }
+      }
+    check(n_refused == n,
+          std::to_string(n_refused) + " of 50 damaged histories are refused");
+  }
+
+  /** What crashes in a library does so in a process of its own. */
+  void
+  crashes_stay_in_the_child()
+  {
+    check(ends_by_signal([] { std::raise(SIGFPE); }) &&
+            ends_by_signal([] { std::abort(); }),
+          "a crash is told");
+    check(!ends_by_signal([] {}) &&
+            !ends_by_signal([] { throw InputError("no"); }),
+          "an orderly end is none");
   }
 
   const std::string node_table =
@@ -318,5 +388,7 @@ main()
 {
   round_trip();
   faults_of_files();
+  damage_is_found();
+  crashes_stay_in_the_child();
   tables();
 }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "check.h"
+#include "worst.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -205,11 +206,11 @@ namespace
         for (Point5 &p : points)
           for (unsigned int i = 0; i < 5; ++i)
             p(i) = normal(generator);
-        const Ball5 ball    = smallest_enclosing_ball(points);
-        double      largest = 0.;
+        const Ball5 ball = smallest_enclosing_ball(points);
+        Worst       largest;
         for (const Point5 &p : points)
-          largest = std::max(largest, (p - ball.centre).norm());
-        check_close(largest,
+          largest.add((p - ball.centre).norm());
+        check_close(largest.largest(),
                     ball.radius,
                     1e-9,
                     "a ball holds its " + std::to_string(n) + " points",
@@ -220,10 +221,10 @@ namespace
             Point5 step;
             for (unsigned int i = 0; i < 5; ++i)
               step(i) = 1e-4 * normal(generator);
-            double other = 0.;
+            Worst other;
             for (const Point5 &p : points)
-              other = std::max(other, (p - ball.centre - step).norm());
-            if (other < ball.radius)
+              other.add((p - ball.centre - step).norm());
+            if (!(other.largest() >= ball.radius))
               check(false, "a smaller ball is found");
           }
       }

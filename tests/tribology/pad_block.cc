@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "check.h"
+#include "worst.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -70,11 +71,11 @@ namespace
     const auto   u = [&](const double dx, const double dy, const double dz) {
       return patch_displacement(patch, x + dx, y + dy, z + dz, nu);
     };
-    const Eigen::Matrix3d dx    = (u(h, 0., 0.) - u(-h, 0., 0.)) / (2. * h);
-    const Eigen::Matrix3d dy    = (u(0., h, 0.) - u(0., -h, 0.)) / (2. * h);
-    const Eigen::Matrix3d dz    = (u(0., 0., h) - u(0., 0., -h)) / (2. * h);
-    const Stress          s     = patch_influence(patch, x, y, z, nu);
-    double                error = 0.;
+    const Eigen::Matrix3d dx = (u(h, 0., 0.) - u(-h, 0., 0.)) / (2. * h);
+    const Eigen::Matrix3d dy = (u(0., h, 0.) - u(0., -h, 0.)) / (2. * h);
+    const Eigen::Matrix3d dz = (u(0., 0., h) - u(0., 0., -h)) / (2. * h);
+    const Stress          s  = patch_influence(patch, x, y, z, nu);
+    Worst                 error;
     for (int load = 0; load < 3; ++load)
       {
         const double lame =
@@ -83,10 +84,11 @@ namespace
         t << lame + 2. * dx(0, load), lame + 2. * dy(1, load),
           lame + 2. * dz(2, load), dx(1, load) + dy(0, load),
           dy(2, load) + dz(1, load), dx(2, load) + dz(0, load);
-        error = std::max(error, (t - s.col(load)).norm());
+        error.add((t - s.col(load)).norm());
       }
-    std::printf("displacement kernel: %.1e\n", error);
-    check(error < 1e-6, "displacements and stresses of a patch agree");
+    std::printf("displacement kernel: %.1e\n", error.largest());
+    check(error.largest() < 1e-6,
+          "displacements and stresses of a patch agree");
   }
 
 
@@ -127,41 +129,43 @@ namespace
               points.push_back({{-.6, place, z}});
               points.push_back({{1., place, z}});
             }
-        double     inside = 0., rim = 0.;
+        Worst      inside;
+        Worst      rim;
         const auto stress = total(block(0., h, 5. * h), face, points);
         for (std::size_t i = 0; i < points.size(); ++i)
           {
             const auto &[x, y, z] = points[i];
             const bool   at_side  = std::max(std::abs(x), std::abs(y)) == 1.;
-            const double error =
-              (stress[i].col(2) - column_state()).cwiseAbs().maxCoeff();
+            const double error    = (stress[i].col(2) - column_state())
+                                   .cwiseAbs()
+                                   .maxCoeff<Eigen::PropagateNaN>();
             if (!at_side)
-              inside = std::max(inside, error);
+              inside.add(error);
             else if (z > 1.9 * h)
-              rim = std::max(rim, error);
+              rim.add(error);
           }
         std::printf("column, finest cell %.3f: inside %.1e, at the sides and "
                     "edges from two cells down %.1e\n",
                     h,
-                    inside,
-                    rim);
+                    inside.largest(),
+                    rim.largest());
         std::fflush(stdout);
         if (before > 0.)
-          check(inside < .6 * before,
-                "order " + std::to_string(std::log2(before / inside)));
-        before = inside;
-        check(rim < 5e-3, "nor do the sides carry anything else");
+          check(inside.largest() < .6 * before,
+                "order " +
+                  std::to_string(std::log2(before / inside.largest())));
+        before = inside.largest();
+        check(rim.largest() < 5e-3, "nor do the sides carry anything else");
       }
     check(before < 3e-3, "a column carries -p everywhere");
-    double kernels = 0.;
+    Worst kernels;
     for (const auto &p : points_at(.4, {-.55, 0., .35, .6}))
-      kernels = std::max(
-        kernels,
+      kernels.add(
         (patch_influence(face, p[0], p[1], p[2], 0.).col(2) - column_state())
           .cwiseAbs()
-          .maxCoeff());
-    std::printf("without the correction %.2f\n", kernels);
-    check(kernels > .15, "a half-space is no column");
+          .maxCoeff<Eigen::PropagateNaN>());
+    std::printf("without the correction %.2f\n", kernels.largest());
+    check(kernels.largest() > .15, "a half-space is no column");
   }
 
 
@@ -203,7 +207,7 @@ namespace
     wanted(5, 1)                       = -x;
     wanted(3, 2)                       = -y;
     wanted(4, 2)                       = x;
-    return (sum - wanted).cwiseAbs().maxCoeff();
+    return (sum - wanted).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   }
 
   void
@@ -227,30 +231,29 @@ namespace
     double before = 0.;
     for (const double h : {.4, .2, .1})
       {
-        double                        error = 0., kernels = 0.;
+        Worst                         error;
+        Worst                         kernels;
         const std::vector<BlockPoint> points = {
           {{1., .1, .4}}, {{1., -.35, .4}}, {{1., .5, .6}}};
         const auto s = total(block(.3, h, .5), patch, points);
         for (std::size_t i = 0; i < points.size(); ++i)
           for (const int component : {0, 3, 5})
             {
-              error =
-                std::max(error, s[i].row(component).cwiseAbs().maxCoeff());
-              kernels =
-                std::max(kernels,
-                         patch_influence(
-                           patch, points[i][0], points[i][1], points[i][2], .3)
-                           .row(component)
-                           .cwiseAbs()
-                           .maxCoeff());
+              error.add(
+                s[i].row(component).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+              kernels.add(patch_influence(
+                            patch, points[i][0], points[i][1], points[i][2], .3)
+                            .row(component)
+                            .cwiseAbs()
+                            .maxCoeff<Eigen::PropagateNaN>());
             }
         std::printf("side, finest cell %.3f: %.1e, of the kernels %.2f\n",
                     h,
-                    error,
-                    kernels);
+                    error.largest(),
+                    kernels.largest());
         if (before > 0.)
-          check(error < .7 * before, "it falls");
-        before = error;
+          check(error.largest() < .7 * before, "it falls");
+        before = error.largest();
       }
     check(before < 5e-3, "the side beside a loaded patch is free");
   }
@@ -272,8 +275,9 @@ namespace
         for (const double z : {1e-3, .48, 2.})
           for (const double place : {0., .5})
             points.push_back({{place, .5, z}});
-        const double largest =
-          block_correction(b, {contact}, points).cwiseAbs().maxCoeff();
+        const double largest = block_correction(b, {contact}, points)
+                                 .cwiseAbs()
+                                 .maxCoeff<Eigen::PropagateNaN>();
         std::printf(
           "block %.0f times the contact: correction %.1e\n", size, largest);
         if (before > 0.)

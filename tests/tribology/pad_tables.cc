@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "check.h"
+#include "worst.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -75,10 +76,10 @@ namespace
     const auto &a = pad.indices.at("index").values;
     const auto &b = pad.features.at("feature").values;
     check(a.size() == n * n && b.size() == a.size(), "25 cells");
-    double largest = 0.;
+    Worst largest;
     for (std::size_t k = 0; k < a.size(); ++k)
-      largest = std::max(largest, std::abs(a[k] - b[k]));
-    return largest;
+      largest.add(std::abs(a[k] - b[k]));
+    return largest.largest();
   }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/driver/command_line.h>
 #include <squeal/tribology/driver/analyses.h>
 
@@ -69,6 +71,7 @@ namespace
       case TribologyParameters::Analysis::recorded_history:
         return run_recorded_history(context);
       }
+    unknown_choice("analysis");
   }
 
   void
@@ -105,6 +108,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  blas_kernels::start_again_with_widest(argv);
   // Threads never multiply with other work on the machine.
   const char *threads   = std::getenv("SQUEAL_THREADS");
   const int   n_threads = threads ? std::max(1, std::atoi(threads)) : 1;

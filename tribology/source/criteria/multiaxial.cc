@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/tribology/criteria/critical_plane.h>
 #include <squeal/tribology/criteria/enclosing_ball.h>
 
@@ -79,46 +80,58 @@ namespace squeal::tribology
 
 
     CriterionValue
-    on_planes(const SubsurfaceParameters::Criterion criterion,
-              const StressHistory                  &history,
-              const MaterialLimits                 &limits,
-              const double                          step)
+    findley(const StressHistory  &history,
+            const MaterialLimits &limits,
+            const double          step)
     {
-      using C        = SubsurfaceParameters::Criterion;
-      const double e = limits.youngs_modulus;
-      const double g = e / (2. * (1. + limits.poisson_ratio));
-      if (criterion == C::swt)
-        {
-          CriterionValue result = search_planes(
-            history,
-            limits,
-            [](const PlaneLoad &p) {
-              return std::max(p.normal_maximum, 0.) * p.normal_amplitude;
-            },
-            step);
-          result.limit = limits.axial * limits.axial / e;
-          return result;
-        }
-      if (criterion == C::findley)
-        {
-          const double   k      = limits.findley_k();
-          CriterionValue result = search_planes(
-            history,
-            limits,
-            [k](const PlaneLoad &p) {
-              return p.shear_amplitude + k * p.normal_maximum;
-            },
-            step);
-          result.limit = limits.findley_f();
-          return result;
-        }
-      const double k            = limits.fatemi_socie_k / limits.yield;
-      const auto   fatemi_socie = [k, g](const PlaneLoad &p) {
-        return p.shear_amplitude / g *
-               (1. + k * std::max(p.normal_maximum, 0.));
-      };
-      CriterionValue result =
-        search_planes(history, limits, fatemi_socie, step);
+      const double   k      = limits.findley_k();
+      CriterionValue result = search_planes(
+        history,
+        limits,
+        [k](const PlaneLoad &p) {
+          return p.shear_amplitude + k * p.normal_maximum;
+        },
+        step);
+      result.limit = limits.findley_f();
+      return result;
+    }
+
+
+
+    CriterionValue
+    swt(const StressHistory  &history,
+        const MaterialLimits &limits,
+        const double          step)
+    {
+      CriterionValue result = search_planes(
+        history,
+        limits,
+        [](const PlaneLoad &p) {
+          return std::max(p.normal_maximum, 0.) * p.normal_amplitude;
+        },
+        step);
+      result.limit = limits.axial * limits.axial / limits.youngs_modulus;
+      return result;
+    }
+
+
+
+    CriterionValue
+    fatemi_socie(const StressHistory  &history,
+                 const MaterialLimits &limits,
+                 const double          step)
+    {
+      const double g =
+        limits.youngs_modulus / (2. * (1. + limits.poisson_ratio));
+      const double   k      = limits.fatemi_socie_k / limits.yield;
+      CriterionValue result = search_planes(
+        history,
+        limits,
+        [k, g](const PlaneLoad &p) {
+          return p.shear_amplitude / g *
+                 (1. + k * std::max(p.normal_maximum, 0.));
+        },
+        step);
       // torsion: tau_a = t cos 2x, s_n = t sin 2x at x from the plane of the
       // largest shear; the maximum of cos (1 + kt sin) in closed form
       const double kt = k * limits.torsion;
@@ -126,6 +139,42 @@ namespace squeal::tribology
         kt > 0. ? (std::sqrt(1. + 8. * kt * kt) - 1.) / (4. * kt) : 0.;
       result.limit =
         limits.torsion / g * std::sqrt(1. - sin * sin) * (1. + kt * sin);
+      return result;
+    }
+
+
+
+    CriterionValue
+    rankine(const StressHistory &history, const MaterialLimits &limits)
+    {
+      CriterionValue result;
+      result.value = -1e300;
+      result.limit = limits.tensile;
+      for (const Stress &stress : history)
+        result.value = std::max(result.value, principal_stresses(stress)[0]);
+      return result;
+    }
+
+
+
+    /** Crossland with the largest hydrostatic stress, Sines with its mean. */
+    CriterionValue
+    of_invariants(const StressHistory  &history,
+                  const MaterialLimits &limits,
+                  const bool            is_crossland)
+    {
+      double highest = -1e300, lowest = 1e300;
+      for (const Stress &stress : history)
+        {
+          highest = std::max(highest, hydrostatic(stress));
+          lowest  = std::min(lowest, hydrostatic(stress));
+        }
+      CriterionValue result;
+      result.limit = limits.torsion;
+      result.value =
+        sqrt_j2_amplitude(history) +
+        (is_crossland ? limits.crossland_a() * highest
+                      : limits.sines_a() * .5 * (highest + lowest));
       return result;
     }
   } // namespace
@@ -262,34 +311,25 @@ namespace squeal::tribology
                      const double                          plane_step)
   {
     using C = SubsurfaceParameters::Criterion;
-    if (criterion == C::dang_van)
-      return dang_van(history, limits);
-    if (criterion == C::drucker_prager)
-      return drucker_prager(history, limits);
-    if (criterion == C::findley || criterion == C::swt ||
-        criterion == C::fatemi_socie)
-      return on_planes(criterion, history, limits, plane_step);
-
-    double highest = -1e300, lowest = 1e300, principal = -1e300;
-    for (const Stress &stress : history)
+    switch (criterion)
       {
-        highest   = std::max(highest, hydrostatic(stress));
-        lowest    = std::min(lowest, hydrostatic(stress));
-        principal = std::max(principal, principal_stresses(stress)[0]);
+      case C::dang_van:
+        return dang_van(history, limits);
+      case C::crossland:
+        return of_invariants(history, limits, true);
+      case C::sines:
+        return of_invariants(history, limits, false);
+      case C::findley:
+        return findley(history, limits, plane_step);
+      case C::swt:
+        return swt(history, limits, plane_step);
+      case C::fatemi_socie:
+        return fatemi_socie(history, limits, plane_step);
+      case C::drucker_prager:
+        return drucker_prager(history, limits);
+      case C::rankine:
+        return rankine(history, limits);
       }
-    CriterionValue result;
-    result.limit = limits.torsion;
-    if (criterion == C::rankine)
-      {
-        result.value = principal;
-        result.limit = limits.tensile;
-      }
-    else if (criterion == C::crossland)
-      result.value =
-        sqrt_j2_amplitude(history) + limits.crossland_a() * highest;
-    else
-      result.value =
-        sqrt_j2_amplitude(history) + limits.sines_a() * .5 * (highest + lowest);
-    return result;
+    unknown_choice("criterion");
   }
 } // namespace squeal::tribology

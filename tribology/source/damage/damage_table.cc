@@ -18,7 +18,8 @@ namespace squeal::tribology
     {
       Table::Column                       column;
       std::function<double(const Node &)> value;
-      bool                                has_ratio = false;
+      bool                                has_ratio      = false;
+      bool                                may_be_missing = false;
     };
 
 
@@ -88,7 +89,9 @@ namespace squeal::tribology
                                  "spectral over counted damage, slope " + m),
                             [c, duration](const Node &n) {
                               return ratio(n.dirlik[c], n.damage[c] / duration);
-                            }});
+                            },
+                            false,
+                            true});
         }
     }
 
@@ -249,10 +252,12 @@ namespace squeal::tribology
         std::vector<Cell> row = {
           k, grid.place(k)[0], grid.place(k)[1], grid.area(k)};
         for (const Quantity &q : list)
-          row.push_back(q.value(squealing.nodes[k]));
+          row.push_back(q.may_be_missing
+                          ? or_missing(q.value(squealing.nodes[k]))
+                          : Cell(q.value(squealing.nodes[k])));
         for (std::size_t c = 0; c < criteria.size(); ++c)
           for (const double value : deepest_maximum(subsurface, k, c))
-            row.push_back(value);
+            row.push_back(or_missing(value));
         for (const Quantity &q : for_silent)
           if (q.has_ratio)
             {
@@ -264,8 +269,9 @@ namespace squeal::tribology
               row.push_back(quiet);
               // Where the silent pad does not touch, rounding alone is counted.
               const bool touches = silent->nodes[k].surface.contact_time > 0.;
-              row.push_back(
-                touches ? ratio(same->value(squealing.nodes[k]), quiet) : NAN);
+              row.push_back(touches ? or_missing(ratio(
+                                        same->value(squealing.nodes[k]), quiet))
+                                    : Cell());
             }
         table.add_row(row);
       }

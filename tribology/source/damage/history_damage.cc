@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/tribology/damage/history_damage.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
@@ -125,7 +126,7 @@ namespace squeal::tribology
         if (!(samples.time[0] > last))
           throw InputError("'" + reader.path() +
                            "' has times that do not increase, at " +
-                           std::to_string(samples.time[0]) + " s");
+                           rounded_text(samples.time[0], 6) + " s");
         last = samples.time.back();
         action(samples);
         done += n;

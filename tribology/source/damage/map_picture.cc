@@ -64,7 +64,7 @@ namespace squeal::tribology
       drawing.add(map.logarithmic ? "set logscale cb" : "unset logscale cb");
       drawing.add("set cbrange [" + plot_number(range.lower) + ":" +
                   plot_number(range.upper) + "]");
-      drawing.add("set cblabel " + quoted(map.label) + " offset 1");
+      drawing.add("set cblabel " + in_quotes(map.label) + " offset 1");
     }
   } // namespace
 
@@ -107,7 +107,7 @@ namespace squeal::tribology
             out << (is_there ? plot_number(map.values[k]) : "0") << '\n';
           }
         set_colours(drawing, map);
-        drawing.add("set title " + quoted(map.title));
+        drawing.add("set title " + in_quotes(map.title));
         std::string plot;
         if (!grey.str().empty())
           plot = drawing.add_data(grey.str()) +
@@ -155,7 +155,7 @@ namespace squeal::tribology
           }
     drawing.add("unset key");
     drawing.add("set style fill solid 1.0 noborder");
-    drawing.add("set title " + quoted(title));
+    drawing.add("set title " + in_quotes(title));
     drawing.add("set xlabel 'mean stress of a cycle in MPa'");
     drawing.add(
       "set ylabel 'range of a cycle, largest less least stress, in MPa'");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/tribology/fatigue/mean_stress.h>
 
 #include <cmath>
@@ -20,9 +21,11 @@ namespace squeal::tribology
           return f.strength_coefficient;
         case Kind::walker:
           return f.walker_exponent;
-        default:
+        case Kind::none:
+        case Kind::swt:
           return 0.;
         }
+      unknown_choice("mean stress correction");
     }
 
 
@@ -76,6 +79,6 @@ namespace squeal::tribology
                                 std::pow(amplitude, constant)
                             : 0.;
       }
-    return amplitude;
+    unknown_choice("mean stress correction");
   }
 } // namespace squeal::tribology

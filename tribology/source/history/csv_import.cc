@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/input_file.h>
 #include <squeal/parameters/names.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
@@ -19,8 +20,9 @@ namespace squeal::tribology
     public:
       explicit LineReader(const std::string &path)
         : path(path)
-        , in(path)
       {
+        require_input_file(path);
+        in.open(path);
         if (!in.is_open())
           throw InputError("'" + path + "' cannot be read");
         std::string line;
@@ -65,7 +67,7 @@ namespace squeal::tribology
           {
             const std::optional<double> value = prm::parse_number(cells[i]);
             if (!value)
-              refuse("column '" + names[i] + "': " + prm::quoted(cells[i]) +
+              refuse("column '" + names[i] + "': " + prm::in_quotes(cells[i]) +
                      " is not a number");
             values.push_back(*value);
           }

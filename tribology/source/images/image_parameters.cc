@@ -192,6 +192,14 @@ namespace squeal::tribology
                "Edge of a pixel; 0: from the scale bar or the metadata of each "
                "image.",
                "um");
+    schema.add(
+      "Largest image",
+      images.largest_image,
+      Allowed::positive(),
+      "Images with more pixels are refused before they are decoded; "
+      "a million pixels take up to 120 MB. One that does not fit into the "
+      "memory that is available is refused in any case.",
+      "million pixels");
     declare_segmentation(schema, segmentation);
     declare_specimen(schema, specimen);
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/files.h>
 #include <squeal/tribology/images/micrograph.h>
+#include <squeal/tribology/images/tiff_directory.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -17,62 +19,6 @@ namespace squeal::tribology
     constexpr unsigned int fei_tags[]      = {34680, 34682};
     constexpr unsigned int zeiss_tag       = 34118;
     constexpr unsigned int description_tag = 270;
-
-    /** The texts of the first directory of a TIFF file. */
-    class TiffTexts
-    {
-    public:
-      explicit TiffTexts(const std::string &data)
-        : data(data)
-      {
-        if (data.size() < 8)
-          return;
-        big = data[0] == 'M';
-        valid =
-          (data.compare(0, 2, "II") == 0 || data.compare(0, 2, "MM") == 0) &&
-          number(2, 2) == 42;
-      }
-
-      /** Text of @p tag; empty when there is none. */
-      std::string
-      text(const unsigned int tag) const
-      {
-        if (!valid)
-          return "";
-        const std::size_t directory = number(4, 4);
-        const std::size_t n_entries = number(directory, 2);
-        for (std::size_t i = 0; i < n_entries; ++i)
-          {
-            const std::size_t entry = directory + 2 + 12 * i;
-            if (entry + 12 > data.size() || number(entry, 2) != tag)
-              continue;
-            const std::size_t length = number(entry + 4, 4);
-            const std::size_t place =
-              length > 4 ? number(entry + 8, 4) : entry + 8;
-            if (place < data.size())
-              return data.substr(place, length);
-          }
-        return "";
-      }
-
-    private:
-      std::size_t
-      number(const std::size_t place, const int n_bytes) const
-      {
-        std::uint32_t value = 0;
-        if (place + n_bytes > data.size())
-          return 0;
-        for (int i = 0; i < n_bytes; ++i)
-          value |= std::uint32_t(std::uint8_t(data[place + i]))
-                   << 8 * (big ? n_bytes - 1 - i : i);
-        return value;
-      }
-
-      const std::string &data;
-      bool               big = false, valid = false;
-    };
-
-
 
     /** The number after "@p key = " on a line of its own, times the unit that
      * follows it, in um; @p unit (um) where the file names none. */
@@ -95,7 +41,7 @@ namespace squeal::tribology
           char        *end   = nullptr;
           const char  *begin = line.c_str() + sign + 1;
           const double value = std::strtod(begin, &end);
-          if (end == begin)
+          if (end == begin || !std::isfinite(value))
             return std::nullopt;
           std::string word;
           std::istringstream(end) >> word;
@@ -198,8 +144,8 @@ namespace squeal::tribology
   ImageMetadata
   read_metadata(const std::string &path)
   {
-    const std::string data = read_file(path);
-    const TiffTexts   tiff(data);
+    const std::string   data = read_file(path);
+    const TiffDirectory tiff(data);
     for (const unsigned int tag : fei_tags)
       {
         const ImageMetadata m = from_keys(

@@ -35,6 +35,26 @@ namespace squeal::tribology
 
 
 
+    [[noreturn]] void
+    refuse_format(const std::string &path)
+    {
+      throw InputError(path + " is no PNG, TIFF or JPEG image, or it is "
+                              "damaged");
+    }
+
+
+
+    ImageSize
+    promised_size(const std::string &data, const std::string &path)
+    {
+      const auto size = image_size(data);
+      if (!size)
+        refuse_format(path);
+      return *size;
+    }
+
+
+
     cv::Mat
     decode(const std::string &data, const std::string &path)
     {
@@ -50,8 +70,7 @@ namespace squeal::tribology
           image.release();
         }
       if (image.empty())
-        throw InputError(path + " is no PNG, TIFF or JPEG image, or it is "
-                                "damaged");
+        refuse_format(path);
       return image;
     }
   } // namespace
@@ -59,15 +78,13 @@ namespace squeal::tribology
 
 
   cv::Mat
-  read_grey(const std::string &path)
+  read_grey(const std::string &path, const double largest)
   {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-      throw InputError(path + " is a directory: name an image file");
     const std::string data = read_file(path);
     if (data.empty())
       throw InputError(path + " is empty: it has no image");
     require_end_mark(data, path);
+    require_room(path, promised_size(data, path), largest);
     const cv::Mat image = decode(data, path);
     if (image.rows < 32 || image.cols < 32)
       throw InputError(path + " has " + std::to_string(image.cols) + " x " +
@@ -143,12 +160,13 @@ namespace squeal::tribology
   Micrograph
   read_micrograph(const std::string &path,
                   const double       pixel_size,
-                  const ScaleBar    &bar)
+                  const ScaleBar    &bar,
+                  const double       largest)
   {
     Micrograph m;
     m.path     = path;
     m.stem     = std::filesystem::path(path).stem().string();
-    m.grey     = read_grey(path);
+    m.grey     = read_grey(path, largest);
     m.metadata = read_metadata(path);
     m.frame    = {0, 0, m.grey.cols, rows_above_data_bar(m.grey)};
     if (pixel_size > 0.)

@@ -223,7 +223,7 @@ namespace squeal::tribology
 
 
   Mosaic
-  join_frames(const std::vector<Micrograph> &frames)
+  join_frames(const std::vector<Micrograph> &frames, const double largest)
   {
     Mosaic result;
     for (const Micrograph &m : frames)
@@ -272,9 +272,14 @@ namespace squeal::tribology
         high                = {std::max(high.x, s.x + frames[i].frame.width),
                                std::max(high.y, s.y + frames[i].frame.height)};
       }
-    if ((high.x - low.x) * (high.y - low.y) > 4e8)
-      throw InputError("the mosaic of 'Images' would have more than 400 "
-                       "megapixels: check the stage positions");
+    // beyond whole numbers the stage positions are nonsense anyway
+    const cv::Point2d extent = high - low;
+    if (!(extent.x < 1e9 && extent.y < 1e9))
+      throw InputError("the mosaic of 'Images' would have more than 1e9 pixels "
+                       "on an edge: check the stage positions");
+    require_room("the mosaic of 'Images' (check the stage positions)",
+                 {std::uint64_t(extent.x), std::uint64_t(extent.y)},
+                 largest);
     // As far as the frames reach at whole pixels: an empty row would be a dark
     // line.
     const cv::Size size(cvRound(high.x - low.x), cvRound(high.y - low.y));

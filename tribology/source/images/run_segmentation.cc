@@ -121,7 +121,10 @@ namespace squeal::tribology
         for (const std::string &file :
              expand_wildcards(context.parameters.images.images))
           images.push_back(
-            read_micrograph(file, context.parameters.images.pixel_size, bar));
+            read_micrograph(file,
+                            context.parameters.images.pixel_size,
+                            bar,
+                            context.parameters.images.largest_image));
         if (p.registration == R::points)
           by_points = fit_placement(points_of(p.image_points, 1.),
                                     points_of(p.pad_points, 1e3),
@@ -134,9 +137,10 @@ namespace squeal::tribology
       void
       join()
       {
-        const Mosaic mosaic = join_frames(images);
-        Micrograph   m      = images[0];
-        cv::Point2d  centre(0., 0.);
+        const Mosaic mosaic =
+          join_frames(images, context.parameters.images.largest_image);
+        Micrograph  m = images[0];
+        cv::Point2d centre(0., 0.);
         m.stem         = "mosaic";
         m.path         = "mosaic";
         m.grey         = mosaic.grey;
@@ -231,7 +235,8 @@ namespace squeal::tribology
         if (is_first)
           for (const std::string &path : p.element_maps)
             {
-              cv::Mat values = read_grey(path);
+              cv::Mat values =
+                read_grey(path, context.parameters.images.largest_image);
               cv::resize(values, values, m.grey.size(), 0., 0., cv::INTER_AREA);
               grid.add_covariate(
                 std::filesystem::path(path).stem(), values(m.frame), placement);

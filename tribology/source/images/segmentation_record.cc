@@ -8,7 +8,7 @@ namespace squeal::tribology
   namespace
   {
     std::string
-    quoted(const std::string &text)
+    in_quotes(const std::string &text)
     {
       std::string result = "\"";
       for (const char c : text)
@@ -63,7 +63,7 @@ namespace squeal::tribology
     {
       std::vector<double>       lower;
       const std::vector<double> counts = size_classes(areas, lower);
-      out << "      " << quoted(name)
+      out << "      " << in_quotes(name)
           << ": {\"area_fraction\": " << shortest_text(fraction)
           << ", \"count\": " << areas.size()
           << ",\n        \"areas_um2\": " << list(areas)
@@ -77,12 +77,12 @@ namespace squeal::tribology
     write_image(std::ostream &out, const SegmentedImage &i)
     {
       const ImageStatistics &s = i.statistics;
-      out << "    {\n      \"image\": " << quoted(i.path)
-          << ",\n      \"stem\": " << quoted(i.stem)
+      out << "    {\n      \"image\": " << in_quotes(i.path)
+          << ",\n      \"stem\": " << in_quotes(i.stem)
           << ",\n      \"width_px\": " << i.size.width
           << ",\n      \"height_px\": " << i.size.height
           << ",\n      \"pixel_size_um\": " << shortest_text(i.pixel_size)
-          << ",\n      \"scale_source\": " << quoted(i.scale_source)
+          << ",\n      \"scale_source\": " << in_quotes(i.scale_source)
           << ",\n      \"synthetic\": " << (i.is_synthetic ? "true" : "false");
       if (i.stage)
         out << ",\n      \"stage_um\": " << list({i.stage->x, i.stage->y});

@@ -253,7 +253,7 @@ namespace squeal::tribology
   void
   CellGrid::append_rows(Table &table, const std::string &image) const
   {
-    const double nothing = std::nan("");
+    const squeal::Cell nothing;
     for (int j = 0; j < n_y; ++j)
       for (int i = 0; i < n_x; ++i)
         {
@@ -266,15 +266,18 @@ namespace squeal::tribology
             1e-6 * size.width * ((i + 0.5) / n_x - 0.5),
             1e-6 * size.height * ((j + 0.5) / n_y - 0.5),
             c.area * n_x * n_y / size.area(),
-            seen ? 1e6 * c.crack_length / c.area : nothing,
-            has ? 1e-6 * c.crack_width / c.crack_length : nothing,
-            has ? 90. / CV_PI * std::atan2(c.sine, c.cosine) : nothing,
-            has ? std::hypot(c.sine, c.cosine) / c.crack_length : nothing,
-            seen ? c.exfoliation / c.area : nothing,
-            seen ? c.plateau / c.area : nothing};
+            seen ? squeal::Cell(1e6 * c.crack_length / c.area) : nothing,
+            has ? squeal::Cell(1e-6 * c.crack_width / c.crack_length) : nothing,
+            has ? squeal::Cell(90. / CV_PI * std::atan2(c.sine, c.cosine))
+                : nothing,
+            has ? squeal::Cell(std::hypot(c.sine, c.cosine) / c.crack_length)
+                : nothing,
+            seen ? squeal::Cell(c.exfoliation / c.area) : nothing,
+            seen ? squeal::Cell(c.plateau / c.area) : nothing};
           for (const Covariate &v : covariates)
-            row.emplace_back(v.weight[k] > 0. ? v.sum[k] / v.weight[k]
-                                              : nothing);
+            row.push_back(v.weight[k] > 0.
+                            ? squeal::Cell(v.sum[k] / v.weight[k])
+                            : nothing);
           table.add_row(row);
         }
   }

@@ -3,6 +3,7 @@
 #define squeal_tribology_images_image_parameters_h
 
 #include <squeal/parameters/choices.h>
+#include <squeal/tribology/images/image_size.h>
 
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ namespace squeal
     struct ImageParameters
     {
       std::vector<std::string> images; /**< files or wildcards */
-      double pixel_size = 0.; /**< um; 0: from the image's own metadata */
+      double pixel_size    = 0.; /**< um; 0: from the image's own metadata */
+      double largest_image = usual_largest_image; /**< million pixels */
     };
 
     /** Crack, exfoliation and plateau maps, section "Segmentation". */

@@ -2,6 +2,8 @@
 #ifndef squeal_tribology_images_micrograph_h
 #define squeal_tribology_images_micrograph_h
 
+#include <squeal/tribology/images/image_size.h>
+
 #include <opencv2/core.hpp>
 
 #include <optional>
@@ -45,9 +47,10 @@ namespace squeal::tribology
   ImageMetadata read_metadata(const std::string &path);
 
   /** Grey values of a PNG, TIFF or JPEG of 8 or 16 bit, scaled to 0..255.
-   * Throws InputError naming the file when it is missing, a directory, empty,
-   * truncated or no image. */
-  cv::Mat read_grey(const std::string &path);
+   * Throws InputError naming the file when it is missing, no regular file,
+   * empty, truncated, no image, or larger than require_room() allows. */
+  cv::Mat read_grey(const std::string &path,
+                    double             largest = usual_largest_image);
 
   /** Rows above a data bar at the bottom; all rows when there is none. A data
    * bar is at least 2 and at most 20 percent of the height and has one and the
@@ -67,7 +70,8 @@ namespace squeal::tribology
    */
   Micrograph read_micrograph(const std::string &path,
                              double             pixel_size,
-                             const ScaleBar    &bar = {});
+                             const ScaleBar    &bar     = {},
+                             double             largest = usual_largest_image);
 } // namespace squeal::tribology
 
 #endif

@@ -54,8 +54,10 @@ namespace squeal::tribology
 
   /** Joins frames of one pixel size by stage positions, refined pair by pair
    * on their overlaps. Throws InputError when a frame has no stage position,
-   * the scales differ or the result would be larger than 400 megapixels. */
-  Mosaic join_frames(const std::vector<Micrograph> &frames);
+   * the scales differ or the result would be larger than require_room() allows.
+   */
+  Mosaic join_frames(const std::vector<Micrograph> &frames,
+                     double largest = usual_largest_image);
 } // namespace squeal::tribology
 
 #endif
