@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/eigen/certified_solver.h>
+#include <squeal/eigen/eigenvalue_condition.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -93,15 +95,16 @@ namespace squeal
       {
         const Complex a = pairs.lambda[i];
         const int     k = nearest(better, a);
-        if (pairs.condition[i] < coalescence_condition)
+        // Of a nearly defective pair mean and squared half-difference count;
+        // the other member may lie beyond the band.
+        const int j = nearest(pairs.lambda, a, i);
+        const int l = j < 0 ? -1 : nearest(better, pairs.lambda[j], k);
+        if (pairs.condition[i] < coalescence_condition || l < 0)
           {
             pairs.error_estimate[i] = std::abs(better[k] - a) / std::abs(a);
             continue;
           }
-        // A nearly defective pair: mean and squared half-difference.
-        const int     j      = nearest(pairs.lambda, a, i);
         const Complex b      = pairs.lambda[j];
-        const int     l      = nearest(better, b, k);
         const Complex mean   = 0.5 * (a + b),
                       mean_2 = 0.5 * (better[k] + better[l]);
         const Complex d2     = 0.25 * (a - b) * (a - b);
@@ -193,9 +196,8 @@ namespace squeal
       {
         const Complex d    = (left.col(k).transpose() *
                            (2. * pairs.lambda[k] * Mx.col(k) + Cx.col(k)))(0);
-        pairs.condition[k] = 2. * std::abs(pairs.lambda[k]) *
-                             right.col(k).norm() * left.col(k).norm() /
-                             std::max(std::abs(d), 1e-300);
+        pairs.condition[k] = eigenvalue_condition(
+          pairs.lambda[k], right.col(k).norm() * left.col(k).norm(), d);
       }
     return result;
   }
@@ -224,7 +226,7 @@ namespace squeal
     result.left         = reduced.residuals(pairs.lambda, c.left, true);
     pairs.left_residual = result.left.relative;
     left_met =
-      pairs.left_residual.maxCoeff() <= std::sqrt(options.residual_tolerance);
+      worst_of(pairs.left_residual) <= std::sqrt(options.residual_tolerance);
     return result;
   }
 
@@ -279,7 +281,7 @@ namespace squeal
     adopt_estimates(ComplexPairs &pairs, const ComplexPairs &earlier)
     {
       if (earlier.size() == 0 ||
-          earlier.error_estimate.maxCoeff() > negligible_change)
+          !(worst_of(earlier.error_estimate) <= negligible_change))
         return false;
       // Partners of nearly coalesced pairs.
       estimate_errors(pairs, pairs.lambda);
@@ -291,7 +293,7 @@ namespace squeal
           const double bound = pairs.condition[i] < coalescence_condition
                                  ? negligible_change
                                  : std::sqrt(negligible_change);
-          if (away > bound * std::abs(pairs.lambda[i]))
+          if (!(away <= bound * std::abs(pairs.lambda[i])))
             return false;
           pairs.error_estimate[i] = earlier.error_estimate[k];
         }
@@ -370,8 +372,8 @@ namespace squeal
             estimate_errors(pairs, dense.lambda);
           }
         earlier            = pairs;
-        const double worst = pairs.residual.maxCoeff();
-        steps.push_back({size, worst, pairs.error_estimate.maxCoeff()});
+        const double worst = worst_of(pairs.residual);
+        steps.push_back({size, worst, worst_of(pairs.error_estimate)});
         if (report)
           report(steps.back());
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/base/exceptions.h>
 #include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/standard_pairs.h>
 
 #include <Eigen/LU>
 
@@ -9,150 +9,11 @@
 #include <complex>
 #include <vector>
 
-// deal.II declares these too, but its BLAS declarations contradict Eigen's.
-extern "C"
-{
-  void dgeev_(const char *,
-              const char *,
-              const int *,
-              double *,
-              const int *,
-              double *,
-              double *,
-              double *,
-              const int *,
-              double *,
-              const int *,
-              double *,
-              const int *,
-              int *);
-  void zgeev_(const char *,
-              const char *,
-              const int *,
-              std::complex<double> *,
-              const int *,
-              std::complex<double> *,
-              std::complex<double> *,
-              const int *,
-              std::complex<double> *,
-              const int *,
-              std::complex<double> *,
-              const int *,
-              double *,
-              int *);
-}
-
 namespace squeal
 {
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** All eigenvalues of A with right vectors and left ones, w^T A = mu w^T.
-     */
-    struct StandardPairs
-    {
-      Eigen::VectorXcd values;
-      Eigen::MatrixXcd right, left;
-    };
-
-    /** Calls @p geev (workspace, its size, info): first for the size, then for
-     * the pairs. */
-    template <typename Number, typename Function>
-    void
-    with_workspace(const Function &geev)
-    {
-      Number best = 0.;
-      int    size = -1, info = 0;
-      geev(&best, &size, &info);
-      size = static_cast<int>(std::real(best));
-      std::vector<Number> work(size);
-      geev(work.data(), &size, &info);
-      if (info != 0)
-        throw ComputationError("LAPACK's eigen-solver failed on the reduced "
-                               "problem (info = " +
-                               std::to_string(info) +
-                               "): a parameter is out of all proportion");
-    }
-
-    StandardPairs
-    standard_pairs(Eigen::MatrixXd A)
-    {
-      const int       n = static_cast<int>(A.rows());
-      Eigen::VectorXd re(n), im(n);
-      Eigen::MatrixXd L(n, n), R(n, n);
-      with_workspace<double>([&](double *work, const int *size, int *info) {
-        dgeev_("V",
-               "V",
-               &n,
-               A.data(),
-               &n,
-               re.data(),
-               im.data(),
-               L.data(),
-               &n,
-               R.data(),
-               &n,
-               work,
-               size,
-               info);
-      });
-      StandardPairs result;
-      result.values.resize(n);
-      result.right.resize(n, n);
-      result.left.resize(n, n);
-      for (int j = 0; j < n; ++j)
-        {
-          result.values[j] = {re[j], im[j]};
-          if (im[j] == 0.)
-            {
-              result.right.col(j) = R.col(j).cast<Complex>();
-              result.left.col(j)  = L.col(j).cast<Complex>();
-            }
-          else if (im[j] > 0.)
-            {
-              // LAPACK's left vectors satisfy u^H A = mu u^H.
-              result.values[j + 1]    = {re[j], -im[j]};
-              result.right.col(j)     = R.col(j) + Complex(0, 1) * R.col(j + 1);
-              result.right.col(j + 1) = result.right.col(j).conjugate();
-              result.left.col(j)      = L.col(j) - Complex(0, 1) * L.col(j + 1);
-              result.left.col(j + 1)  = result.left.col(j).conjugate();
-              ++j;
-            }
-        }
-      return result;
-    }
-
-    StandardPairs
-    standard_pairs(Eigen::MatrixXcd A)
-    {
-      const int           n = static_cast<int>(A.rows());
-      StandardPairs       result;
-      Eigen::MatrixXcd    L(n, n), R(n, n);
-      std::vector<double> real_work(2 * n);
-      result.values.resize(n);
-      with_workspace<Complex>([&](Complex *work, const int *size, int *info) {
-        zgeev_("V",
-               "V",
-               &n,
-               A.data(),
-               &n,
-               result.values.data(),
-               L.data(),
-               &n,
-               R.data(),
-               &n,
-               work,
-               size,
-               real_work.data(),
-               info);
-      });
-      result.right = R;
-      result.left  = L.conjugate();
-      return result;
-    }
-
-
 
     Eigen::MatrixXd
     sum(const std::vector<ReducedPart> &parts,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/eigen/mode_naming.h>
+#include <squeal/eigen/mode_naming_choice.h>
+#include <squeal/parameters/text.h>
 
-#include <Eigen/Eigenvalues>
+#include <boost/algorithm/string/split.hpp>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
+#include <utility>
 
 namespace squeal
 {
@@ -15,24 +16,6 @@ namespace squeal
     is_annulus(const SceneParameters &scene, const unsigned int body)
     {
       return scene.bodies[body].shape == BodyParameters::Shape::annulus;
-    }
-
-    /** The disc whose axis directions refer to: that of the first contact pair,
-     * else the first one, else -1u. */
-    unsigned int
-    main_disc(const SceneParameters &scene)
-    {
-      unsigned int first = -1u;
-      for (unsigned int b = scene.bodies.size(); b-- > 0;)
-        if (is_annulus(scene, b))
-          first = b;
-      if (!scene.contacts.empty())
-        for (const auto &name :
-             {scene.contacts[0].source_body, scene.contacts[0].target_body})
-          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-            if (scene.bodies[b].name == name && is_annulus(scene, b))
-              first = b;
-      return first;
     }
 
     /** Angle about the disc axis of the first contact pair's other body. */
@@ -57,57 +40,103 @@ namespace squeal
       return 0.;
     }
 
-    /** Numbers of the motions of bodies: modes that move a body alike, as the
-     * two of a coalesced pair do, have one number. */
-    class MotionNumbers
+    /** What all @p values agree on, else @p otherwise. */
+    template <typename T>
+    T
+    agreed(const std::vector<T> &values, const T &otherwise)
     {
-    public:
-      unsigned int
-      number(const unsigned int      body,
-             const std::string      &family,
-             const Eigen::VectorXcd &coordinates)
-      {
-        auto &known = motions[{body, family}];
-        for (unsigned int i = 0; i < known.size(); ++i)
-          if (std::norm(known[i].dot(coordinates)) >
-              same_motion * known[i].squaredNorm() * coordinates.squaredNorm())
-            return i + 1;
-        known.push_back(coordinates);
-        return known.size();
-      }
-
-    private:
-      static constexpr double same_motion = 0.7; /* as MAC */
-      std::map<std::pair<unsigned int, std::string>,
-               std::vector<Eigen::VectorXcd>>
-        motions;
-    };
-
-    /** The last column of each run of neighbours closer than the tolerance. */
-    std::vector<unsigned int>
-    ends_of_clusters(const std::vector<double> &frequencies,
-                     const double               tolerance)
-    {
-      std::vector<unsigned int> ends;
-      for (unsigned int i = 0; i < frequencies.size(); ++i)
-        if (i + 1 == frequencies.size() ||
-            std::abs(frequencies[i + 1] - frequencies[i]) >
-              tolerance * std::abs(frequencies[i + 1]))
-          ends.push_back(i + 1);
-      return ends;
+      for (const T &value : values)
+        if (value != values[0])
+          return otherwise;
+      return values.empty() ? otherwise : values[0];
     }
 
-    /** +1 or -1 such that the first of the largest entries becomes positive. */
-    double
-    sign_of(const Eigen::VectorXd &coordinates)
+    /** Fills the columns of disc and other body from the parts of the
+     * alternatives that have them. */
+    template <typename Parts>
+    void
+    set_columns(const Parts &found, ModeName &name)
     {
-      const double limit = 0.999 * coordinates.cwiseAbs().maxCoeff();
-      for (const double value : coordinates)
-        if (std::abs(value) >= limit)
-          return value < 0. ? -1. : 1.;
-      return 1.;
+      std::vector<int>          circles, diameters;
+      std::vector<std::string>  parities, families, motions;
+      std::vector<unsigned int> solids, nodes;
+      for (const auto &[disc, solid] : found)
+        {
+          families.push_back(disc ? to_string(disc->shape.family)
+                                  : solid->shape.name());
+          if (disc)
+            {
+              circles.push_back(disc->shape.nodal_circles);
+              diameters.push_back(disc->shape.nodal_diameters);
+              parities.push_back(disc->shape.parity);
+            }
+          if (solid)
+            {
+              solids.push_back(solid->body);
+              motions.push_back(solid->shape.name());
+              nodes.push_back(solid->shape.n_nodes);
+            }
+        }
+      name.is_disc         = !circles.empty();
+      name.nodal_circles   = agreed(circles, -1);
+      name.nodal_diameters = agreed(diameters, -1);
+      name.parity          = agreed(parities, std::string());
+      name.family          = agreed(families, std::string());
+      name.solid           = agreed(solids, -1u);
+      name.solid_family    = agreed(motions, std::string());
+      name.solid_nodes     = agreed(nodes, 0u);
+      name.solid_number    = nodes.empty() ? 0 : agreed(nodes, -1u) + 1;
     }
   } // namespace
+
+
+
+  unsigned int
+  main_disc(const SceneParameters &scene)
+  {
+    unsigned int first = -1u;
+    for (unsigned int b = scene.bodies.size(); b-- > 0;)
+      if (is_annulus(scene, b))
+        first = b;
+    if (!scene.contacts.empty())
+      for (const auto &name :
+           {scene.contacts[0].source_body, scene.contacts[0].target_body})
+        for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+          if (scene.bodies[b].name == name && is_annulus(scene, b))
+            first = b;
+    return first;
+  }
+
+
+
+  std::string
+  explanation_of_names()
+  {
+    return "Names: (n,m) is a disc that bends with n nodal circles and m "
+           "nodal\n"
+           "diameters; + has an antinode at the pad, - a node; T and R move "
+           "in\n"
+           "the plane, tangentially and radially. A body, a direction and a\n"
+           "number say how it moves: 1 as one, 2 about one node, 3 about two\n"
+           "nodes along it. A|B is a near tie of A and B.";
+  }
+
+  bool
+  is_called(const std::string &text, const std::string &wanted)
+  {
+    const auto               is_bar = [](const char c) { return c == '|'; };
+    std::vector<std::string> names, choices;
+    boost::split(names, text, is_bar);
+    // A tie that is wanted is any of its names.
+    boost::split(choices, wanted, is_bar);
+    return std::any_of(
+      names.begin(), names.end(), [&](const std::string &name) {
+        return std::any_of(
+          choices.begin(), choices.end(), [&](const std::string &choice) {
+            return name == choice || prm::starts_with(name, choice + " ");
+          });
+      });
+  }
 
 
 
@@ -196,56 +225,113 @@ namespace squeal
 
 
   std::vector<ModeName>
-  ModeNamer::name(const Block           &modes,
-                  const Eigen::MatrixXd &energy_shares) const
+  ModeNamer::name(const Block            &modes,
+                  const Eigen::MatrixXd  &energy_shares,
+                  const Eigen::VectorXcd &eigenvalues) const
   {
     return name_coordinates(coordinates(modes).cast<std::complex<double>>(),
-                            energy_shares);
+                            energy_shares,
+                            eigenvalues);
   }
 
   std::vector<ModeName>
-  ModeNamer::name(const ComplexBlock    &modes,
-                  const Eigen::MatrixXd &energy_shares) const
+  ModeNamer::name(const ComplexBlock     &modes,
+                  const Eigen::MatrixXd  &energy_shares,
+                  const Eigen::VectorXcd &eigenvalues) const
   {
     Eigen::MatrixXcd all(total_coordinates, modes.cols());
     all.real() = coordinates(modes.real());
     all.imag() = coordinates(modes.imag());
-    return name_coordinates(all, energy_shares);
+    return name_coordinates(all, energy_shares, eigenvalues);
   }
 
 
 
   std::vector<ModeName>
   ModeNamer::name_coordinates(const Eigen::MatrixXcd &coordinates,
-                              const Eigen::MatrixXd  &energy_shares) const
+                              const Eigen::MatrixXd  &energy_shares,
+                              const Eigen::VectorXcd &eigenvalues) const
   {
     const unsigned int    n_modes = coordinates.cols();
     std::vector<ModeName> names(n_modes);
     if (bodies.empty())
       {
         for (unsigned int i = 0; i < n_modes; ++i)
-          names[i].text = "mode " + std::to_string(i + 1);
+          {
+            names[i].text         = "mode " + std::to_string(i + 1);
+            names[i].alternatives = {names[i].text};
+          }
         return names;
       }
     AssertDimension(coordinates.rows(), total_coordinates);
     AssertDimension(energy_shares.rows(), bodies.size());
     AssertDimension(energy_shares.cols(), n_modes);
-    MotionNumbers motions;
+    const Eigen::MatrixXcd single = separated(coordinates, eigenvalues);
     for (unsigned int i = 0; i < n_modes; ++i)
-      {
-        ModeName &name = names[i];
-        name           = describe(coordinates.col(i), energy_shares.col(i));
-        if (name.solid == -1u)
-          continue;
-        const Body &body = bodies[name.solid];
-        name.solid_number =
-          motions.number(name.solid,
-                         name.solid_family,
-                         coordinates.col(i).segment(
-                           body.first_coordinate, body.solid->n_coordinates()));
-        name.text += " " + std::to_string(name.solid_number);
-      }
+      names[i] = describe(single.col(i), energy_shares.col(i));
     return names;
+  }
+
+
+
+  std::vector<unsigned int>
+  ModeNamer::largest_bodies(const Eigen::VectorXd &shares,
+                            const bool             discs) const
+  {
+    std::vector<unsigned int> result;
+    std::vector<double>       values;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (bool(bodies[b].disc) == discs)
+        {
+          result.push_back(b);
+          values.push_back(shares[b]);
+        }
+    std::vector<unsigned int> largest;
+    for (const unsigned int i :
+         naming::near_largest(values, naming::family_margin))
+      largest.push_back(result[i]);
+    return largest;
+  }
+
+
+
+  std::vector<ModeNamer::DiscPart>
+  ModeNamer::disc_parts(const Eigen::VectorXcd &coordinates,
+                        const Eigen::VectorXd  &shares) const
+  {
+    std::vector<DiscPart> parts;
+    for (const unsigned int b : largest_bodies(shares, true))
+      for (const auto &shape : bodies[b].disc->classify(coordinates.segment(
+             bodies[b].first_coordinate, bodies[b].disc->n_coordinates())))
+        parts.push_back({b, shape});
+    return parts;
+  }
+
+  std::vector<ModeNamer::SolidPart>
+  ModeNamer::solid_parts(const Eigen::VectorXcd &coordinates,
+                         const Eigen::VectorXd  &shares) const
+  {
+    std::vector<SolidPart> parts;
+    for (const unsigned int b : largest_bodies(shares, false))
+      for (const auto &shape : bodies[b].solid->classify(coordinates.segment(
+             bodies[b].first_coordinate, bodies[b].solid->n_coordinates())))
+        parts.push_back({b, shape});
+    return parts;
+  }
+
+
+
+  std::string
+  ModeNamer::text_of(const DiscPart *disc, const SolidPart *solid) const
+  {
+    std::string text;
+    if (disc)
+      text =
+        (n_discs > 1 ? bodies[disc->body].name + " " : "") + disc->shape.text();
+    if (solid)
+      text += (disc ? " " : "") + bodies[solid->body].name + " " +
+              solid->shape.text();
+    return text;
   }
 
 
@@ -254,122 +340,44 @@ namespace squeal
   ModeNamer::describe(const Eigen::VectorXcd &coordinates,
                       const Eigen::VectorXd  &energy_shares) const
   {
-    ModeName     name;
-    unsigned int disc = -1u, solid = -1u;
+    const auto discs  = disc_parts(coordinates, energy_shares);
+    const auto solids = solid_parts(coordinates, energy_shares);
+    const auto share  = [&](const auto &parts) {
+      return parts.empty() ? 0. : energy_shares[parts[0].body];
+    };
+    const bool may_have_disc =
+      !discs.empty() && naming::may_exceed(share(discs), naming::disc_share);
+    const bool may_lack_disc =
+      !may_have_disc ||
+      naming::may_fall_short(share(discs), naming::disc_share);
+    const bool may_have_solid =
+      naming::may_exceed(share(solids), naming::solid_share);
+    const bool may_lack_solid =
+      naming::may_fall_short(share(solids), naming::solid_share);
+
+    // A name has one of the two at least.
+    std::vector<std::pair<const DiscPart *, const SolidPart *>> found;
+    if (may_have_disc || solids.empty())
+      for (const auto &disc : discs)
+        {
+          if (may_lack_solid || solids.empty())
+            found.emplace_back(&disc, nullptr);
+          if (may_have_solid)
+            for (const auto &solid : solids)
+              found.emplace_back(&disc, &solid);
+        }
+    if (may_lack_disc)
+      for (const auto &solid : solids)
+        found.emplace_back(nullptr, &solid);
+
+    ModeName name;
     energy_shares.maxCoeff(&name.body);
-    for (unsigned int b = 0; b < bodies.size(); ++b)
+    for (const auto &[disc, solid] : found)
       {
-        unsigned int &largest = bodies[b].disc ? disc : solid;
-        if (largest == -1u || energy_shares[b] > energy_shares[largest])
-          largest = b;
+        name.alternatives.push_back(text_of(disc, solid));
+        name.text += (name.text.empty() ? "" : "|") + name.alternatives.back();
       }
-
-    if (disc != -1u && (disc == name.body || energy_shares[disc] >= disc_share))
-      {
-        const Body     &body  = bodies[disc];
-        const DiscShape shape = body.disc->classify(coordinates.segment(
-          body.first_coordinate, body.disc->n_coordinates()));
-        name.is_disc          = true;
-        name.nodal_circles    = shape.nodal_circles;
-        name.nodal_diameters  = shape.nodal_diameters;
-        name.parity           = shape.parity;
-        name.family           = to_string(shape.family);
-        name.text = (n_discs > 1 ? body.name + " " : "") + shape.text();
-      }
-    if (solid != -1u &&
-        (solid == name.body || energy_shares[solid] >= solid_share))
-      {
-        const Body      &body  = bodies[solid];
-        const SolidShape shape = body.solid->classify(coordinates.segment(
-          body.first_coordinate, body.solid->n_coordinates()));
-        name.solid             = solid;
-        name.solid_family      = shape.family.empty() ? "motion" : shape.family;
-        name.solid_nodes       = shape.n_nodes;
-        name.text +=
-          (name.is_disc ? " " : "") + body.name + " " + name.solid_family;
-        if (!name.is_disc)
-          name.family = name.solid_family;
-      }
+    set_columns(found, name);
     return name;
-  }
-
-
-
-  Eigen::VectorXd
-  ModeNamer::mirror_weights() const
-  {
-    Eigen::VectorXd weights(total_coordinates);
-    for (const auto &body : bodies)
-      {
-        const Eigen::VectorXd part = body.disc ? body.disc->mirror_weights()
-                                               : body.solid->mirror_weights();
-        weights.segment(body.first_coordinate, part.size()) = part;
-      }
-    return weights;
-  }
-
-
-
-  std::vector<unsigned int>
-  ModeNamer::order_of_shapes(const Eigen::MatrixXd &coordinates) const
-  {
-    std::vector<unsigned int> order(coordinates.cols());
-    std::iota(order.begin(), order.end(), 0);
-    std::vector<std::pair<unsigned int, std::string>> keys(order.size());
-    for (const auto &body : bodies)
-      if (body.disc)
-        for (unsigned int i = 0; i < order.size(); ++i)
-          {
-            const Eigen::VectorXd own = coordinates.col(i).segment(
-              body.first_coordinate, body.disc->n_coordinates());
-            // Motions of other bodies come first and stay as they are.
-            if (own.squaredNorm() < 0.5 * coordinates.col(i).squaredNorm())
-              continue;
-            const auto shape =
-              body.disc->classify(own.cast<std::complex<double>>());
-            // "+" sorts before "-".
-            keys[i] = {1 + shape.nodal_diameters, shape.parity};
-          }
-    std::stable_sort(order.begin(),
-                     order.end(),
-                     [&](const unsigned int a, const unsigned int b) {
-                       return keys[a] < keys[b];
-                     });
-    return order;
-  }
-
-
-
-  Block
-  ModeNamer::separate_multiple(const Block               &modes,
-                               const std::vector<double> &frequencies,
-                               const double               tolerance) const
-  {
-    AssertDimension(frequencies.size(), modes.cols());
-    Block result = modes;
-    if (bodies.empty())
-      return result;
-    const Eigen::VectorXd weights = mirror_weights();
-    unsigned int          begin   = 0;
-    for (const unsigned int end : ends_of_clusters(frequencies, tolerance))
-      {
-        const unsigned int n = end - begin;
-        if (n > 1)
-          {
-            const Block           cluster = modes.middleCols(begin, n);
-            const Eigen::MatrixXd C       = coordinates(cluster);
-            const Eigen::MatrixXd form =
-              C.transpose() * weights.asDiagonal() * C;
-            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(form);
-            Eigen::MatrixXd R = eigen.eigenvectors().rowwise().reverse();
-            for (unsigned int i = 0; i < n; ++i)
-              R.col(i) *= sign_of(C * R.col(i));
-            const auto order = order_of_shapes(C * R);
-            for (unsigned int i = 0; i < n; ++i)
-              result.col(begin + i) = cluster * R.col(order[i]);
-          }
-        begin = end;
-      }
-    return result;
   }
 } // namespace squeal

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
+#include <squeal/eigen/mode_naming_choice.h>
 #include <squeal/eigen/mode_naming_disc.h>
 #include <squeal/eigen/mode_naming_profile.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <tuple>
 
 namespace squeal
 {
@@ -16,14 +19,6 @@ namespace squeal
     constexpr unsigned int n_components = 3;
     /** Angles of a ring in the signature are every such one. */
     constexpr unsigned int signature_stride = 3;
-    /** Lobes below this share of the largest one make no nodal circle. */
-    constexpr double lobe_threshold = 0.1;
-    /** The same round the circumference. A disc that is all but pinned by a
-     * pad touches zero there without a change of sign. */
-    constexpr double diameter_threshold = 0.05;
-    /** Nodal diameters are counted as long as their harmonic has this share of
-     * the energy of the largest one. */
-    constexpr double counted_share = 0.02;
     /** An in-plane shape is called radial above this share of its energy. With
      * m = 1 a clamped disc's rim moves almost like a rigid ring, half of the
      * energy in either direction: the name must not hang on the mesh there. */
@@ -96,9 +91,31 @@ namespace squeal
   std::string
   to_string(const DiscShape::Family family)
   {
-    return family == DiscShape::Family::bending      ? "bending"
-           : family == DiscShape::Family::tangential ? "tangential"
-                                                     : "radial";
+    switch (family)
+      {
+      case DiscShape::Family::bending:
+        return "bending";
+      case DiscShape::Family::tangential:
+        return "tangential";
+      case DiscShape::Family::radial:
+        return "radial";
+      }
+    unknown_choice("family");
+  }
+
+
+
+  bool
+  contact_face_looks_down(const SceneParameters &scene, const unsigned int body)
+  {
+    const std::string &name = scene.bodies[body].name;
+    for (const auto &contact : scene.contacts)
+      for (const auto &[of, face] :
+           {std::tie(contact.target_body, contact.target_face),
+            std::tie(contact.source_body, contact.source_face)})
+        if (of == name && (face == "bottom" || face == "top"))
+          return face == "bottom";
+    return false;
   }
 
 
@@ -114,8 +131,9 @@ namespace squeal
     const auto   axis  = disc.position;
     const double width = disc.outer_radius - disc.inner_radius;
 
+    const bool down = contact_face_looks_down(discretization.scene(), body);
     const dealii::QGauss<1>       gauss(n_rings);
-    std::vector<dealii::Point<3>> points;
+    std::vector<dealii::Point<3>> on_face, inside;
     std::vector<double>           angles;
     for (unsigned int k = 0; k < n_rings; ++k)
       {
@@ -125,21 +143,23 @@ namespace squeal
         for (unsigned int j = 0; j < n_angles; ++j)
           {
             angles.push_back(reference_angle + 2. * M_PI * j / n_angles);
-            points.emplace_back(axis[0] + r * std::cos(angles.back()),
-                                axis[1] + r * std::sin(angles.back()),
-                                axis[2] + 0.5 * disc.height);
+            const double x = axis[0] + r * std::cos(angles.back());
+            const double y = axis[1] + r * std::sin(angles.back());
+            on_face.emplace_back(x, y, axis[2] + (down ? 0. : disc.height));
+            inside.emplace_back(x, y, axis[2] + 0.5 * disc.height);
           }
       }
 
-    const auto xyz = displacement_rows(evaluator, body, points);
+    const auto face = displacement_rows(evaluator, body, on_face);
+    const auto xyz  = displacement_rows(evaluator, body, inside);
     for (unsigned int k = 0; k < n_rings; ++k)
       for (unsigned int c = 0; c < n_components; ++c)
         for (unsigned int p = k * n_angles; p < (k + 1) * n_angles; ++p)
           {
             const double cosine = std::cos(angles[p]);
             const double sine   = std::sin(angles[p]);
-            const auto  &x = xyz[p][0], &y = xyz[p][1], &z = xyz[p][2];
-            rows.push_back(c == 0   ? z
+            const auto  &x = xyz[p][0], &y = xyz[p][1];
+            rows.push_back(c == 0   ? face[p][2]
                            : c == 1 ? combine({{-sine, &x}, {cosine, &y}})
                                     : combine({{cosine, &x}, {sine, &y}}));
           }
@@ -203,83 +223,130 @@ namespace squeal
 
 
 
-  Eigen::VectorXd
+  Eigen::VectorXcd
   DiscShapes::profile(const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
                       const unsigned int                        component,
-                      const unsigned int                        m) const
+                      const unsigned int                        m,
+                      const bool                                sine) const
   {
-    Eigen::MatrixX2cd parts(n_rings, 2);
+    Eigen::VectorXcd result(n_rings);
     for (unsigned int k = 0; k < n_rings; ++k)
-      for (const bool sine : {false, true})
-        parts(k, sine) =
-          coordinates[first(k, component) + coefficient(m, sine)];
-    // The direction in the plane of cosine and sine that holds most: a doublet
-    // turned by any angle, and a travelling wave, have one radial profile.
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2cd> directions(
-      parts.adjoint() * parts);
-    Eigen::VectorXd result =
-      most_real_part(parts * directions.eigenvectors().col(1));
+      result[k] = coordinates[first(k, component) + coefficient(m, sine)];
+    return result;
+  }
+
+  std::vector<unsigned int>
+  DiscShapes::numbers_of_circles(const Eigen::VectorXcd &profile) const
+  {
+    Eigen::VectorXd real = most_real_part(profile);
     for (unsigned int k = 0; k < n_rings; ++k)
-      result[k] /= std::sqrt(ring_masses[k]);
+      real[k] /= std::sqrt(ring_masses[k]);
+    return naming::numbers_of_nodes(real);
+  }
+
+
+
+  DiscShapes::HeldContent
+  DiscShapes::held_content(
+    const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
+    const unsigned int                        m,
+    const bool                                sine) const
+  {
+    // The largest |cos(f) p_m - sin(f) p_(m+1)|^2 = mean + difference cos(2 f)
+    // - product sin(2 f) over 0 <= f <= 45 degrees.
+    const Eigen::VectorXcd p       = profile(coordinates, 0, m, sine);
+    const Eigen::VectorXcd next    = profile(coordinates, 0, m + 1, sine);
+    const double           product = p.dot(next).real();
+    const double           mean = 0.5 * (p.squaredNorm() + next.squaredNorm());
+    const double difference     = 0.5 * (p.squaredNorm() - next.squaredNorm());
+    const double best           = std::atan2(-product, difference);
+    const double twice          = best >= 0. && best <= 0.5 * M_PI      ? best
+                                  : mean + difference >= mean - product ? 0.
+                                                                        : 0.5 * M_PI;
+    HeldContent  result;
+    result.content =
+      mean + difference * std::cos(twice) - product * std::sin(twice);
+    result.profile = std::cos(0.5 * twice) * p - std::sin(0.5 * twice) * next;
     return result;
   }
 
 
 
-  unsigned int
-  DiscShapes::n_diameters(const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
-                          const unsigned int                        component,
-                          const unsigned int dominant) const
+  void
+  DiscShapes::add_bending(const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
+                          std::vector<DiscShape> &shapes) const
   {
-    // Weighting with the radial profile leaves out what other nodal circles
-    // mix in.
-    const Eigen::VectorXd radial = profile(coordinates, component, dominant);
-    Eigen::VectorXcd      sum    = Eigen::VectorXcd::Zero(fourier.rows());
-    for (unsigned int k = 0; k < n_rings; ++k)
-      sum += std::sqrt(ring_masses[k]) * radial[k] *
-             coordinates.segment(first(k, component), fourier.rows());
-    const Eigen::VectorXcd round = fourier.transpose() * sum;
-    return n_sign_changes(most_real_part(round), diameter_threshold, true) / 2;
+    std::vector<DiscShape>   candidates;
+    std::vector<double>      contents;
+    std::vector<HeldContent> held;
+    for (unsigned int m = 0; m < n_harmonics; ++m)
+      for (const bool sine : {false, true})
+        if (m > 0 || !sine)
+          {
+            DiscShape shape;
+            shape.nodal_diameters = m;
+            shape.parity          = m == 0 ? "" : sine ? "-" : "+";
+            candidates.push_back(shape);
+            held.push_back(held_content(coordinates, m, sine));
+            contents.push_back(held.back().content);
+          }
+    for (const unsigned int i :
+         naming::near_largest(contents, naming::content_margin))
+      for (const unsigned int n : numbers_of_circles(held[i].profile))
+        {
+          shapes.push_back(candidates[i]);
+          shapes.back().nodal_circles = n;
+        }
   }
 
 
 
-  DiscShape
+  void
+  DiscShapes::add_in_plane(
+    const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
+    std::vector<DiscShape>                   &shapes) const
+  {
+    const std::array<Eigen::MatrixX2d, 2> parts = {
+      {energies(coordinates, 1), energies(coordinates, 2)}};
+    const Eigen::VectorXd all = (parts[0] + parts[1]).rowwise().sum();
+    for (const unsigned int m : naming::near_largest(
+           {all.data(), all.data() + all.size()}, naming::content_margin))
+      for (const unsigned int radial :
+           naming::near_largest({parts[0].row(m).sum() / (1. - radial_share),
+                                 parts[1].row(m).sum() / radial_share},
+                                naming::family_margin))
+        for (const unsigned int sine :
+             naming::near_largest({parts[radial](m, 0), parts[radial](m, 1)},
+                                  naming::content_margin))
+          for (const unsigned int n :
+               numbers_of_circles(profile(coordinates, 1 + radial, m, sine)))
+            {
+              DiscShape shape;
+              shape.family          = radial ? DiscShape::Family::radial
+                                             : DiscShape::Family::tangential;
+              shape.nodal_circles   = n;
+              shape.nodal_diameters = m;
+              shape.parity          = m == 0 ? "" : sine ? "-" : "+";
+              shapes.push_back(shape);
+            }
+  }
+
+
+
+  std::vector<DiscShape>
   DiscShapes::classify(
     const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const
   {
-    const Eigen::MatrixX2d axial      = energies(coordinates, 0);
-    const Eigen::MatrixX2d tangential = energies(coordinates, 1);
-    const Eigen::MatrixX2d radial     = energies(coordinates, 2);
-    const Eigen::MatrixX2d in_plane   = tangential + radial;
-
-    DiscShape    shape;
-    unsigned int component = 0;
-    if (axial.sum() >= in_plane.sum())
-      axial.rowwise().sum().maxCoeff(&shape.nodal_diameters);
-    else
-      {
-        const double all =
-          in_plane.rowwise().sum().maxCoeff(&shape.nodal_diameters);
-        const bool is_radial =
-          radial.row(shape.nodal_diameters).sum() > radial_share * all;
-        component = is_radial ? 2 : 1;
-        shape.family =
-          is_radial ? DiscShape::Family::radial : DiscShape::Family::tangential;
-      }
-    const auto        &chosen   = component == 0   ? axial
-                                  : component == 1 ? tangential
-                                                   : radial;
-    const unsigned int dominant = shape.nodal_diameters;
-    shape.nodal_circles =
-      n_sign_changes(profile(coordinates, component, dominant), lobe_threshold);
-    const unsigned int counted = n_diameters(coordinates, component, dominant);
-    if (chosen.row(counted).sum() >= counted_share * chosen.row(dominant).sum())
-      shape.nodal_diameters = counted;
-    const unsigned int m = shape.nodal_diameters;
-    if (m > 0)
-      shape.parity = chosen(m, 0) >= chosen(m, 1) ? "+" : "-";
-    return shape;
+    std::vector<DiscShape> shapes;
+    for (const unsigned int family : naming::near_largest(
+           {energies(coordinates, 0).sum(),
+            energies(coordinates, 1).sum() + energies(coordinates, 2).sum()},
+           naming::family_margin))
+      if (family == 0)
+        add_bending(coordinates, shapes);
+      else
+        add_in_plane(coordinates, shapes);
+    return shapes;
   }
 
 

@@ -19,24 +19,20 @@ namespace squeal
 
 
   unsigned int
-  n_sign_changes(const Eigen::VectorXd &profile,
-                 const double           threshold,
-                 const bool             closed)
+  n_sign_changes(const Eigen::VectorXd &profile, const double threshold)
   {
     if (profile.size() == 0)
       return 0;
-    const double limit = threshold * profile.cwiseAbs().maxCoeff();
-    double       first = 0., previous = 0.;
-    unsigned int changes = 0;
+    const double limit    = threshold * profile.cwiseAbs().maxCoeff();
+    double       previous = 0.;
+    unsigned int changes  = 0;
     for (const double value : profile)
       if (std::abs(value) > limit)
         {
           if (previous * value < 0.)
             ++changes;
           previous = value;
-          if (first == 0.)
-            first = value;
         }
-    return changes + (closed && previous * first < 0. ? 1 : 0);
+    return changes;
   }
 } // namespace squeal

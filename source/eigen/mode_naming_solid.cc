@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/mode_naming_choice.h>
 #include <squeal/eigen/mode_naming_profile.h>
 #include <squeal/eigen/mode_naming_solid.h>
 
@@ -15,9 +16,6 @@ namespace squeal
 
     constexpr unsigned int n_slices_slender = 15;
     constexpr unsigned int n_slices_compact = 5;
-    /** Slices that move less than this share of the most moving one make no
-     * node. */
-    constexpr double lobe_threshold = 0.1;
     /** Points taken of a body without a known cross section. */
     constexpr unsigned int max_points = 300;
 
@@ -167,6 +165,20 @@ namespace squeal
 
 
 
+  std::string
+  SolidShape::name() const
+  {
+    return family.empty() ? "motion" : family;
+  }
+
+  std::string
+  SolidShape::text() const
+  {
+    return name() + " " + std::to_string(n_nodes + 1);
+  }
+
+
+
   SolidShapes::SolidShapes(const Discretization          &d,
                            const PointEvaluator          &evaluator,
                            const unsigned int             body,
@@ -292,22 +304,28 @@ namespace squeal
 
 
 
-  SolidShape
+  std::vector<SolidShape>
   SolidShapes::classify(
     const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const
   {
     AssertDimension(coordinates.size(), n_coordinates());
-    SolidShape shape;
     if (coordinates.isZero(0.))
-      return shape;
+      return {SolidShape()};
     const Eigen::Map<const Eigen::MatrixXcd> motions(
       coordinates.data(), families.size(), n_slices);
-    unsigned int dominant;
-    motions.rowwise().squaredNorm().maxCoeff(&dominant);
-    shape.family  = families[dominant];
-    shape.n_nodes = n_sign_changes(
-      most_real_part(motions.row(dominant).transpose()), lobe_threshold);
-    return shape;
+    const Eigen::VectorXd   energies = motions.rowwise().squaredNorm();
+    std::vector<SolidShape> shapes;
+    for (const unsigned int f : naming::near_largest(
+           {energies.data(), energies.data() + energies.size()},
+           naming::family_margin))
+      for (const unsigned int n :
+           naming::numbers_of_nodes(most_real_part(motions.row(f).transpose())))
+        {
+          shapes.emplace_back();
+          shapes.back().family  = families[f];
+          shapes.back().n_nodes = n;
+        }
+    return shapes;
   }
 
 

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -49,10 +50,15 @@ namespace squeal
     , exchanged(o.H.rows(), false)
   {
     U.diagonal().array() += s;
-    // Squares throughout: moduli would cost as much as the elimination.
-    const double least = std::numeric_limits<double>::epsilon() *
-                         std::sqrt(U.cwiseAbs2().maxCoeff());
-    const auto keep_away_from_zero = [&](Complex &pivot) {
+    if (U.rows() == 0)
+      return;
+    // Squares throughout: moduli would cost as much as the elimination. A
+    // matrix of zeros has no size: its smallest pivot has an inverse and a
+    // square.
+    const double least = std::max(std::numeric_limits<double>::epsilon() *
+                                    std::sqrt(U.cwiseAbs2().maxCoeff()),
+                                  1e-100);
+    const auto   keep_away_from_zero = [&](Complex &pivot) {
       if (std::norm(pivot) < least * least)
         pivot = least;
     };

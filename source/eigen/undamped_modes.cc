@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/eigen/undamped_modes.h>
 
@@ -158,7 +159,8 @@ namespace squeal
   double
   UndampedModes::frequency(const unsigned int i) const
   {
-    return std::sqrt(std::max(0., omega_squared[i])) / (2. * M_PI);
+    // A NaN stays one in this order of std::max.
+    return std::sqrt(std::max(omega_squared[i], 0.)) / (2. * M_PI);
   }
 
 
@@ -377,7 +379,7 @@ namespace squeal
         throw ComputationError(
           "the inertia of the factor proves " + std::to_string(wanted.n) +
           " modes below " +
-          std::to_string(std::sqrt(wanted.limit) / (2. * M_PI)) +
+          rounded_text(std::sqrt(wanted.limit) / (2. * M_PI), 6) +
           " Hz, but the Lanczos iteration found " + std::to_string(n_below) +
           ": tighten Eigenvalues/Mode tolerance");
       modes.n_certified = n_below;

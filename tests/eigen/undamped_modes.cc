@@ -36,7 +36,7 @@ namespace
   {
     // The tolerance of 1e-10 is that of the inverted operator in the mass norm;
     // the residual of the stiff end of the spectrum is larger.
-    check_below(m.residual.head(m.n_certified).maxCoeff(),
+    check_below(m.residual.head(m.n_certified).maxCoeff<Eigen::PropagateNaN>(),
                 residual,
                 "residuals of the modes");
     const Eigen::MatrixXd G =
@@ -65,7 +65,7 @@ namespace
                    lanczos.omega_squared.head(n).array() -
                  1.)
                   .abs()
-                  .maxCoeff(),
+                  .maxCoeff<Eigen::PropagateNaN>(),
                 1e-9,
                 "ARPACK and block Lanczos agree");
     return lanczos;
@@ -104,7 +104,7 @@ namespace
                    few.omega_squared.head(few.n_certified).array() -
                  1.)
                   .abs()
-                  .maxCoeff(),
+                  .maxCoeff<Eigen::PropagateNaN>(),
                 1e-9,
                 "the first of them as from a narrow band");
   }
@@ -122,7 +122,7 @@ namespace
                        modes.omega_squared.head(again.n_certified).array() -
                      1.)
                       .abs()
-                      .maxCoeff(),
+                      .maxCoeff<Eigen::PropagateNaN>(),
                     1e-8,
                     "shift on the mode at " + number(f) + " Hz");
       }

@@ -30,7 +30,7 @@ namespace squeal
      * the basis stalled. */
     Eigen::VectorXd noise_floor;
     /** ||x|| ||y|| |2 lambda| / |y^T (2 lambda M + C) x| in mass norms: 1 for
-     * undamped modes, infinite at a coalescence. */
+     * undamped modes, at most 4.5e15, at a coalescence. */
     Eigen::VectorXd condition;
     /** The other member where the condition exceeds 1e4, else -1. */
     std::vector<int> pair_partner;

@@ -11,13 +11,20 @@
 
 namespace squeal
 {
-  /** What a vibration shape is called, and why. */
+  /**
+   * What a vibration shape is called, and why. The columns of a near tie are
+   * those on which its alternatives agree; others are as if they did not apply.
+   */
   struct ModeName
   {
     /** Such as "(0,3+)", "T(0,0)", "support radial 1" or
-     * "(0,3+) support tangential 2"; "mode 7" without geometry. Two modes of
-     * one table may share a name, as those of a coalesced pair do. */
+     * "(0,3+) support tangential 2"; "mode 7" without geometry; the
+     * alternatives joined by "|" for a near tie. Two modes of one table may
+     * share a name, as those of a coalesced pair do. */
     std::string text;
+    /** Names that the shape may have, one unless it is a near tie, in an order
+     * that does not depend on which is nearer. */
+    std::vector<std::string> alternatives;
     /** True when a disc shape is part of the name; the next three are only
      * then meaningful. */
     bool        is_disc         = false;
@@ -29,13 +36,31 @@ namespace squeal
     std::string family;
     /** Body with the largest energy share; -1u without geometry. */
     unsigned int body = -1u;
-    /** Other body that is part of the name, or -1u, its motion, the number of
-     * that motion in the table from 1, and the nodes along the body. */
+    /** Other body that is part of the name, or -1u, its motion, the nodes
+     * along the body and the number in the name, which is one more. */
     unsigned int solid = -1u;
     std::string  solid_family;
     unsigned int solid_number = 0;
     unsigned int solid_nodes  = 0;
+
+    bool
+    is_tie() const
+    {
+      return alternatives.size() > 1;
+    }
   };
+
+  /** What names mean, in some sentences: for logs and reports. */
+  std::string explanation_of_names();
+
+  /** Whether the name @p text is @p wanted or has it in front: "(0,3+)" is in
+   * "(0,3+) support tangential 2" and, as one of the alternatives, in
+   * "(0,3+)|(0,4+)". */
+  bool is_called(const std::string &text, const std::string &wanted);
+
+  /** The annulus that names refer to: that of the first contact pair, else the
+   * first one, else -1u. */
+  unsigned int main_disc(const SceneParameters &scene);
 
 
 
@@ -45,11 +70,13 @@ namespace squeal
    * An annulus is a disc: its shape (n, m) has n nodal circles and m nodal
    * diameters; "+" has an antinode at the source body of the first contact
    * pair, "-" a node (angle 0 without a pair). Other bodies are named by the
-   * direction of their motion; motions of one direction are numbered in the
-   * order of the columns, which is to be that of ascending frequency, and modes
-   * that move the body alike have one number. A name mentions the disc when it
-   * has the largest energy share or more than disc_share, another body when
-   * that has the largest share or more than solid_share.
+   * direction of their motion and the number of parts that move in opposition
+   * along the body: 1 without a node, 2 with one node. A name mentions a disc
+   * and another body by their energy shares (naming::disc_share,
+   * naming::solid_share), at least one of them.
+   *
+   * A name follows from the shape alone, not from its place in a table. What
+   * lies within the band about a decision has both names, as a tie.
    *
    * Naming needs the coordinates of a vector only, a linear map: those of a
    * whole basis V are computed once and serve every combination V q.
@@ -57,13 +84,6 @@ namespace squeal
   class ModeNamer
   {
   public:
-    /** Energy shares from which a body that does not have the largest one is
-     * mentioned. The disc's is small: in the squealing modes of a brake with a
-     * heavy support it has some 1 % of the energy, in the support's own modes
-     * 0.1 %. */
-    static constexpr double disc_share  = 0.005;
-    static constexpr double solid_share = 0.2;
-
     /** For models without geometry: plain numbers. */
     ModeNamer();
 
@@ -71,15 +91,20 @@ namespace squeal
      * ranks together. */
     explicit ModeNamer(const Discretization &discretization);
 
-    /** Names of real shapes (owned rows x modes, ascending frequency).
-     * @p energy_shares: bodies x modes, each column of sum about 1. */
-    std::vector<ModeName> name(const Block           &modes,
-                               const Eigen::MatrixXd &energy_shares) const;
+    /** Names of real shapes (owned rows x modes).
+     * @p energy_shares: bodies x modes, each column of sum about 1.
+     * @p eigenvalues: of the columns, their neighbours next to them, or empty.
+     * Columns of one eigenvalue are named by the shapes that their space holds,
+     * whatever mixture of them they are. */
+    std::vector<ModeName> name(const Block            &modes,
+                               const Eigen::MatrixXd  &energy_shares,
+                               const Eigen::VectorXcd &eigenvalues = {}) const;
 
     /** Names of complex shapes. They do not depend on the phase; a travelling
-     * wave has its m and the parity of its larger part. */
-    std::vector<ModeName> name(const ComplexBlock    &modes,
-                               const Eigen::MatrixXd &energy_shares) const;
+     * wave is a tie of both parities. */
+    std::vector<ModeName> name(const ComplexBlock     &modes,
+                               const Eigen::MatrixXd  &energy_shares,
+                               const Eigen::VectorXcd &eigenvalues = {}) const;
 
     /** Coordinates of vectors, a column each, the same on every rank. */
     Eigen::MatrixXd coordinates(const Block &vectors) const;
@@ -88,7 +113,8 @@ namespace squeal
     /** Names from coordinates. */
     std::vector<ModeName> name_coordinates(
       const Eigen::MatrixXcd &coordinates,
-      const Eigen::MatrixXd  &energy_shares) const;
+      const Eigen::MatrixXd  &energy_shares,
+      const Eigen::VectorXcd &eigenvalues = {}) const;
 
     /**
      * Turns the modes of every multiple frequency into shapes with names: of a
@@ -124,9 +150,31 @@ namespace squeal
       unsigned int                 first_coordinate = 0;
     };
 
-    ModeName        describe(const Eigen::VectorXcd &coordinates,
-                             const Eigen::VectorXd  &energy_shares) const;
-    Eigen::VectorXd mirror_weights() const;
+    struct DiscPart
+    {
+      unsigned int body;
+      DiscShape    shape;
+    };
+    struct SolidPart
+    {
+      unsigned int body;
+      SolidShape   shape;
+    };
+    std::vector<DiscPart>  disc_parts(const Eigen::VectorXcd &coordinates,
+                                      const Eigen::VectorXd  &shares) const;
+    std::vector<SolidPart> solid_parts(const Eigen::VectorXcd &coordinates,
+                                       const Eigen::VectorXd  &shares) const;
+    std::string text_of(const DiscPart *disc, const SolidPart *solid) const;
+    ModeName    describe(const Eigen::VectorXcd &coordinates,
+                         const Eigen::VectorXd  &energy_shares) const;
+    /** Indices of the discs, or of the other bodies, with the largest share. */
+    std::vector<unsigned int> largest_bodies(const Eigen::VectorXd &shares,
+                                             const bool discs) const;
+    /** Coordinates of the shapes in the space of each multiple eigenvalue in
+     * the place of the columns that they are nearest to. */
+    Eigen::MatrixXcd separated(const Eigen::MatrixXcd &coordinates,
+                               const Eigen::VectorXcd &eigenvalues) const;
+    Eigen::VectorXd  mirror_weights() const;
     /** Orders columns by nodal diameters, "+" before "-". */
     std::vector<unsigned int> order_of_shapes(
       const Eigen::MatrixXd &coordinates) const;

@@ -34,9 +34,17 @@ namespace squeal
 
 
 
+  /** Whether the face of an annulus that a contact pair of the scene uses is
+   * its bottom; false also where no pair uses bottom or top. */
+  bool contact_face_looks_down(const SceneParameters &scene,
+                               const unsigned int     body);
+
+
+
   /**
-   * Shapes of one annulus from its displacement on rings at half the
-   * thickness, along the axis, tangential and radial.
+   * Shapes of one annulus from its displacement on rings: along the axis on the
+   * contact face, tangential and radial at half the thickness, where bending
+   * has no part in them.
    *
    * The coordinates of a vector are the Fourier coefficients of every ring and
    * component, the angle counted from the reference angle: the mean, then
@@ -63,13 +71,23 @@ namespace squeal
       const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
 
     /**
-     * Shape of a real or complex vector. Nodal diameters are counted, not read
-     * off the largest harmonic: under a stiff pad the (0,3+) shape holds more
-     * of cos(4 theta) than of cos(3 theta), yet changes its sign six times and
-     * goes over into the free (0,3) shape as the pad softens. A travelling wave
-     * has the parity of its larger part.
+     * Shapes that a real or complex vector may be called, one unless it is a
+     * near tie. The order is fixed: bending, tangential, radial; ascending
+     * diameters, "+" before "-", ascending circles.
+     *
+     * A bending shape is called by the harmonic m and the parity with the
+     * largest content on the contact face. What a pad holds is no single
+     * harmonic: a disc that is kept from moving at the pad takes equal parts
+     * of cos(m theta) and -cos((m + 1) theta) to be at rest there, and it goes
+     * over into the free (n, m+) shape as the pad softens. The content of
+     * (n, m+) is therefore the largest squared projection on cos(f) cos(m
+     * theta) - sin(f) cos((m + 1) theta), 0 <= f <= 45 degrees; with the sines,
+     * where the pad holds the slope, that of (n, m-). Two neighbours in
+     * opposition have one name until m + 1 has 5.8 times the energy of m.
+     *
+     * A travelling wave is a tie of both parities.
      */
-    DiscShape classify(
+    std::vector<DiscShape> classify(
       const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const;
 
     /**
@@ -94,17 +112,28 @@ namespace squeal
     Eigen::MatrixX2d energies(
       const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
       const unsigned int                        component) const;
-    /** Nodal diameters of the motion with the radial profile of the
-     * @p dominant harmonic. */
-    unsigned int n_diameters(
+    /** Coefficients of a harmonic, one a ring. */
+    Eigen::VectorXcd profile(
       const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
       const unsigned int                        component,
-      const unsigned int                        dominant) const;
-    /** Radial profile of a harmonic, cosine and sine combined. */
-    Eigen::VectorXd profile(
+      const unsigned int                        m,
+      const bool                                sine) const;
+    std::vector<unsigned int> numbers_of_circles(
+      const Eigen::VectorXcd &profile) const;
+
+    struct HeldContent
+    {
+      double           content; /**< kg m^2 */
+      Eigen::VectorXcd profile; /**< of the projection */
+    };
+    HeldContent held_content(
       const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
-      const unsigned int                        component,
-      const unsigned int                        m) const;
+      const unsigned int                        m,
+      const bool                                sine) const;
+    void add_bending(const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
+                     std::vector<DiscShape>                   &shapes) const;
+    void add_in_plane(const Eigen::Ref<const Eigen::VectorXcd> &coordinates,
+                      std::vector<DiscShape>                   &shapes) const;
 
     std::vector<double> ring_masses; /**< kg */
     Eigen::MatrixXd     fourier;     /**< coefficients x angles */

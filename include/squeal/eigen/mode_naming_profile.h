@@ -15,12 +15,10 @@ namespace squeal
   /**
    * Number of times a profile changes its sign. Values below @p threshold times
    * the largest one count as neither, so that a clamped end and small wiggles
-   * add no node. A @p closed profile goes round a circle: its end is compared
-   * with its beginning too, and the number is even.
+   * add no node.
    */
   unsigned int n_sign_changes(const Eigen::VectorXd &profile,
-                              const double           threshold,
-                              const bool             closed = false);
+                              const double           threshold);
 } // namespace squeal
 
 #endif

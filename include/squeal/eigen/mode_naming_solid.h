@@ -16,6 +16,11 @@ namespace squeal
     std::string family;
     /** Nodes of the dominant motion along the body's long axis. */
     unsigned int n_nodes = 0;
+
+    /** The family, "motion" for a body at rest. */
+    std::string name() const;
+    /** The name and the number of nodes + 1, such as "tangential 2". */
+    std::string text() const;
   };
 
   /**
@@ -44,7 +49,9 @@ namespace squeal
 
     unsigned int n_coordinates() const;
 
-    SolidShape classify(
+    /** What a vector may be called, one unless it is a near tie; families in
+     * the order of the coordinates, then ascending nodes. */
+    std::vector<SolidShape> classify(
       const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const;
 
     /** As DiscShapes::mirror_weights(): +1 for motions that the mirror plane

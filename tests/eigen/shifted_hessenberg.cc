@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// (K + s M) Z = B for many shifts against a factorisation of each.
+
+#include "worst.h"
+
+#include <squeal/base/exceptions.h>
+#include <squeal/eigen/shifted_hessenberg.h>
+
+#include <Eigen/Dense>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  Eigen::MatrixXd
+  some_mass(const Eigen::Index n)
+  {
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n);
+    return A.transpose() * A + .1 * Eigen::MatrixXd::Identity(n, n);
+  }
+
+  void
+  test_shifts(const Eigen::Index n)
+  {
+    const Eigen::MatrixXd   K = Eigen::MatrixXd::Random(n, n), M = some_mass(n);
+    const ShiftedHessenberg solver(K, M);
+    Worst                   worst;
+    for (const Complex s : {Complex(0., 0.),
+                            Complex(2., 0.),
+                            Complex(-.3, 1.),
+                            Complex(0., -1e6),
+                            Complex(1e-9, 1e-9)})
+      for (const Eigen::Index columns : {1, 2, 5})
+        {
+          const Eigen::MatrixXcd A = K.cast<Complex>() + s * M.cast<Complex>();
+          const Eigen::MatrixXcd B = Eigen::MatrixXcd::Random(n, columns);
+          const auto             factor = solver.factor(s);
+          const Eigen::MatrixXcd x      = factor.solve(B),
+                                 y      = factor.solve_transposed(B);
+          const auto relative           = [&](const Eigen::MatrixXcd &r,
+                                    const Eigen::MatrixXcd &z) {
+            return r.norm() / (A.norm() * z.norm() + B.norm());
+          };
+          worst.add(relative(A * x - B, x), "solve");
+          worst.add(relative(A.transpose() * y - B, y), "transposed");
+        }
+    // Elimination on condition 100 of M, both sides.
+    check_within(worst, 1e-12, std::to_string(n) + " unknowns");
+  }
+
+  /** At an eigenvalue the solution is huge, finite and along its vector. */
+  void
+  test_singular()
+  {
+    Eigen::MatrixXd K(3, 3), M = Eigen::MatrixXd::Identity(3, 3);
+    K << 2., 1., 0., 1., 2., 1., 0., 1., 2.;
+    const ShiftedHessenberg solver(K, M);
+    const double            mu     = 2. + std::sqrt(2.);
+    const Eigen::MatrixXcd  B      = Eigen::MatrixXcd::Ones(3, 1);
+    const auto              factor = solver.factor(-mu);
+    Eigen::VectorXcd        expected(3);
+    expected << .5, std::sqrt(.5), .5;
+    for (const bool transposed : {false, true})
+      {
+        const Eigen::VectorXcd x =
+          transposed ? factor.solve_transposed(B) : factor.solve(B);
+        check(x.allFinite() && x.norm() > 1e10, "huge at an eigenvalue");
+        check(std::abs(std::abs(expected.dot(x)) / x.norm() - 1.) <= 1e-10,
+              "along its vector");
+      }
+    // All pivots vanish.
+    const ShiftedHessenberg zero(Eigen::MatrixXd::Zero(3, 3), M);
+    check(zero.factor(0.).solve(B).allFinite() &&
+            zero.factor(0.).solve_transposed(B).allFinite(),
+          "finite where the matrix is zero");
+  }
+
+  void
+  test_refusals()
+  {
+    const Eigen::MatrixXd K = Eigen::MatrixXd::Identity(2, 2);
+    Eigen::MatrixXd       M(2, 2);
+    M << 1., 2., 2., 1.;
+    check_throws<ComputationError>([&] { ShiftedHessenberg(K, M); },
+                                   "not positive definite",
+                                   "an indefinite mass is refused");
+    const Eigen::MatrixXd   none(0, 0);
+    const ShiftedHessenberg empty(none, none);
+    check(empty.factor(1.).solve(Eigen::MatrixXcd(0, 2)).cols() == 2,
+          "no unknowns");
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  for (const Eigen::Index n : {1, 2, 3, 20})
+    test_shifts(n);
+  test_singular();
+  test_refusals();
+}
