@@ -53,7 +53,7 @@ mark_as_advanced(NLOPT_INCLUDE_DIR NLOPT_LIBRARY MUMPS_INCLUDE_DIR DMUMPS_LIBRAR
 # deal.II hands its own optimisation flags on; ours replace them.
 separate_arguments(_flags UNIX_COMMAND "${DEAL_II_CXX_FLAGS}")
 list(FILTER _flags EXCLUDE REGEX
-     "^-(g|ggdb|O.|pedantic|std=.*|Wdate-time|D_FORTIFY_SOURCE=.*|f(stack-protector|file-prefix-map).*)$")
+     "^-(g|ggdb|O.|pedantic|Wmissing-braces|std=.*|Wdate-time|D_FORTIFY_SOURCE=.*|f(stack-protector|file-prefix-map).*)$")
 string(REPLACE ";" " " DEAL_II_CXX_FLAGS "${_flags}")
 string(REPLACE ";" " " DEAL_II_CXX_FLAGS_RELEASE "${SQUEAL_FLAGS_RELEASE}")
 string(REPLACE ";" " " DEAL_II_CXX_FLAGS_DEBUG "${SQUEAL_FLAGS_DEBUG}")
@@ -101,7 +101,9 @@ function(squeal_setup_target target)
     ${target} SYSTEM PRIVATE ${MUMPS_INCLUDE_DIR} ${ARPACK_INCLUDE_DIR}
                              ${NLOPT_INCLUDE_DIR} ${HDF5_INCLUDE_DIRS})
   deal_ii_setup_target(${target})
-  target_compile_options(${target} PRIVATE ${SQUEAL_FLAGS_NATIVE})
+  target_compile_options(
+    ${target} PRIVATE ${SQUEAL_FLAGS_NATIVE}
+                      $<$<COMPILE_LANGUAGE:CXX>:${SQUEAL_ERRORS}>)
   # The C++ bindings of MPI are gone from the standard and slow to compile.
   # Eigen hands large products to OpenBLAS.
   target_compile_definitions(${target} PRIVATE OMPI_SKIP_MPICXX

@@ -6,17 +6,31 @@
 
 set(SQUEAL_SOURCES_BASE
     source/base/assignment.cc
+    source/base/available_memory.cc
     source/base/base64.cc
+    source/base/blas_kernels.cc
+    source/base/checksum.cc
+    source/base/child_process.cc
+    source/base/file_lock.cc
     source/base/files.cc
+    source/base/input_file.cc
+    source/base/inputs_read.cc
     source/base/interrupt.cc
     source/base/low_rank_matrix.cc
     source/base/memory.cc
     source/base/mumps.cc
+    source/base/named_numbers.cc
+    source/base/number_text.cc
     source/base/packing.cc
+    source/base/program_id.cc
+    source/base/root_action.cc
     source/base/row_space.cc
     source/base/run_log.cc
+    source/base/sealed_file.cc
     source/base/sparse_matrix.cc
+    source/base/state_files.cc
     source/base/stop_request.cc
+    source/base/stop_signals.cc
     source/base/sum_operator.cc
     source/base/symmetric_block_matrix.cc
     source/base/timers.cc)
@@ -84,6 +98,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/point_evaluator.cc)
 
 set(SQUEAL_SOURCES_CONTACT
+    source/contact/contact_faces.cc
     source/contact/contact_geometry.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
@@ -107,12 +122,15 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/mass_basis.cc
     source/eigen/modal_response.cc
     source/eigen/mode_naming.cc
+    source/eigen/mode_naming_choice.cc
     source/eigen/mode_naming_disc.cc
+    source/eigen/mode_naming_multiple.cc
     source/eigen/mode_naming_profile.cc
     source/eigen/mode_naming_solid.cc
     source/eigen/reduced_basis.cc
     source/eigen/shifted_hessenberg.cc
     source/eigen/sliding_inverse.cc
+    source/eigen/standard_pairs.cc
     source/eigen/undamped_modes.cc)
 
 set(SQUEAL_SOURCES_SWEEP
@@ -135,6 +153,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/explicit_transient.cc
     source/transient/full_transient.cc
     source/transient/growth.cc
+    source/transient/growth_rule.cc
     source/transient/implicit_transient.cc
     source/transient/kept_inverse.cc
     source/transient/lagged_friction.cc
@@ -187,12 +206,16 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/campaign_table.cc
     source/driver/cea_quantities.cc
     source/driver/cea_solution.cc
+    source/driver/checkpoints.cc
     source/driver/command_line.cc
     source/driver/contact_output.cc
     source/driver/contact_states.cc
     source/driver/doublets.cc
     source/driver/entry_units.cc
+    source/driver/finer_modes.cc
+    source/driver/fingerprint.cc
     source/driver/finished_runs.cc
+    source/driver/headline_error.cc
     source/driver/matrix_output.cc
     source/driver/measured_points.cc
     source/driver/mode_solution.cc
@@ -212,6 +235,7 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/run_updating.cc
     source/driver/run_work_precision.cc
     source/driver/shape_output.cc
+    source/driver/sweep_basis_file.cc
     source/driver/sweep_boundary.cc
     source/driver/sweep_checks.cc
     source/driver/sweep_model.cc
@@ -230,6 +254,8 @@ set(SQUEAL_SOURCES_DRIVER
     source/driver/transient_phase.cc
     source/driver/transient_plots.cc
     source/driver/transient_run.cc
+    source/driver/transient_verdict.cc
+    source/driver/turning_modes.cc
     source/driver/updating_fit.cc
     source/driver/updating_model.cc)
 

@@ -17,6 +17,19 @@ set(SQUEAL_TEST_ENVIRONMENT
     OMPI_MCA_rmaps_base_oversubscribe=1)
 
 set(SQUEAL_DEFAULT_TIMEOUT 120)
+if(SQUEAL_SANITIZE)
+  list(APPEND SQUEAL_TEST_ENVIRONMENT
+       ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1
+       UBSAN_OPTIONS=print_stacktrace=1
+       LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizers/leaks.supp:print_suppressions=0
+  )
+  set(SQUEAL_DEFAULT_TIMEOUT 600)
+endif()
+
+# In a header, not on the command line of every test, which would compile anew
+# in another clone.
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/tests/source_directory.h" CONTENT
+     "#define SQUEAL_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\"\n")
 
 # Sets ${variable} to the command that starts a program on ${n} ranks.
 function(_squeal_launcher variable n)
@@ -45,7 +58,7 @@ endfunction()
 #                 [ARGUMENTS ...] [AFTER test...] [LIBRARIES ...])
 #
 # A test program: exit code 0 is a pass. It is linked against squeal_core and
-# LIBRARIES, finds the source tree in the macro SQUEAL_SOURCE_DIR and runs in a
+# LIBRARIES, finds the source tree by source_directory.h and runs in a
 # directory of its own, ${CMAKE_BINARY_DIR}/tests/run/<name>. One source may
 # serve several tests (other ranks or arguments). AFTER names tests whose files
 # it needs.
@@ -65,11 +78,11 @@ function(squeal_add_test name source)
   if(NOT TARGET ${_target})
     add_executable(${_target} "${_source}")
     target_include_directories(${_target}
-                               PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-    target_compile_definitions(
-      ${_target} PRIVATE SQUEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+                               PRIVATE "${PROJECT_SOURCE_DIR}/tests"
+                                       "${PROJECT_BINARY_DIR}/tests")
     target_link_libraries(${_target} squeal_core ${test_LIBRARIES})
     squeal_setup_target(${_target})
+    squeal_share_precompiled(${_target} squeal_core)
     set_target_properties(
       ${_target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
                             "${PROJECT_BINARY_DIR}/tests/programs")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/command_line.h>
 #include <squeal/results/compare.h>
@@ -57,6 +59,7 @@ namespace
       case Parameters::Analysis::updating:
         return run_updating(context);
       }
+    unknown_choice("analysis");
   }
 
   void
@@ -131,6 +134,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  blas_kernels::start_again_with_widest(argv);
   keep_single_processes_apart();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                               is_root =

@@ -3,8 +3,10 @@
 #define squeal_tests_check_h
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -12,6 +14,27 @@ namespace squeal
 {
   namespace testing
   {
+    namespace internal
+    {
+      inline std::string
+      digits(const double value)
+      {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.9g", value);
+        return text;
+      }
+
+      /** A test that is started by hand at the top of the source tree would
+       * leave its files there. */
+      inline const bool is_in_own_directory = []() {
+        if (!std::filesystem::exists(".clang-format"))
+          return true;
+        std::cerr << "FAILED  run the tests by ctest, or in a directory of "
+                     "their own: they write files\n";
+        std::exit(1);
+      }();
+    } // namespace internal
+
     /** Ends the test with exit code 1 and a line on stderr when not @p ok. */
     inline void
     check(const bool ok, const std::string &text)
@@ -25,7 +48,7 @@ namespace squeal
       std::exit(1);
     }
 
-    /** |a - b| <= tolerance * max(|b|, floor). */
+    /** |a - b| <= tolerance * max(|b|, floor), b finite. */
     inline void
     check_close(const double       a,
                 const double       b,
@@ -33,9 +56,10 @@ namespace squeal
                 const std::string &text,
                 const double       floor = 0.)
     {
-      check(std::abs(a - b) <= tolerance * std::max(std::abs(b), floor),
-            text + ": got " + std::to_string(a) + ", expected " +
-              std::to_string(b));
+      check(std::isfinite(b) &&
+              std::abs(a - b) <= tolerance * std::max(std::abs(b), floor),
+            text + ": got " + internal::digits(a) + ", expected " +
+              internal::digits(b));
     }
 
     /** Checks that @p action throws @p Exception with @p part in its text. */

@@ -22,7 +22,8 @@ namespace squeal
     inline double
     distance(const Eigen::VectorXcd &all, const std::complex<double> lambda)
     {
-      return (all.array() - lambda).abs().minCoeff() / std::abs(lambda);
+      return (all.array() - lambda).abs().minCoeff<Eigen::PropagateNaN>() /
+             std::abs(lambda);
     }
 
     inline BodyParameters

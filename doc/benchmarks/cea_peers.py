@@ -16,6 +16,8 @@ import subprocess
 import sys
 import time
 
+import kernels
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "output" / "benchmarks" / "cea"
 LOWEST, HIGHEST = 900.0, 16000.0  # Hz, as in prm/benchmarks/cea.prm
@@ -350,6 +352,7 @@ def environment(code):
     result = dict(os.environ)
     for name in ("OMP", "OPENBLAS", "MKL"):
         result[name + "_NUM_THREADS"] = "1"
+    kernels.take_those_of_squeal(result)
     result["OMPI_ALLOW_RUN_AS_ROOT"] = "1"
     result["OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"] = "1"
     if code.startswith("slepc"):

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/base/input_file.h>
+#include <squeal/base/state_files.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -135,7 +138,9 @@ namespace squeal
     listed_files(const fs::path &directory)
     {
       std::vector<std::string> names;
-      std::ifstream            in(directory / manifest_name);
+      if (!input_file_fault((directory / manifest_name).string()).empty())
+        return names;
+      std::ifstream in(directory / manifest_name);
       for (std::string line; std::getline(in, line);)
         {
           const fs::path name = fs::path(line).lexically_normal();
@@ -170,25 +175,42 @@ namespace squeal
         fs::remove(directory / *folder, ignored);
     }
 
-    void
-    remove_earlier_results(const fs::path &directory)
+    /** While it lives, a file that reaches the size limit makes a write fail
+     * with a reason instead of ending the program. */
+    class FileSizeLimitAsError
     {
-      std::error_code ignored;
-      remove_listed(directory, "");
-      fs::remove(directory / manifest_name, ignored);
-    }
+    public:
+      FileSizeLimitAsError()
+        : former(std::signal(SIGXFSZ, SIG_IGN))
+      {
+      }
+      ~FileSizeLimitAsError()
+      {
+        std::signal(SIGXFSZ, former);
+      }
+      FileSizeLimitAsError(const FileSizeLimitAsError &)            = delete;
+      FileSizeLimitAsError &operator=(const FileSizeLimitAsError &) = delete;
 
-    /** Whether a run left nothing but its log. */
+    private:
+      void (*const former)(int);
+    };
+
+    /** Whether a run left nothing but its log and what continues it. */
     bool
     holds_no_results(const fs::path &directory)
     {
       bool log_is_ours = false;
       for (const std::string &name : listed_files(directory))
         log_is_ours = log_is_ours || name == log_file_name;
-      for (const auto &entry : fs::directory_iterator(directory))
+      for (const auto &entry : fs::recursive_directory_iterator(directory))
         {
-          const std::string name = entry.path().filename().string();
-          if (name != manifest_name && !(name == log_file_name && log_is_ours))
+          const std::string name =
+            entry.path().lexically_relative(directory).string();
+          const bool is_unfinished =
+            entry.path().filename().string().rfind(partial_file_prefix, 0) == 0;
+          if (!entry.is_directory() && name != manifest_name &&
+              !(name == log_file_name && log_is_ours) && !is_unfinished &&
+              !is_state_file(entry.path().string()))
             return false;
         }
       return true;
@@ -254,26 +276,7 @@ namespace squeal
 
 
 
-  std::string
-  read_file(const std::string &path)
-  {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-      throw InputError("cannot read '" + path + "': Is a directory");
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if (!in)
-      throw InputError("cannot read '" + path + "': " + reason(errno));
-    std::ostringstream content;
-    content << in.rdbuf();
-    if (in.bad())
-      throw InputError("cannot read '" + path + "': " + reason(errno));
-    return content.str();
-  }
-
-
-
-  void
+  std::unique_ptr<FileLock>
   prepare_output_directory(const std::string &directory, const bool overwrite)
   {
     const std::string name = "output directory '" + directory + "'";
@@ -287,6 +290,9 @@ namespace squeal
     if (error)
       throw InputError("cannot create " + name + ": " + error.message());
 
+    const fs::path manifest = fs::path(directory) / manifest_name;
+    auto           lock = std::make_unique<FileLock>(manifest.string(), name);
+
     bool may_start = overwrite;
     try
       {
@@ -297,12 +303,28 @@ namespace squeal
         throw InputError("cannot read " + name + ": " + e.code().message());
       }
     if (!may_start)
-      throw InputError(name + " is not empty: set Overwrite = true or choose "
-                              "another Output directory");
+      {
+        if (lock->is_new())
+          fs::remove(manifest, error);
+        throw InputError(name + " is not empty: set Overwrite = true or choose "
+                                "another Output directory");
+      }
 
-    remove_earlier_results(directory);
-    write_atomically((fs::path(directory) / manifest_name).string(),
-                     [](std::ostream &out) { out << manifest_head << '\n'; });
+    const FileSizeLimitAsError no_signal;
+    // the list is emptied last: a run that is killed meanwhile is cleaned up
+    // by the next one
+    remove_listed(directory, "");
+    try
+      {
+        lock->rewrite(manifest_head);
+      }
+    catch (const InputError &)
+      {
+        if (lock->is_new())
+          fs::remove(manifest, error);
+        throw;
+      }
+    return lock;
   }
 
 
@@ -314,7 +336,7 @@ namespace squeal
     , is_root(is_root)
   {
     if (is_root)
-      prepare_output_directory(directory, overwrite);
+      lock = prepare_output_directory(directory, overwrite);
   }
 
 
@@ -330,6 +352,11 @@ namespace squeal
   std::string
   OutputDirectory::file(const std::string &name)
   {
+    if (!stays_inside(name))
+      throw InputError("the result '" + name +
+                       "' would leave the output "
+                       "directory: name it without '..' and without '/' in "
+                       "front");
     const fs::path path = fs::path(directory) / name;
     if (!is_root || names.count(name) > 0)
       return path.string();
@@ -351,6 +378,40 @@ namespace squeal
       throw InputError("cannot write '" + manifest + "': " + reason(errno));
     names.insert(name);
     return path.string();
+  }
+
+
+
+  std::string
+  OutputDirectory::state_file(const std::string &name,
+                              const std::string &kind,
+                              const std::string &entry)
+  {
+    if (!stays_inside(name))
+      throw InputError(entry + " = '" + name +
+                       "' leaves the output directory: "
+                       "give a name without '..' and without '/' in front");
+    const fs::path  path = fs::path(directory) / name;
+    std::error_code error;
+    if (is_root && fs::exists(path, error) && !is_state_file(path, kind))
+      throw InputError("'" + path.string() + "' is no " + kind +
+                       " that squeal has written: move it away or change " +
+                       entry);
+    if (is_root)
+      {
+        fs::create_directories(path.parent_path(), error);
+        // of a run that was killed while it wrote
+        fs::remove(partial_name(path), error);
+      }
+    return path.string();
+  }
+
+
+
+  bool
+  OutputDirectory::is_owned() const
+  {
+    return !lock || lock->is_held();
   }
 
 

@@ -2,9 +2,9 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/interrupt.h>
+#include <squeal/base/stop_signals.h>
 
 #include <array>
-#include <csignal>
 #include <cstring>
 
 #include <fcntl.h>
@@ -24,6 +24,7 @@ namespace squeal
       std::array<char, longest_name> directory;
       pthread_t                      main_thread;
       int                            folder;
+      SignalActions                  former;
     };
     InterruptedRun interrupted_run;
 
@@ -63,8 +64,8 @@ namespace squeal
     void
     remove_listed_files()
     {
-      const int manifest =
-        ::openat(interrupted_run.folder, manifest_file_name, O_RDONLY);
+      const int manifest = ::openat(
+        interrupted_run.folder, manifest_file_name, O_RDONLY | O_NONBLOCK);
       char        name[longest_name], buffer[4096];
       std::size_t size = 0;
       for (ssize_t n; (n = ::read(manifest, buffer, sizeof buffer)) > 0;)
@@ -78,6 +79,15 @@ namespace squeal
           else if (size + 1 < longest_name)
             name[size++] = buffer[i];
       ::close(manifest);
+    }
+
+    const char *
+    name_of(const int signal_number)
+    {
+      for (const StopSignal &signal : stop_signals)
+        if (signal.number == signal_number)
+          return signal.name;
+      return "a signal";
     }
 
     void
@@ -94,26 +104,15 @@ namespace squeal
           char        line[longest_name];
           std::size_t size = 0;
           append(line, size, "squeal: stopped by ");
-          append(line, size, signal_number == SIGINT ? "SIGINT" : "SIGTERM");
+          append(line, size, name_of(signal_number));
           append(line, size, ": the results in '");
           append(line, size, interrupted_run.directory.data());
           append(line, size, "' were removed, run.log is kept\n");
-          if (::write(STDERR_FILENO, line, size) < 0)
-            ::_exit(1);
+          // Nothing is left to be done when nobody hears it.
+          const ssize_t ignored = ::write(STDERR_FILENO, line, size);
+          static_cast<void>(ignored);
         }
       ::_exit(128 + signal_number);
-    }
-
-    void
-    handle(void (*action)(int))
-    {
-      struct sigaction request = {};
-      request.sa_handler       = action;
-      ::sigemptyset(&request.sa_mask);
-      ::sigaddset(&request.sa_mask, SIGTERM);
-      ::sigaddset(&request.sa_mask, SIGINT);
-      ::sigaction(SIGTERM, &request, nullptr);
-      ::sigaction(SIGINT, &request, nullptr);
     }
   } // namespace
 
@@ -130,14 +129,14 @@ namespace squeal
               : -1;
     if (is_root && interrupted_run.folder < 0)
       throw InputError("cannot read output directory '" + directory + "'");
-    handle(end_in_order);
+    interrupted_run.former = handle_stop_signals(end_in_order);
   }
 
 
 
   InterruptGuard::~InterruptGuard()
   {
-    handle(SIG_DFL);
+    restore_signals(interrupted_run.former);
     if (interrupted_run.folder >= 0)
       ::close(interrupted_run.folder);
   }

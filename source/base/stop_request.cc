@@ -19,12 +19,8 @@ namespace squeal
 
   StopRequest::StopRequest()
   {
-    signal_noted             = 0;
-    struct sigaction request = {};
-    request.sa_handler       = note;
-    ::sigemptyset(&request.sa_mask);
-    ::sigaction(SIGTERM, &request, &former_term);
-    ::sigaction(SIGINT, &request, &former_int);
+    signal_noted = 0;
+    former       = handle_stop_signals(note);
   }
 
   StopRequest::~StopRequest()
@@ -37,8 +33,7 @@ namespace squeal
   {
     if (!active)
       return;
-    ::sigaction(SIGTERM, &former_term, nullptr);
-    ::sigaction(SIGINT, &former_int, nullptr);
+    restore_signals(former);
     active = false;
   }
 

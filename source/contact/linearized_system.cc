@@ -3,6 +3,7 @@
 // Puts the bodies and every contact pair of a scene together.
 
 #include <squeal/base/exceptions.h>
+#include <squeal/contact/contact_faces.h>
 #include <squeal/contact/contact_terms.h>
 #include <squeal/contact/elimination.h>
 #include <squeal/contact/mortar.h>
@@ -240,6 +241,7 @@ namespace squeal
                     const std::vector<BodyMatrices>  &bodies,
                     const std::vector<ContactStates> &given)
   {
+    check_contact_faces(d);
     const auto                &scene = d.scene();
     const PointEvaluator       evaluator(d);
     LinearizedSystem           result    = bodies_alone(d, bodies);
@@ -289,6 +291,7 @@ namespace squeal
   separated_system(const Discretization            &d,
                    const std::vector<BodyMatrices> &bodies)
   {
+    check_contact_faces(d);
     const PointEvaluator evaluator(d);
     LinearizedSystem     result = bodies_alone(d, bodies);
     for (const auto &contact : d.scene().contacts)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/contact/mortar.h>
 #include <squeal/contact/mortar_integrals.h>
 #include <squeal/discretization/face_quadrature.h>
@@ -192,9 +193,9 @@ namespace squeal
     for (std::size_t j = 0; j < result.nodes.size(); ++j)
       if (!target.found[j])
         throw InputError(where + ": the faces do not meet at (" +
-                         std::to_string(result.nodes[j][0]) + ", " +
-                         std::to_string(result.nodes[j][1]) + ", " +
-                         std::to_string(result.nodes[j][2]) + ") m");
+                         rounded_text(result.nodes[j][0], 6) + ", " +
+                         rounded_text(result.nodes[j][1], 6) + ", " +
+                         rounded_text(result.nodes[j][2], 6) + ") m");
     result.target_rows = target.rows;
     return result;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/discretization/affine_system.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/point_evaluator.h>
@@ -20,9 +21,9 @@ namespace squeal
         case DampingParameters::Model::per_part:
           return scene.bodies[body].mass_damping;
         case DampingParameters::Model::none:
-          break;
+          return 0.;
         }
-      return 0.;
+      unknown_choice("damping model");
     }
 
 

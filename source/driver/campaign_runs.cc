@@ -4,6 +4,8 @@
 #include <squeal/driver/entry_units.h>
 #include <squeal/driver/transient_results.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/number_access.h>
+#include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +14,26 @@ namespace squeal
 {
   namespace
   {
-    std::vector<double>
-    axis_values(const SweepAxisParameters &a)
+    /** The values of all entries of an axis at one of its points. */
+    using EntryValues = std::vector<double>;
+
+    /** Those of all its points. */
+    std::vector<EntryValues>
+    axis_points(const SweepAxisParameters &a)
     {
+      std::vector<EntryValues> result;
       if (a.scale == SweepAxisParameters::Scale::list)
-        return a.values;
-      std::vector<double> result;
+        {
+          for (const double value : a.values)
+            result.emplace_back(a.entries.size(), value);
+          return result;
+        }
       for (unsigned int i = 0; i < a.number; ++i)
         {
           const double s = a.number > 1 ? double(i) / (a.number - 1) : 0.;
-          result.push_back(a.scale == SweepAxisParameters::Scale::logarithmic
-                             ? a.from[0] * std::pow(a.to[0] / a.from[0], s)
-                             : (1. - s) * a.from[0] + s * a.to[0]);
+          result.emplace_back();
+          for (std::size_t entry = 0; entry < a.entries.size(); ++entry)
+            result.back().push_back(entry_value(a, entry, s));
         }
       return result;
     }
@@ -58,21 +68,21 @@ namespace squeal
       return is_in_mpa(axis) ? 1e-6 * value : value;
     }
 
-    /** Combinations of the values of some axes. */
-    std::vector<std::vector<double>>
+    /** Combinations of the points of some axes. */
+    std::vector<std::vector<EntryValues>>
     combinations(const std::vector<SweepAxisParameters> &axes,
                  const bool                              friction)
     {
-      std::vector<std::vector<double>> all = {{}};
+      std::vector<std::vector<EntryValues>> all = {{}};
       for (const auto &axis : axes)
         if (is_friction(axis) == friction)
           {
-            std::vector<std::vector<double>> next;
+            std::vector<std::vector<EntryValues>> next;
             for (const auto &head : all)
-              for (const double value : axis_values(axis))
+              for (const EntryValues &values : axis_points(axis))
                 {
                   next.push_back(head);
-                  next.back().push_back(value);
+                  next.back().push_back(values);
                 }
             all = next;
           }
@@ -80,33 +90,57 @@ namespace squeal
     }
 
     Parameters
-    at_point(Parameters                              p,
+    at_point(const Parameters                       &p,
              const std::vector<SweepAxisParameters> &axes,
-             const std::vector<double>              &values,
+             const std::vector<EntryValues>         &points,
              const bool                              friction)
     {
-      std::size_t i = 0;
+      std::vector<std::string> entries;
+      std::vector<double>      values;
+      std::size_t              i = 0;
       for (const auto &axis : axes)
         if (is_friction(axis) == friction)
           {
-            for (const auto &entry : axis.entries)
-              p = with_value(p, entry, values[i]);
+            entries.insert(
+              entries.end(), axis.entries.begin(), axis.entries.end());
+            values.insert(values.end(), points[i].begin(), points[i].end());
             ++i;
           }
-      return p;
+      return entries.empty() ? p : with_values(p, entries, values);
     }
 
+    /** Of each axis the values of its entries, in the order of the axes. */
+    std::vector<EntryValues>
+    in_order(const std::vector<SweepAxisParameters> &axes,
+             const std::vector<EntryValues>         &others,
+             const std::vector<EntryValues>         &frictions)
+    {
+      std::vector<EntryValues> result;
+      std::size_t              i = 0, k = 0;
+      for (const auto &axis : axes)
+        result.push_back(is_friction(axis) ? frictions[k++] : others[i++]);
+      return result;
+    }
+
+    /** What tables show of an axis: its first entry. */
     std::vector<double>
     shown_values(const std::vector<SweepAxisParameters> &axes,
-                 const std::vector<double>              &others,
-                 const std::vector<double>              &frictions)
+                 const std::vector<EntryValues>         &points)
     {
       std::vector<double> result;
-      std::size_t         i = 0, k = 0;
-      for (const auto &axis : axes)
-        result.push_back(shown_value(
-          axis.name, is_friction(axis) ? frictions[k++] : others[i++]));
+      for (std::size_t i = 0; i < axes.size(); ++i)
+        result.push_back(shown_value(axes[i].name, points[i][0]));
       return result;
+    }
+
+    /** Enters what a run sets by itself among its entries, as if the parameter
+     * file said so. */
+    void
+    set_used(Parameters &p, const std::string &path, const std::string &value)
+    {
+      for (auto &[name, text] : p.used)
+        if (name == path)
+          text = value;
     }
 
     /** The same run by each integrator asked for. */
@@ -123,6 +157,7 @@ namespace squeal
           {
             result.push_back(run);
             result.back().parameters.transient.integrator = integrator;
+            set_used(result.back().parameters, "Transient/Integrator", name);
           }
       return result;
     }
@@ -131,38 +166,48 @@ namespace squeal
     CampaignRun
     run_at(const Parameters                       &p,
            const std::vector<SweepAxisParameters> &axes,
-           const std::vector<double>              &others,
-           const std::vector<double>              &frictions,
+           const std::vector<EntryValues>         &others,
+           const std::vector<EntryValues>         &frictions,
            const std::string                      &top)
     {
       CampaignRun run{at_point(p, axes, frictions, true),
-                      shown_values(axes, others, frictions),
+                      shown_values(axes, in_order(axes, others, frictions)),
                       top,
-                      ""};
+                      {}};
       auto       &scene       = run.parameters.scene;
       scene.contacts[0].state = ContactParameters::State::full;
       for (auto &support : scene.supports)
         if (!top.empty() && support.name == p.transient.top_support)
           for (const auto &[name, kind] : choices(SupportParameters::Kind()))
             if (name == top)
-              support.kind = kind;
+              {
+                support.kind = kind;
+                set_used(run.parameters,
+                         "Scene/Support " + support.name + "/Kind",
+                         name);
+              }
       // Node fields and frames are not kept in a campaign.
       run.parameters.transient.history_start       = 1e300;
       run.parameters.transient.animation_frames    = 0;
       run.parameters.discretization.estimate_error = false;
+      set_used(run.parameters, "Transient/History start", "never");
+      set_used(run.parameters, "Transient/Animation frames", "0");
+      set_used(run.parameters, "Discretization/Estimate error", "false");
       return run;
     }
 
 
 
-    /** Axes may be numbers that the key of the motion does not name. */
-    std::string
-    key_of(const CampaignRun &run, const std::vector<SweepAxisParameters> &axes)
+    /** The row of a run shows the values of the axes, under their names. */
+    Fingerprint
+    fingerprint_of(const CampaignRun                      &run,
+                   const std::vector<SweepAxisParameters> &axes)
     {
-      std::string key = key_of_motion(run.parameters);
+      Fingerprint fingerprint(run.parameters, Fingerprint::Purpose::motion);
       for (std::size_t i = 0; i < axes.size(); ++i)
-        key += axes[i].name + " " + shortest_text(run.shown[i]) + "\n";
-      return key;
+        fingerprint.add("axis " + axes[i].name, shortest_text(run.shown[i]));
+      fingerprint.add("top", run.top);
+      return fingerprint;
     }
   } // namespace
 
@@ -198,7 +243,7 @@ namespace squeal
             for (CampaignRun &run :
                  by_integrators(run_at(base, axes, others, frictions, top)))
               {
-                run.key = key_of(run, axes);
+                run.fingerprint = fingerprint_of(run, axes);
                 groups.back().push_back(run);
               }
         }

@@ -10,12 +10,6 @@ namespace squeal
   {
     using Type = Table::Type;
 
-    Cell
-    known(const double value)
-    {
-      return std::isfinite(value) ? Cell(value) : Cell();
-    }
-
     /** The branch that the comparison is about: the largest sigma of the whole
      * model. */
     const BranchResult *
@@ -58,7 +52,7 @@ namespace squeal
     cycle_columns()
     {
       return {
-        {"stable", Type::text, "", "yes, no or undecided"},
+        {"stable", Type::text, "", "about steady sliding: yes, no, undecided"},
         {"growth_rate_per_s", Type::real, "1/s", "linear phase"},
         {"frequency_hz", Type::real, "Hz", "of the period", 6},
         {"rms_normal_n", Type::real, "N", "about the mean"},
@@ -89,7 +83,11 @@ namespace squeal
     trigger_columns()
     {
       return {
-        {"outcome", Type::text, "", "squeal by itself, after the trigger"},
+        {"outcome",
+         Type::text,
+         "",
+         "of the trigger: squeal by itself, after it (a limit cycle that may "
+         "stand beside stable sliding), temporary, none"},
         {"before_trigger_n", Type::real, "N", "rms of the normal force", 3},
         {"after_trigger_n", Type::real, "N", "the tenth that follows", 3},
         {"end_n", Type::real, "N", "the last tenth of the run", 3},
@@ -126,7 +124,7 @@ namespace squeal
             f.worst_imbalance,
             f.steps_per_second,
             sigma_with_full_contact(prepared, run.parameters)})
-        cells.push_back(known(value));
+        cells.push_back(or_missing(value));
       return cells;
     }
 
@@ -156,34 +154,34 @@ namespace squeal
       const double        nan        = std::nan("");
       const auto [n_unstable, pairs] = unstable_pairs(f);
       const auto vibrating           = [&](const double value) {
-        return known(f.vibrates ? value : nan);
+        return f.vibrates ? or_missing(value) : Cell();
       };
       return {f.verdict == "unstable" ? "no"
               : f.verdict == "stable" ? "yes"
                                       : "undecided",
-              known(b && b->fit.is_valid ? b->fit.rate : nan),
+              or_missing(b && b->fit.is_valid ? b->fit.rate : nan),
               vibrating(f.frequency),
-              known(f.rms_normal),
-              known(f.min_normal),
-              known(f.max_normal),
+              f.rms_normal,
+              f.min_normal,
+              f.max_normal,
               f.separates ? "yes" : "no",
-              known(b ? b->sigma : nan),
-              known(f.max_slip_speed_ratio),
-              known(f.stick_fraction),
-              known(f.rms_acceleration),
-              known(b ? b->frequency : nan),
+              or_missing(b ? b->sigma : nan),
+              f.max_slip_speed_ratio,
+              f.stick_fraction,
+              f.rms_acceleration,
+              or_missing(b ? b->frequency : nan),
               prepared.steady.n_closed(),
               n_unstable,
               f.has_limit_cycle ? "yes" : "no",
-              known(f.worst_imbalance),
-              known(f.steps_per_second),
+              f.worst_imbalance,
+              f.steps_per_second,
               pairs,
               choice_name(run.parameters.transient.integrator),
               vibrating(f.frequency_ci),
               vibrating(f.largest_line),
-              known(sigma_with_full_contact(prepared, run.parameters)),
-              known(f.macroscopic_friction),
-              known(f.phase),
+              or_missing(sigma_with_full_contact(prepared, run.parameters)),
+              or_missing(f.macroscopic_friction),
+              f.phase,
               vibrating(f.repetition)};
     }
 
@@ -191,10 +189,10 @@ namespace squeal
     trigger_cells(const TriggerOutcome &trigger)
     {
       return {trigger.text,
-              known(trigger.before),
-              known(trigger.after),
-              known(trigger.end),
-              known(trigger.lasting)};
+              trigger.before,
+              trigger.after,
+              trigger.end,
+              trigger.lasting};
     }
   } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/driver/cea_quantities.h>
+#include <squeal/parameters/choices.h>
 
 #include <cmath>
 
@@ -162,10 +163,10 @@ namespace squeal
     ComplexBlock full(
       model.linearized().expand(Block(pairs.right.real())).rows(),
       pairs.right.cols());
-    full.real()        = model.linearized().expand(Block(pairs.right.real()));
-    full.imag()        = model.linearized().expand(Block(pairs.right.imag()));
-    q.names            = model.namer().name(full, q.energy_shares);
-    q.energy_per_cycle = friction_energies(*modes.pencil, pairs, masses);
+    full.real() = model.linearized().expand(Block(pairs.right.real()));
+    full.imag() = model.linearized().expand(Block(pairs.right.imag()));
+    q.names     = model.namer().name(full, q.energy_shares, pairs.lambda);
+    q.energy_per_cycle      = friction_energies(*modes.pencil, pairs, masses);
     q.contact_participation = contact_participations(model, pairs, masses);
 
     const ComplexBlock     shapes       = modes.modes.shapes.cast<Complex>();
@@ -194,6 +195,19 @@ namespace squeal
                                                       : std::nan(""));
       }
     return q;
+  }
+
+
+
+  std::string
+  contact_state_text(const SceneParameters &scene)
+  {
+    std::string text;
+    for (const auto &contact : scene.contacts)
+      if (const std::string state = choice_name(contact.state);
+          text.find(state) == std::string::npos)
+        text += (text.empty() ? "" : ", ") + state;
+    return text.empty() ? "none" : text;
   }
 
 
@@ -251,16 +265,11 @@ namespace squeal
                       4});
     table.add_column(
       {"unstable", Type::integer, "", "1: sigma beyond its error"});
-    std::string state = "none";
-    if (!model.parameters().scene.contacts.empty())
-      state = model.parameters().scene.contacts[0].state ==
-                  ContactParameters::State::stick
-                ? "stick"
-                : "full";
-    const auto partner = [&](const unsigned int j, const unsigned int k) {
+    const std::string state = contact_state_text(model.parameters().scene);
+    const auto partner      = [&](const unsigned int j, const unsigned int k) {
       const int i = q.partners[j][k];
       return i < 0 ? std::string()
-                   : modes.names[i].text + " " +
+                        : modes.names[i].text + " " +
                        rounded_text(modes.modes.frequency(i), 5) + " Hz, MAC " +
                        rounded_text(q.partner_mac[j][k], 2);
     };
@@ -278,12 +287,14 @@ namespace squeal
         for (Eigen::Index b = 0; b < q.energy_shares.rows(); ++b)
           row.emplace_back(q.energy_shares(b, j));
         row.emplace_back(q.energy_per_cycle[j]);
-        row.emplace_back(q.contact_participation[j]);
+        row.emplace_back(model.linearized().contacts.empty()
+                           ? Cell()
+                           : Cell(q.contact_participation[j]));
         row.emplace_back(partner(j, 0));
         row.emplace_back(partner(j, 1));
         row.emplace_back(state);
-        row.emplace_back(q.discretisation_error[j]);
-        row.emplace_back(pairs.condition[j]);
+        row.emplace_back(or_missing(q.discretisation_error[j]));
+        row.emplace_back(unbounded(pairs.condition[j]));
         row.emplace_back(
           pairs.lambda[j].imag() == 0.
             ? Cell()

@@ -2,6 +2,7 @@
 #include <squeal/base/memory.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/cea_solution.h>
 #include <squeal/eigen/direct_solver.h>
 
@@ -124,7 +125,7 @@ namespace squeal
               distance = d;
               best     = k;
             }
-        worst = std::max(worst, copy.error_estimate[i]);
+        worst = worst_of(worst, copy.error_estimate[i]);
         table.add_row({i + 1,
                        certified.frequency(i),
                        certified.sigma(i),
@@ -133,7 +134,7 @@ namespace squeal
                        copy.error_estimate[i],
                        certified.error_estimate[i],
                        certified.noise_floor[i],
-                       certified.condition[i]});
+                       unbounded(certified.condition[i])});
       }
     log.info(
       "  direct solver: " + std::to_string(direct.size()) +

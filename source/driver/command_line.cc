@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/version.h>
 #include <squeal/driver/command_line.h>
@@ -44,6 +45,7 @@ namespace squeal
               << ")\n";
     for (const auto &[library, number] : version::libraries)
       std::cout << "  " << library << " " << number << "\n";
+    std::cout << "  OpenBLAS kernels " << blas_kernels::in_use() << "\n";
   }
 
 

@@ -44,9 +44,12 @@ namespace squeal
        {"split_hz", Type::real, "Hz", "the first less the second", 4}});
     using Key = std::tuple<std::string, long long, long long>;
     std::map<Key, std::vector<std::size_t>> plus, minus;
+    // A near tie leaves open what its names differ in: no member of a doublet.
     for (std::size_t i = 0; i < modes.n_rows(); ++i)
       if (!modes.is_missing(i, "nodal_diameters") &&
-          modes.integer(i, "nodal_diameters") > 0)
+          !modes.is_missing(i, "nodal_circles") &&
+          modes.integer(i, "nodal_diameters") > 0 &&
+          !modes.text(i, "parity").empty())
         (modes.text(i, "parity") == "+"
            ? plus
            : minus)[{family(modes.text(i, "name")),

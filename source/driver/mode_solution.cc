@@ -3,8 +3,11 @@
 #include <squeal/base/memory.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/driver/finer_modes.h>
 #include <squeal/driver/mode_solution.h>
+#include <squeal/driver/turning_modes.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -145,24 +148,27 @@ namespace squeal
 
 
 
-  ModeSolution
-  solve_modes(const Model &model, RunLog &log, Timers &timers)
+  namespace
   {
-    const Parameters &parameters = model.parameters();
-    ModeSolution      solution;
-    solution.pencil =
-      std::make_unique<Pencil>(model.linearized().system, parameters.scene);
+    /** Factorises at @p shift and finds all modes below it. */
+    void
+    find_modes(const Parameters &parameters,
+               const double      shift,
+               ModeSolution     &solution,
+               RunLog           &log,
+               Timers           &timers)
     {
-      Timers::Section section(timers, "Solve: factorisation");
-      solution.inverse = std::make_unique<ShiftedInverse>(*solution.pencil,
-                                                          shift_of(parameters));
-      return_freed_memory();
-    }
-    log.info("  " + std::to_string(solution.inverse->n_modes_below()) +
-             " modes below " +
-             rounded_text(parameters.eigen.highest_frequency, 6) +
-             " Hz by the inertia of the factor");
-    {
+      {
+        Timers::Section section(timers, "Solve: factorisation");
+        solution.inverse.reset();
+        solution.inverse =
+          std::make_unique<ShiftedInverse>(*solution.pencil, shift);
+        return_freed_memory();
+      }
+      log.info("  " + std::to_string(solution.inverse->n_modes_below()) +
+               " modes below " +
+               rounded_text(std::sqrt(shift) / (2. * M_PI), 6) +
+               " Hz by the inertia of the factor");
       Timers::Section section(timers, "Solve: undamped modes");
       ModeOptions     options;
       options.tolerance = parameters.eigen.mode_tolerance;
@@ -170,6 +176,42 @@ namespace squeal
         undamped_modes(*solution.pencil, *solution.inverse, options);
       return_freed_memory();
     }
+
+    /** More modes than those of the band, as long as turning carries further
+     * ones into it. */
+    void
+    find_modes_carried_into_band(const Model  &model,
+                                 ModeSolution &solution,
+                                 RunLog       &log,
+                                 Timers       &timers)
+    {
+      const double highest = std::sqrt(shift_of(model.parameters()));
+      for (unsigned int pass = 0; pass < 8; ++pass)
+        {
+          const double limit =
+            limit_of_turning_modes(model, solution.modes, highest);
+          if (limit <= 1.001 * solution.inverse->shift())
+            return;
+          find_modes(model.parameters(), limit, solution, log, timers);
+        }
+      log.warning("turning may carry motions into the band that are not among "
+                  "the modes: lower Rotation speed or raise Eigenvalues/"
+                  "Highest frequency");
+    }
+  } // namespace
+
+
+
+  ModeSolution
+  solve_modes(const Model &model, RunLog &log, Timers &timers)
+  {
+    const Parameters &parameters = model.parameters();
+    ModeSolution      solution;
+    solution.pencil =
+      std::make_unique<Pencil>(model.linearized().system, parameters.scene);
+    find_modes(parameters, shift_of(parameters), solution, log, timers);
+    if (has_turning_body(parameters.scene))
+      find_modes_carried_into_band(model, solution, log, timers);
     Timers::Section     section(timers, "Solve: names and energies");
     std::vector<double> frequencies;
     for (unsigned int i = 0; i < solution.modes.omega_squared.size(); ++i)
@@ -188,8 +230,12 @@ namespace squeal
           solution.pencil->multiply_undamped_stiffness(modes.shapes);
       }
     solution.energy_shares = model.energy_shares(solution.modes.shapes);
-    solution.names         = model.namer().name(
-      model.linearized().expand(solution.modes.shapes), solution.energy_shares);
+    // The eigenvalue of an undamped mode is i omega.
+    solution.names = model.namer().name(
+      model.linearized().expand(solution.modes.shapes),
+      solution.energy_shares,
+      std::complex<double>(0., 1.) *
+        solution.modes.omega_squared.cwiseMax(0.).cwiseSqrt());
     solution.discretisation_error.assign(frequencies.size(), not_known);
     return solution;
   }
@@ -225,13 +271,25 @@ namespace squeal
                                         solution.modes.omega_squared.head(n),
                                         point_forces(model, full));
         }
+        const auto locking = nearly_incompressible_bodies(parameters.scene);
+        if (!locking.empty())
+          {
+            errors.frequency =
+              errors_by_next_degree(model,
+                                    solution.modes.omega_squared.head(n),
+                                    shift_of(parameters),
+                                    timers);
+            log.info("  " + locking.front() +
+                     " hardly changes its volume: errors of all modes are "
+                     "those against one degree more");
+          }
         double worst = 0.;
         for (unsigned int i = 0; i < n; ++i)
           {
             solution.discretisation_error[i] = errors.frequency[i];
             if (solution.modes.frequency(i) >=
                 parameters.eigen.lowest_frequency)
-              worst = std::max(worst, solution.discretisation_error[i]);
+              worst = worst_of(worst, solution.discretisation_error[i]);
           }
         log.info("  mesh " + std::to_string(cycle) + ": " +
                  std::to_string(model.n_unknowns()) +
@@ -287,11 +345,19 @@ namespace squeal
     while (n < solution.modes.omega_squared.size() &&
            solution.modes.omega_squared[n] < 1e-9 * solution.inverse->shift())
       ++n;
+    // The sum over all of them does not depend on how they are combined.
+    Eigen::VectorXd shares = solution.energy_shares.leftCols(n).rowwise().sum();
+    // Of turning bodies elastic motions may have lost their stiffness too.
+    if (n > 0 && has_turning_body(model.parameters().scene))
+      {
+        const Block free =
+          free_motions_at_rest(model, solution.inverse->shift());
+        n = free.cols();
+        if (n > 0)
+          shares = model.energy_shares(free).rowwise().sum();
+      }
     if (n == 0)
       return "";
-    // The sum over all of them does not depend on how they are combined.
-    const Eigen::VectorXd shares =
-      solution.energy_shares.leftCols(n).rowwise().sum();
     std::string bodies;
     for (Eigen::Index b = 0; b < shares.size(); ++b)
       if (shares[b] > 1e-3)
@@ -333,17 +399,18 @@ namespace squeal
       {
         if (solution.modes.frequency(i) < p.lowest_frequency)
           continue;
-        const ModeName   &name = solution.names[i];
+        const ModeName &name = solution.names[i];
+        // A near tie may leave them open.
+        const auto count = [](const int n) { return n < 0 ? Cell() : Cell(n); };
         std::vector<Cell> row{++number,
                               solution.modes.frequency(i),
                               name.text,
-                              name.is_disc ? Cell(name.nodal_circles) : Cell(),
-                              name.is_disc ? Cell(name.nodal_diameters)
-                                           : Cell(),
+                              count(name.nodal_circles),
+                              count(name.nodal_diameters),
                               name.parity};
         for (Eigen::Index b = 0; b < solution.energy_shares.rows(); ++b)
           row.emplace_back(solution.energy_shares(b, i));
-        row.emplace_back(solution.discretisation_error[i]);
+        row.emplace_back(or_missing(solution.discretisation_error[i]));
         row.emplace_back(name.family);
         row.emplace_back(solution.modes.residual[i]);
         table.add_row(row);

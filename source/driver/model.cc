@@ -2,6 +2,7 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/sum_operator.h>
 #include <squeal/base/timers.h>
+#include <squeal/contact/contact_faces.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/driver/model.h>
 #include <squeal/driver/pressed_model.h>
@@ -69,6 +70,8 @@ namespace squeal
                                            parameters.discretization,
                                            parameters.discretization.degree,
                                            MPI_COMM_WORLD);
+        // Before the matrices, which take their time.
+        check_contact_faces(*space);
         for (const auto &body : parameters.scene.bodies)
           names.push_back(body.name);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/cea_solution.h>
 #include <squeal/driver/response_solution.h>
 #include <squeal/eigen/modal_response.h>
@@ -81,8 +82,8 @@ namespace squeal
   double
   ResponseCheck::error() const
   {
-    return (superposed - exact).cwiseAbs().maxCoeff() /
-           exact.cwiseAbs().maxCoeff();
+    return worst_of((superposed - exact).cwiseAbs()) /
+           worst_of(exact.cwiseAbs());
   }
 
   double
@@ -90,7 +91,7 @@ namespace squeal
   {
     double worst = 0.;
     for (const auto &check : checks)
-      worst = std::max(worst, check.error());
+      worst = worst_of(worst, check.error());
     return worst;
   }
 

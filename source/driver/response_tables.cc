@@ -3,6 +3,7 @@
 // Frequency responses as tables, HDF5 and universal files.
 
 #include <squeal/base/files.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/response_solution.h>
 #include <squeal/results/hdf5_file.h>
 #include <squeal/results/universal_file.h>
@@ -194,7 +195,7 @@ namespace squeal
                        a.imag(),
                        b.real(),
                        b.imag(),
-                       std::abs(b - a) / check.exact.cwiseAbs().maxCoeff()});
+                       std::abs(b - a) / worst_of(check.exact.cwiseAbs())});
             }
         });
     return table;

@@ -3,9 +3,12 @@
 #include "shape_output.h"
 
 #include <squeal/base/exceptions.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/cea_quantities.h>
 #include <squeal/driver/cea_solution.h>
+#include <squeal/driver/headline_error.h>
+#include <squeal/driver/turning_modes.h>
 #include <squeal/results/compare.h>
 #include <squeal/results/plots.h>
 
@@ -142,10 +145,12 @@ namespace squeal
 
 
     void
-    log_eigenvalues(RunLog &log, const Table &table)
+    log_eigenvalues(RunLog &log, const Table &table, const bool with_names)
     {
       log.heading("Eigenvalues: lambda = sigma + i omega, sigma > 0 "
                   "unstable, f = omega / 2 pi, zeta = -sigma / |lambda|");
+      if (with_names)
+        log.info(explanation_of_names());
       std::ostringstream text;
       table.print(text,
                   {"index",
@@ -158,6 +163,22 @@ namespace squeal
                    "unstable",
                    "name"});
       log.info(text.str());
+    }
+
+
+
+    /** Bodies without a mesh have no error of one. */
+    std::string
+    largest_error(const Model        &model,
+                  const ComplexPairs &pairs,
+                  const Table        &table)
+    {
+      std::vector<ErrorSource> sources = {
+        {"reduction", worst_of(pairs.error_estimate)}};
+      if (!model.discretization() || model.discretization()->has_mesh())
+        sources.push_back(
+          error_of_column("mesh", table, "discretisation_error_rel"));
+      return headline_error(sources);
     }
 
 
@@ -194,6 +215,9 @@ namespace squeal
     if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
       refuse_empty_band(p, modes);
     warn_of_free_motions(p, model, modes, context.log);
+    if (const std::string text = beyond_critical_speed(model, modes);
+        !text.empty())
+      context.log.warning(text);
     if (p.output.export_matrices)
       {
         write_matrices(context, *modes.pencil, "matrices");
@@ -221,16 +245,17 @@ namespace squeal
     if (p.output.export_matrices)
       write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
 
-    log_eigenvalues(context.log, table);
+    log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
     const UnstablePairs unstable = unstable_pairs(pairs, quantities);
     context.record.n_dofs        = model.n_unknowns();
     context.record.figures       = {
             {"unstable pairs", std::to_string(unstable.number)},
             {"which", unstable.number ? unstable.text : "none"},
             {"pairs in the band", std::to_string(pairs.size())},
-            {"worst residual", rounded_text(pairs.residual.maxCoeff(), 2)},
-            {"worst error estimate",
-             rounded_text(pairs.error_estimate.maxCoeff(), 2)},
+            {"worst residual", rounded_text(worst_of(pairs.residual), 2)},
+            {"largest error of a pair, relative", largest_error(model, pairs, table)},
+            {"worst error estimate of the reduction",
+             rounded_text(worst_of(pairs.error_estimate), 2)},
             {"unknowns", std::to_string(model.n_unknowns())},
             {"basis", std::to_string(solution.basis_size)}};
 
@@ -261,6 +286,8 @@ namespace squeal
       }
     report.section("Eigenvalues");
     report.table(table, "Pairs in the band", {}, unstable.is_unstable);
+    if (model.namer().n_coordinates() > 0)
+      report.paragraph(explanation_of_names());
     context.finish(p.output.report ? &report : nullptr, open_this);
   }
 } // namespace squeal

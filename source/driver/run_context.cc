@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/driver/run_context.h>
 #include <squeal/parameters/declarations.h>
 
@@ -30,7 +31,7 @@ namespace squeal
         case Parameters::Analysis::updating:
           return "updating";
         }
-      return "";
+      unknown_choice("analysis");
     }
 
     RunDescription

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/response_solution.h>
 #include <squeal/parameters/choices.h>
@@ -197,7 +198,7 @@ namespace squeal
     std::string  state_list = "";
     for (const auto &state : states)
       {
-        worst = std::max(worst, state.worst_check());
+        worst = worst_of(worst, state.worst_check());
         n_checks += state.checks.size();
         n_modes = std::max(n_modes, state.pairs.size());
         state_list += (state_list.empty() ? "" : ", ") + state.state;
@@ -219,7 +220,7 @@ namespace squeal
       worst > p.frequency_response.check_tolerance ? HtmlReport::Verdict::bad
                                                    : HtmlReport::Verdict::good,
       n_checks ? "superposition within " + rounded_text(worst, 2) +
-                   " of direct solutions"
+                   " of direct solutions; mesh error not estimated"
                : "not checked by direct solutions",
       context.record.figures);
     if (p.output.plots)
@@ -237,6 +238,8 @@ namespace squeal
     report.table(checks, "Superposition beside direct solutions");
     report.section("Modes");
     report.table(participation, "Participation of the modes");
+    if (states.front().names.empty() || states.front().names[0].body != -1u)
+      report.paragraph(explanation_of_names());
     context.finish(p.output.report ? &report : nullptr, "");
   }
 } // namespace squeal

@@ -5,6 +5,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/doublets.h>
+#include <squeal/driver/headline_error.h>
 #include <squeal/results/plots.h>
 
 #include <sstream>
@@ -41,12 +42,16 @@ namespace squeal
                                  "Springs if this is not meant");
     context.write_table("modes.csv", table);
     context.log.heading("Modes");
+    if (model.namer().n_coordinates() > 0)
+      context.log.info(explanation_of_names());
     std::ostringstream text;
     table.print(text, {"index", "frequency_hz", "name", "error_estimate_rel"});
     context.log.info(text.str());
     context.record.n_dofs  = model.n_unknowns();
     context.record.figures = {
       {"modes in the band", std::to_string(table.n_rows())},
+      {"largest error of a frequency, relative",
+       headline_error({error_of_column("mesh", table, "error_estimate_rel")})},
       {"unknowns", std::to_string(model.n_unknowns())}};
 
     HtmlReport report("Modes of " + p.scene.name, "undamped, frictionless");
@@ -55,6 +60,8 @@ namespace squeal
                        context.record.figures);
     report.section("Modes");
     report.table(table, "Modes in the band");
+    if (model.namer().n_coordinates() > 0)
+      report.paragraph(explanation_of_names());
     if (steps.n_rows() > 0)
       report.table(steps, "Meshes");
 

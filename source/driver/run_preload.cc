@@ -64,13 +64,28 @@ namespace squeal
       return Table(
         {{"load_share", Type::real, "", "share of the load", 3},
          {"normal_n", Type::real, "N", "resultant of the pressure"},
-         {"tangential_n", Type::real, "N", "along y, target on source"},
-         {"radial_n", Type::real, "N", "along x, target on source", 3},
+         {"tangential_n",
+          Type::real,
+          "N",
+          "along the sliding, target on source"},
+         {"radial_n",
+          Type::real,
+          "N",
+          "across the sliding (outwards on a disc), target on source",
+          3},
          {"n_open", Type::integer, "", "open nodes"},
          {"n_slip", Type::integer, "", "slipping nodes"},
          {"n_stick", Type::integer, "", "sticking nodes"},
-         {"centre_x_m", Type::real, "m", "of pressure, from the face's", 4},
-         {"centre_y_m", Type::real, "m", "of pressure, from the face's", 4},
+         {"centre_x_m",
+          Type::real,
+          "m",
+          "of pressure, from the face's, across the sliding",
+          4},
+         {"centre_y_m",
+          Type::real,
+          "m",
+          "of pressure, from the face's, along the sliding",
+          4},
          {"leading_edge_factor",
           Type::real,
           "",
@@ -122,15 +137,15 @@ namespace squeal
                      state.n_with(ContactStatus::open),
                      state.n_with(ContactStatus::slip),
                      state.n_with(ContactStatus::stick),
-                     r.centre[0],
-                     r.centre[1],
-                     r.leading_edge_factor,
+                     or_missing(r.centre[0]),
+                     or_missing(r.centre[1]),
+                     or_missing(r.leading_edge_factor),
                      r.mean_pressure,
                      r.peak_pressure,
                      approach,
-                     r.force[2] / approach,
+                     or_missing(r.force[2] / approach),
                      of_load,
-                     r.force[2] / of_load,
+                     or_missing(r.force[2] / of_load),
                      state.report.iterations,
                      state.report.residual});
     }
@@ -264,7 +279,8 @@ namespace squeal
           report.section("Pressure");
           report.figure(path + ".png",
                         "Pressure and status of the contact nodes; the "
-                        "target's surface moves to +y");
+                        "target's surface moves to " +
+                          sliding_text(g));
         }
       return open_this;
     }
@@ -319,7 +335,7 @@ namespace squeal
          shown("n_open") + ", " + shown("n_slip") + ", " + shown("n_stick")},
         {"normal force", shown("normal_n") + " N"},
         {"friction force", shown("tangential_n") + " N"},
-        {"centre of pressure x, y",
+        {"centre of pressure across, along the sliding",
          shown("centre_x_m") + ", " + shown("centre_y_m") + " m"},
         {"leading-edge factor", shown("leading_edge_factor")},
         {"peak pressure", shown("peak_pressure_pa") + " Pa"},

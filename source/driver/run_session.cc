@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/blas_kernels.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/root_action.h>
 #include <squeal/base/version.h>
 #include <squeal/driver/run_session.h>
 #include <squeal/results/result_checks.h>
@@ -7,16 +10,40 @@
 
 namespace squeal
 {
+  namespace
+  {
+    /** What stops the root stops all ranks, which wait for its word in the
+     * constructor below. */
+    OutputDirectory
+    directory_of(const RunDescription &d, const bool is_root)
+    {
+      try
+        {
+          return OutputDirectory(d.directory, d.overwrite, is_root);
+        }
+      catch (const InputError &e)
+        {
+          from_root(e.what());
+          throw;
+        }
+    }
+  } // namespace
+
+
+
   RunSession::RunSession(const RunDescription &d,
                          const prm::Schema    &generic,
                          const bool            root)
     : description(d)
     , is_root(root)
     , log(root)
-    , output(d.directory, d.overwrite, root)
+    , output(directory_of(d, root))
     , plotter(log)
     , interrupt_guard(d.directory, root)
   {
+    const std::string failure = from_root("");
+    if (!failure.empty())
+      throw InputError(failure);
     log.open(output.file(log_file_name));
     record.versions.emplace_back("squeal",
                                  std::string(version::program) + " (" +
@@ -25,6 +52,7 @@ namespace squeal
     record.versions.emplace_back("compiler", version::compiler);
     for (const auto &[name, number] : version::libraries)
       record.versions.emplace_back(name, number);
+    record.versions.emplace_back("OpenBLAS kernels", blas_kernels::in_use());
     record.analysis       = d.analysis;
     record.scene          = d.scene;
     record.parameter_file = d.parameter_file;
@@ -33,11 +61,15 @@ namespace squeal
 
     log.heading("squeal " + std::string(version::program) + ": " + d.analysis +
                 (d.scene.empty() ? "" : " of scene " + d.scene));
+    log.info("kernels of OpenBLAS: " + blas_kernels::in_use());
     std::ostringstream text;
     prm::print_used(d.used, generic, text);
     log.info(text.str());
     for (const auto &note : d.notes)
       log.warning(note);
+    if (!output.is_owned())
+      log.warning("the file system of '" + output.path() +
+                  "' has no locks: do not start a second run in it");
     if (root)
       prm::write_used(d.used, generic, output.file("parameters_used.prm"));
   }

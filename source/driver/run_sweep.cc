@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/analyses.h>
+#include <squeal/driver/headline_error.h>
 #include <squeal/driver/sweep_scenes.h>
 #include <squeal/driver/sweep_solution.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace squeal
@@ -91,8 +94,8 @@ namespace squeal
       totals.n_points += model.grid().n_points();
       totals.n_solved += solution.n_solved;
       totals.worst.frequency =
-        std::max(totals.worst.frequency, solution.worst.frequency);
-      totals.worst.sigma = std::max(totals.worst.sigma, solution.worst.sigma);
+        worst_of(totals.worst.frequency, solution.worst.frequency);
+      totals.worst.sigma = worst_of(totals.worst.sigma, solution.worst.sigma);
       totals.n_vectors = std::max(totals.n_vectors, model.reduced().n_total());
       totals.largest_basis = std::max<unsigned int>(
         totals.largest_basis, model.reduced().largest_basis());
@@ -131,6 +134,23 @@ namespace squeal
       context.log.info(text.str());
     }
 
+    /** Of the edges between points; ends of the sweep have no error. */
+    std::string
+    error_of_edges(const Table &ranges)
+    {
+      std::vector<ErrorSource> sources;
+      for (const char *column :
+           {"lower_error_reduction", "upper_error_reduction"})
+        if (const auto source = error_of_column("reduction", ranges, column);
+            !std::isnan(source.second))
+          sources.emplace_back("reduction", source.second);
+      if (sources.empty())
+        return "no edge";
+      sources.push_back(
+        error_of_column("mesh", ranges, "edge_error_discretisation"));
+      return headline_error(sources);
+    }
+
     void
     enter_figures(RunContext        &context,
                   const SweepTables &tables,
@@ -143,9 +163,16 @@ namespace squeal
          {"points", std::to_string(totals.n_points)},
          {"solutions, edges and tracking included",
           std::to_string(totals.n_solved)},
-         {"worst estimated frequency error, relative",
+         {"largest error of a frequency, relative",
+          headline_error({{"reduction", totals.worst.frequency},
+                          error_of_column("mesh",
+                                          tables.eigenvalues,
+                                          "discretisation_error_rel")})},
+         {"largest error of an edge, in its coordinate",
+          error_of_edges(tables.ranges)},
+         {"worst estimated frequency error of the reduction, relative",
           rounded_text(totals.worst.frequency, 2)},
-         {"worst estimated sigma error",
+         {"worst estimated sigma error of the reduction",
           rounded_text(totals.worst.sigma, 2) + " 1/s"},
          {"unknowns", std::to_string(context.record.n_dofs)},
          {"common basis", std::to_string(totals.n_vectors)},
@@ -162,10 +189,15 @@ namespace squeal
     }
 
     void
-    write_report(RunContext &context, HtmlReport &report, SweepTables &t)
+    write_report(RunContext  &context,
+                 HtmlReport  &report,
+                 SweepTables &t,
+                 const bool   has_shapes)
     {
       report.section("Unstable ranges");
       report.table(t.ranges, "Ranges of the first axis with sigma > 0");
+      if (has_shapes)
+        report.paragraph(explanation_of_names());
       if (t.influence.n_rows() || t.suggestions.n_rows())
         report.section("What to change");
       if (t.suggestions.n_rows())
@@ -198,6 +230,7 @@ namespace squeal
                       "lambda = sigma + i omega, sigma > 0 unstable");
     SweepTables                   all;
     Totals                        totals;
+    bool                          has_shapes = false;
     Block                         vectors;
     if (p.output.plots)
       report.section("Charts");
@@ -211,6 +244,7 @@ namespace squeal
                          scenes.size() > 1 ? &vectors : nullptr);
         const SweepSolution solution = solve_sweep(model, context);
         add(model, solution, totals);
+        has_shapes            = model.model().namer().n_coordinates() > 0;
         context.record.n_dofs = std::max<std::size_t>(
           context.record.n_dofs, model.model().n_unknowns());
         std::vector<ChartGroup> charts;
@@ -238,6 +272,8 @@ namespace squeal
       if (table.columns().size() > scenes[0].columns.size())
         context.write_table(name, table);
     });
+    if (has_shapes)
+      context.log.info(explanation_of_names());
     if (all.suggestions.n_rows())
       print(context, "Changes that stop squeal", {&all.suggestions});
     if (all.probabilities.n_rows())
@@ -251,6 +287,6 @@ namespace squeal
                                all.ranges.n_rows(),
                                totals),
                        context.record.figures);
-    write_report(context, report, all);
+    write_report(context, report, all, has_shapes);
   }
 } // namespace squeal

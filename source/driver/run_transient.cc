@@ -2,15 +2,18 @@
 #include "motion_output.h"
 
 #include <squeal/base/exceptions.h>
+#include <squeal/base/root_action.h>
+#include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/driver/analyses.h>
+#include <squeal/driver/checkpoints.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/driver/transient_verdict.h>
 #include <squeal/results/wav_file.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <sstream>
 
 namespace squeal
@@ -20,27 +23,64 @@ namespace squeal
     /** Length of the sound file, s: long enough to tell a squeal by ear. */
     constexpr double sound_seconds = 3.;
 
-    std::string
-    checkpoint_file(const Parameters &p)
+    /** Checkpoints of @p run, in the output directory. */
+    Checkpoints
+    checkpoints_of(const TransientRun &run, RunContext &context)
     {
-      std::string directory = p.output.directory;
-      while (directory.size() > 1 && directory.back() == '/')
-        directory.pop_back();
-      return p.transient.checkpoint_file.empty() ? directory + "_checkpoint.h5"
-                                                 : p.transient.checkpoint_file;
+      const Parameters &p = context.parameters;
+      Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
+      run.describe(fingerprint);
+      const std::string &asked = p.transient.checkpoint_file;
+      const std::string  name  = asked.empty() ? "checkpoint.h5" : asked;
+      const auto         path  = [&](const std::string &file) {
+        return on_root(context.is_root, [&]() {
+          return context.output.state_file(
+            file, state_kind::checkpoint, "Transient/Checkpoint file");
+        });
+      };
+      path(Checkpoints::name_before(name));
+      return {path(name), fingerprint};
+    }
+
+    /** Takes over what an earlier run has left; all ranks do as the root. */
+    void
+    resume(TransientRun      &run,
+           const Checkpoints &checkpoints,
+           RunContext        &context)
+    {
+      Checkpoints::Found found;
+      const std::string  state = on_root(context.is_root, [&]() {
+        found = checkpoints.find(context.parameters.transient.resume);
+        return found.state ? found.state->bytes() : std::string();
+      });
+      for (const std::string &note : found.notes)
+        context.log.warning(note);
+      if (state.empty())
+        return;
+      found.file = from_root(found.file);
+      try
+        {
+          run.restore(NamedNumbers::from_bytes(state));
+        }
+      catch (const InputError &e)
+        {
+          throw InputError("checkpoint '" + found.file +
+                           "' does not fit this run: " + e.what() +
+                           "; move it away or set Transient/Resume = false");
+        }
+      context.log.info("  continues from " + found.file + " at step " +
+                       std::to_string(static_cast<long>(run.record().n_steps)));
     }
 
     /** Goes on to the end with progress and checkpoints; a signal ends the
      * program after one more checkpoint. */
     void
-    integrate(TransientRun &run, RunContext &context)
+    integrate(TransientRun      &run,
+              const Checkpoints &checkpoints,
+              RunContext        &context)
     {
-      const auto       &t    = context.parameters.transient;
-      const std::string file = checkpoint_file(context.parameters);
-      if (t.resume && run.read_checkpoint(file))
-        context.log.info(
-          "  continues from " + file + " at step " +
-          std::to_string(static_cast<long>(run.record().n_steps)));
+      const auto &t = context.parameters.transient;
+      resume(run, checkpoints, context);
       StopRequest stop;
       bool        finished;
       {
@@ -54,7 +94,7 @@ namespace squeal
           if (t.checkpoint_interval > 0. &&
               wall_seconds() - last > t.checkpoint_interval && context.is_root)
             {
-              run.write_checkpoint(file);
+              checkpoints.write(run.memory());
               last = wall_seconds();
             }
           return stop.is_there();
@@ -63,8 +103,9 @@ namespace squeal
       if (!finished)
         {
           if (context.is_root)
-            run.write_checkpoint(file);
-          context.log.info("stopped; the same command continues from " + file);
+            checkpoints.write(run.memory());
+          context.log.info("stopped; the same command continues from " +
+                           checkpoints.path());
           stop.repeat();
           throw ComputationError("stopped by a signal");
         }
@@ -125,7 +166,11 @@ namespace squeal
       if (!context.is_root)
         return;
       Timers::Section section(context.timers, "Write: history");
-      write_transient_json(f, context.output.file("transient.json"));
+      write_transient_json(
+        f,
+        explained_verdict(
+          f, evaluate_trigger(record, context.parameters.transient)),
+        context.output.file("transient.json"));
       write_sound(record, context.output.file("pad.wav"));
       if (record.history.n_samples() > 0)
         write_contact_history(prepared,
@@ -146,13 +191,13 @@ namespace squeal
       };
       const bool has_fit = !summary.is_missing(0, "growth_rate_per_s");
       std::vector<std::pair<std::string, std::string>> figures = {
-        {"verdict", f.verdict},
+        {"verdict", explained_verdict(f, trigger)},
         {"growth rate",
          has_fit ? shown("growth_rate_per_s") + " +- " +
                      shown("growth_rate_ci_per_s") + " 1/s at " +
-                     shown("growth_frequency_hz") + " Hz"
-                 : "not fitted: the leading pair has no linear phase "
-                   "of its own"},
+                     shown("growth_frequency_hz") +
+                     " Hz (fit and time step; mesh error not estimated)"
+                 : reason_for_no_rate(f)},
         {"linearised about steady sliding",
          shown("sigma_linear_per_s") + " 1/s at " +
            shown("frequency_linear_hz") + " Hz"},
@@ -209,23 +254,27 @@ namespace squeal
       const auto     &p      = context.parameters;
       const RunTables tables = write_tables(context, prepared, record, f);
       write_files(context, prepared, record, f);
-      context.record.figures = figures_of_run(
-        tables.summary, f, evaluate_trigger(record, p.transient));
-      const bool  has_ramp = p.transient.final_speed_ratio != 1.;
-      const Table speeds   = speed_table(record, p);
+      const TriggerOutcome trigger  = evaluate_trigger(record, p.transient);
+      const std::string    left_out = left_out_text(f);
+      context.record.figures = figures_of_run(tables.summary, f, trigger);
+      const bool  has_ramp   = p.transient.final_speed_ratio != 1.;
+      const Table speeds     = speed_table(record, p);
       if (has_ramp)
         context.write_table("speeds.csv", speeds);
       const std::string animation =
         write_animation(context, model, prepared, record);
       log_pairs(context.log, tables.branches);
+      if (!left_out.empty())
+        context.log.info("  " + left_out);
 
       HtmlReport report("Transient of " + p.scene.name,
                         "motion in time about steady sliding");
       report.set_verdict(
-        f.verdict == "unstable" ? HtmlReport::Verdict::bad
+        f.verdict == "unstable" || squeals(f, trigger)
+          ? HtmlReport::Verdict::bad
         : f.verdict == "stable" ? HtmlReport::Verdict::good
                                 : HtmlReport::Verdict::neutral,
-        f.verdict +
+        explained_verdict(f, trigger) +
           (f.has_limit_cycle ? ", limit cycle at " : ", limit cycle: ") +
           limit_cycle_text(f),
         context.record.figures);
@@ -238,6 +287,8 @@ namespace squeal
             draw_speeds(context, speeds, report);
         }
       report.section("Pairs");
+      if (!left_out.empty())
+        report.paragraph(left_out);
       report.table(tables.branches, "Pairs about steady sliding and in time");
       report.section("Contact zones");
       report.table(tables.zones, "Second half of the run", {}, {}, false);
@@ -339,7 +390,8 @@ namespace squeal
     report_fastest(prepared.linear, p, context.log);
     TransientRun run(
       prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);
-    integrate(run, context);
+    const Checkpoints checkpoints = checkpoints_of(run, context);
+    integrate(run, checkpoints, context);
     ComplexPairs cea;
     if (p.transient.compare_with_cea)
       cea = whole_model_pairs(p,
@@ -353,6 +405,6 @@ namespace squeal
                evaluate_transient(
                  prepared, run.record(), p, cea.size() > 0 ? &cea : nullptr));
     if (context.is_root)
-      std::filesystem::remove(checkpoint_file(p));
+      checkpoints.remove();
   }
 } // namespace squeal

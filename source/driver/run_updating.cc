@@ -66,8 +66,8 @@ namespace squeal
                          p.numbers[i].entries[0],
                          n.start,
                          n.value,
-                         n.interval_lower,
-                         n.interval_upper,
+                         or_missing(n.interval_lower),
+                         or_missing(n.interval_upper),
                          n.lower,
                          n.upper,
                          n.is_at_bound ? 1 : 0,
@@ -235,6 +235,9 @@ namespace squeal
                        [&](std::ostream &out) {
                          write_settings(out, p.updating, model, fit);
                        });
+    const bool has_shapes = model.model().namer().n_coordinates() > 0;
+    if (has_shapes)
+      context.log.info(explanation_of_names());
     for (const auto &[title, table] :
          {std::make_pair("Fitted numbers", &numbers),
           std::make_pair("Frequencies", &frequencies)})
@@ -253,7 +256,7 @@ namespace squeal
     context.record.n_dofs    = model.model().n_unknowns();
     context.record.figures   = {
         {"rms error before", before + " %"},
-        {"rms error after", after + " %"},
+        {"rms error after", after + " %; mesh error not estimated"},
         {"evaluations", std::to_string(fit.history.size())},
         {"ended", fit.ended},
         {"numbers that the data do not identify", std::to_string(n_unknown)},
@@ -275,6 +278,8 @@ namespace squeal
     report.table(numbers, "Fitted numbers");
     report.section("Frequencies");
     report.table(frequencies, "Measured and computed frequencies");
+    if (has_shapes)
+      report.paragraph(explanation_of_names());
     context.finish(p.output.report ? &report : nullptr, "");
   }
 } // namespace squeal

@@ -3,6 +3,8 @@
 
 #include <squeal/base/assignment.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/cea_solution.h>
 #include <squeal/results/cost_at_error.h>
@@ -74,7 +76,7 @@ namespace squeal
         case Ladder::basis:
           return "basis";
         }
-      return "";
+      unknown_choice("ladder");
     }
 
     /** Thin bodies keep one cell through their thickness. */
@@ -161,7 +163,7 @@ namespace squeal
           for (unsigned int i = 0; i < cea->pairs.size(); ++i)
             {
               rung.values.push_back(cea->pairs.lambda[i]);
-              rung.residual = std::max(rung.residual, cea->pairs.residual[i]);
+              rung.residual = worst_of(rung.residual, cea->pairs.residual[i]);
             }
         }
       else
@@ -171,7 +173,7 @@ namespace squeal
             {
               rung.values.emplace_back(0.,
                                        2. * M_PI * modes.modes.frequency(i));
-              rung.residual = std::max(rung.residual, modes.modes.residual[i]);
+              rung.residual = worst_of(rung.residual, modes.modes.residual[i]);
             }
       rung.seconds       = cpu_seconds() - start;
       rung.memory        = peak_memory_mb();
@@ -207,7 +209,7 @@ namespace squeal
       double                 worst   = 0.;
       for (std::size_t k = 0; k < reference.size(); ++k)
         worst =
-          std::max(worst,
+          worst_of(worst,
                    partner[k] >= 0 ? distances[k][partner[k]]
                                    : *std::min_element(distances[k].begin(),
                                                        distances[k].end()));

@@ -22,6 +22,8 @@ namespace squeal
     unsigned int
     disc_body(const SceneParameters &scene)
     {
+      if (const unsigned int disc = main_disc(scene); disc != -1u)
+        return disc;
       if (!scene.contacts.empty() && scene.contacts[0].target_body != "ground")
         return body_index(scene, scene.contacts[0].target_body);
       return 0;
@@ -38,10 +40,13 @@ namespace squeal
     {
       if (!context.is_root)
         return "";
-      ShapePicture picture =
+      const SceneParameters &scene = context.parameters.scene;
+      const unsigned int     disc  = disc_body(scene);
+      ShapePicture           picture =
         make_shape_picture(quads,
-                           disc_body(context.parameters.scene),
-                           context.parameters.output.slip_display_scale * size);
+                           disc,
+                           context.parameters.output.slip_display_scale * size,
+                           contact_face_looks_down(scene, disc));
       picture.title    = title;
       picture.subtitle = subtitle;
       context.output.file("plots/" + file + ".png");

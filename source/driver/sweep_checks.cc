@@ -2,6 +2,7 @@
 
 // A sweep beside direct solutions and beside a modal basis.
 
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/sweep_solution.h>
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/eigen/direct_solver.h>
@@ -75,7 +76,7 @@ namespace squeal
     const auto   modes = model.undamped(point);
     unsigned int n     = 6;
     for (Eigen::Index i = 0; i < modes.modes.omega_squared.size(); ++i)
-      if (std::abs(std::sqrt(std::max(0., modes.modes.omega_squared[i])) /
+      if (std::abs(std::sqrt(std::max(modes.modes.omega_squared[i], 0.)) /
                      (2. * M_PI) -
                    centre) < 1.05 * (band.highest - centre))
         ++n;
@@ -130,9 +131,9 @@ namespace squeal
                         direct.sigma(k),
                         copy.error_estimate[i],
                         pairs.error_estimate[i],
-                        pairs.condition[i]});
+                        unbounded(pairs.condition[i])});
             table.add_row(row);
-            worst = std::max(worst, copy.error_estimate[i]);
+            worst = worst_of(worst, copy.error_estimate[i]);
             if (copy.error_estimate[i] > 1e-10)
               {
                 const double ratio =
@@ -224,13 +225,13 @@ namespace squeal
         direct_cpu += cpu_seconds() - before;
         ComplexPairs mine = model.solve(timed[t]);
         estimate_errors(mine, direct.lambda);
-        own_error = std::max(own_error, mine.error_estimate.maxCoeff());
+        own_error = worst_of(own_error, worst_of(mine.error_estimate));
         ComplexPairs modal_copy = modal_pairs.at(t);
         if (modal_copy.size() > 0)
           {
             estimate_errors(modal_copy, direct.lambda);
             modal_error =
-              std::max(modal_error, modal_copy.error_estimate.maxCoeff());
+              worst_of(modal_error, worst_of(modal_copy.error_estimate));
           }
       }
     direct_cpu *= double(n_points) / timed.size();

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
 #include <squeal/base/memory.h>
-#include <squeal/base/version.h>
 #include <squeal/discretization/eigenvalue_error.h>
 #include <squeal/driver/cea_quantities.h>
 #include <squeal/driver/contact_states.h>
 #include <squeal/driver/sweep_model.h>
-#include <squeal/parameters/numbers.h>
-#include <squeal/parameters/text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <filesystem>
 #include <sstream>
 
 namespace squeal
@@ -22,33 +16,6 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** FNV-1a, 64 bits. */
-    std::string
-    fingerprint(const std::string &text)
-    {
-      std::uint64_t value = 14695981039346656037ull;
-      for (const char c : text)
-        value = (value ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-      std::ostringstream out;
-      out << std::hex << value;
-      return out.str();
-    }
-
-    std::string
-    basis_file(const Parameters &p, const std::string &name)
-    {
-      std::string file = p.sweep.basis_file.empty()
-                           ? p.output.directory + "_basis.h5"
-                           : p.sweep.basis_file;
-      if (name.empty())
-        return file;
-      const std::size_t dot   = file.rfind('.');
-      const std::size_t slash = file.rfind('/');
-      const bool        has_ending =
-        dot != std::string::npos && (slash == std::string::npos || dot > slash);
-      return file.insert(has_ending ? dot : file.size(), "_" + name);
-    }
   } // namespace
 
 
@@ -62,12 +29,12 @@ namespace squeal
     , contact_states(contact_states_of(p, sweep_grid, context))
     , full(p, context.timers, contact_states)
     , parts(full.linearized().system, sweep_grid)
-    , file(basis_file(p, name))
+    , file(basis_file(context, name))
   {
     for (const auto &term : parts.merged().terms)
       symmetric.push_back(term.matrix->is_symmetric());
     full.print_summary(context.log);
-    if (!(parameters.sweep.reuse_basis && read(context)))
+    if (!read(context))
       build(context, vectors);
   }
 
@@ -231,66 +198,6 @@ namespace squeal
                  small, point, parts.coefficients(point), band());
   }
 
-  std::string
-  SweepModel::hash() const
-  {
-    std::string text = version::program;
-    const auto  add  = [&](const std::string &path, const std::string &value) {
-      text += '\n' + path + '=' + value;
-      // The content of files counts, not their name alone.
-      if (value.size() > 1 && value[0] == '/' &&
-          std::filesystem::is_regular_file(value))
-        text += read_file(value);
-    };
-    for (const auto &[path, value] : parameters.used)
-      {
-        const std::string entry = prm::entry_of(path);
-        if (prm::starts_with(path, "Scene/") ||
-            prm::starts_with(path, "Discretization/") ||
-            path == "Eigenvalues/Lowest frequency" ||
-            path == "Eigenvalues/Highest frequency" ||
-            path == "Sweep/Frequency tolerance" ||
-            path == "Sweep/Sigma tolerance" || path == "Sweep/Sensitivities" ||
-            (prm::starts_with(path, "Sweep/Axis ") && entry == "Entries"))
-          add(path, value);
-      }
-    for (unsigned int a = 0; a < sweep_grid.n_axes(); ++a)
-      add("box",
-          std::to_string(sweep_grid.lower(a)) + " " +
-            std::to_string(sweep_grid.upper(a)));
-    for (const unsigned int number : sweep_grid.states())
-      add("state", std::to_string(number));
-    for (const auto &states : contact_states)
-      for (const auto &state : states)
-        for (std::size_t j = 0; j < state.status.size(); ++j)
-          add("point",
-              std::to_string(static_cast<int>(state.status[j])) + " " +
-                prm::format_number(state.force_share[j]));
-    return fingerprint(text);
-  }
-
-  bool
-  SweepModel::read(RunContext &context)
-  {
-    if (!std::filesystem::exists(file))
-      return false;
-    Timers::Section section(context.timers, "Setup: saved basis");
-    std::string     found;
-    small  = read_reduced_model(file, found);
-    reused = found == hash();
-    if (!reused)
-      {
-        context.log.info("  the basis in " + file +
-                         " belongs to another scene, band or box: built anew");
-        return false;
-      }
-    factors = static_cast<unsigned int>(small.numbers.at("factors")(0));
-    context.log.info("  basis of an earlier run: " + file);
-    return true;
-  }
-
-
-
   void
   SweepModel::build(RunContext &context, Block *vectors)
   {
@@ -323,11 +230,12 @@ namespace squeal
       *vectors = builder.vectors();
     small.numbers["basis seconds"] =
       Eigen::MatrixXd::Constant(1, 1, cpu_seconds() - start);
+    put_rounds();
     return_freed_memory();
     if (context.is_root)
       {
         Timers::Section section(context.timers, "Write: basis");
-        write_reduced_model(small, hash(), file);
+        write_reduced_model(small, fingerprint().text(), file);
       }
     context.log.info(
       "  common basis of " + std::to_string(small.n_total()) + " vectors, " +
@@ -417,17 +325,22 @@ namespace squeal
 
   std::vector<ModeName>
   SweepModel::names(const Eigen::MatrixXcd &vectors,
-                    const Eigen::MatrixXd  &shares) const
+                    const Eigen::MatrixXd  &shares,
+                    const Eigen::VectorXcd &eigenvalues) const
   {
     const auto rows = small.functionals.find("names");
     if (rows == small.functionals.end())
       {
         std::vector<ModeName> result(vectors.cols());
         for (std::size_t i = 0; i < result.size(); ++i)
-          result[i].text = "mode " + std::to_string(i + 1);
+          {
+            result[i].text         = "mode " + std::to_string(i + 1);
+            result[i].alternatives = {result[i].text};
+          }
         return result;
       }
-    return full.namer().name_coordinates(times(rows->second, vectors), shares);
+    return full.namer().name_coordinates(
+      times(rows->second, vectors), shares, eigenvalues);
   }
 
 
@@ -447,8 +360,11 @@ namespace squeal
       leading, parts.coefficients(point), symmetric, 1.2 * top * top);
     result.modes.shapes = cell.turn.leftCols(n_V) * result.modes.shapes;
     const Eigen::MatrixXcd vectors = result.modes.shapes.cast<Complex>();
-    result.names         = names(vectors, energy_shares(point, vectors));
-    const Eigen::Index n = result.modes.omega_squared.size();
+    result.names                   = names(vectors,
+                         energy_shares(point, vectors),
+                         Complex(0., 1.) *
+                           result.modes.omega_squared.cwiseMax(0.).cwiseSqrt());
+    const Eigen::Index n           = result.modes.omega_squared.size();
     result.mesh_errors.assign(n, std::nan(""));
     const auto known = small.numbers.find("mesh modes");
     if (known == small.numbers.end())

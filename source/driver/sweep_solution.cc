@@ -101,10 +101,12 @@ namespace squeal
           }
         if (!is_end)
           return;
-        SweepPoint at    = line.start;
-        at[0]            = point.coordinate;
-        const auto names = model.names(
-          point.pairs.right, model.energy_shares(at, point.pairs.right));
+        SweepPoint at = line.start;
+        at[0]         = point.coordinate;
+        const auto names =
+          model.names(point.pairs.right,
+                      model.energy_shares(at, point.pairs.right),
+                      point.pairs.lambda);
         for (std::size_t i = 0; i < point.branch.size(); ++i)
           {
             const int b = point.branch[i];
@@ -178,7 +180,7 @@ namespace squeal
       for (Eigen::Index m = 0; m < modes.modes.omega_squared.size(); ++m)
         {
           const double gap = std::abs(
-            std::sqrt(std::max(0., modes.modes.omega_squared[m])) - omega);
+            std::sqrt(std::max(modes.modes.omega_squared[m], 0.)) - omega);
           const int slot = gap < gaps[0] ? 0 : gap < gaps[1] ? 1 : 2;
           if (slot == 0)
             {

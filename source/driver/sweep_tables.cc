@@ -43,7 +43,8 @@ namespace squeal
       return result;
     }
 
-    std::vector<double>
+    /** Empty where the bodies touch nowhere. */
+    std::vector<Cell>
     contact_participations(const SweepModel   &model,
                            const ComplexPairs &pairs,
                            const double        mass)
@@ -63,10 +64,9 @@ namespace squeal
           if (is_source)
             n += rows.rows();
         }
-      std::vector<double> result;
-      for (unsigned int j = 0; j < pairs.size(); ++j)
-        result.push_back(n > 0. ? mass * std::sqrt(sliding[j] * normal[j]) / n
-                                : std::nan(""));
+      std::vector<Cell> result(pairs.size());
+      for (unsigned int j = 0; j < pairs.size() && n > 0.; ++j)
+        result[j] = mass * std::sqrt(sliding[j] * normal[j]) / n;
       return result;
     }
 
@@ -137,7 +137,7 @@ namespace squeal
       return i < 0 ? ""
                    : modes.names[i].text + " " +
                        rounded_text(
-                         std::sqrt(std::max(0., modes.modes.omega_squared[i])) /
+                         std::sqrt(std::max(modes.modes.omega_squared[i], 0.)) /
                            (2. * M_PI),
                          5) +
                        " Hz, MAC " + rounded_text(p.mac[k], 2);
@@ -154,17 +154,6 @@ namespace squeal
             weight += p.mac[k];
           }
       return weight > 0.5 ? error / weight : std::nan("");
-    }
-
-    std::string
-    contact_state(const SceneParameters &scene)
-    {
-      return scene.contacts.empty() ? "none"
-             : scene.contacts[0].state == ContactParameters::State::stick
-               ? "stick"
-             : scene.contacts[0].state == ContactParameters::State::preload
-               ? "preload"
-               : "full";
     }
 
     Table
@@ -260,11 +249,11 @@ namespace squeal
           const auto          coefficients = model.system().coefficients(point);
           const auto         &undamped     = modes.at(point, coefficients);
           const auto          shares = model.energy_shares(point, pairs.right);
-          const auto          names  = model.names(pairs.right, shares);
+          const auto names    = model.names(pairs.right, shares, pairs.lambda);
           const auto energies = friction_energies(model, coefficients, pairs);
           const auto contacts = contact_participations(model, pairs, mass);
           const Eigen::VectorXd residuals = model.residuals(point, pairs);
-          const std::string     state     = contact_state(grid.scene(point));
+          const std::string     state = contact_state_text(grid.scene(point));
           for (unsigned int j = 0; j < pairs.size(); ++j)
             {
               const Partners partners =
@@ -290,8 +279,8 @@ namespace squeal
                  partner_text(undamped, partners, 0),
                  partner_text(undamped, partners, 1),
                  state,
-                 mesh_error(undamped, partners),
-                 pairs.condition[j],
+                 or_missing(mesh_error(undamped, partners)),
+                 unbounded(pairs.condition[j]),
                  pairs.lambda[j].imag() == 0.
                    ? Cell()
                    : Cell(-2. * pairs.sigma(j) / pairs.lambda[j].imag()),
@@ -394,7 +383,7 @@ namespace squeal
                       r.peak_at,
                       error(r.lower_slope),
                       error(r.upper_slope),
-                      line.mesh_errors_of_edges[i]});
+                      or_missing(line.mesh_errors_of_edges[i])});
           if (model.has_contact_states())
             for (const double x : {r.lower, r.upper})
               {
@@ -440,7 +429,7 @@ namespace squeal
                       e.coordinate.imag(),
                       e.frequency,
                       e.sigma,
-                      e.condition});
+                      unbounded(e.condition)});
           table.add_row(row);
         }
     return table;

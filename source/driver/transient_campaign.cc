@@ -3,6 +3,10 @@
 // Transients over the axes of `Sweep` and several tops, several at a time.
 
 #include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/base/inputs_read.h>
+#include <squeal/base/root_action.h>
+#include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/driver/campaign_table.h>
 #include <squeal/driver/finished_runs.h>
@@ -13,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <future>
 #include <map>
 #include <memory>
@@ -22,9 +27,8 @@ namespace squeal
 {
   namespace
   {
-    /** What the key of a run's phases ends with. */
-    const std::string phase_key = "phases";
-
+    /** Names of the rows that a finished run keeps. */
+    const std::string row_name = "row", phase_name = "phases";
 
     /** All runs with one set of bodies. */
     class CampaignGroup
@@ -109,24 +113,6 @@ namespace squeal
 
 
 
-    std::string
-    finished_file(const Parameters &p)
-    {
-      std::string directory = p.output.directory;
-      while (directory.size() > 1 && directory.back() == '/')
-        directory.pop_back();
-      return directory + "_runs.json";
-    }
-
-    std::string
-    version_of(const RunRecord &record)
-    {
-      for (const auto &[name, number] : record.versions)
-        if (name == "squeal")
-          return number;
-      return "unknown";
-    }
-
     /** Runs side by side: factorisations of full models stand one at a time. */
     unsigned int
     n_threads(const std::vector<CampaignRun> &runs, const unsigned int asked)
@@ -149,8 +135,6 @@ namespace squeal
       }
 
       Table table;
-      /** Rows of an earlier campaign by the version of the program. */
-      std::map<std::string, unsigned int> n_by_program;
       /** Phases over time are kept where a trigger is there. */
       bool                                       keeps_phases;
       std::vector<std::pair<std::string, Table>> phases;
@@ -264,6 +248,20 @@ namespace squeal
       FinishedRuns    &finished;
       Progress        &progress;
       CampaignResults &results;
+      /** Contents that the runs are known by. */
+      const std::map<std::string, std::string> inputs = inputs_read();
+
+      /** A run that has read other files than it is known by is not kept. */
+      void
+      require_same_inputs() const
+      {
+        const auto now = inputs_read();
+        for (const auto &[file, content] : inputs)
+          if (now.at(file) != content)
+            throw InputError("'" + file +
+                             "' has changed since the campaign was started: "
+                             "start it again");
+      }
 
       void
       start(const CampaignRun              &run,
@@ -271,11 +269,11 @@ namespace squeal
             const StopRequest              &stop,
             StartedRun                     &started)
       {
-        if (finished.find(run.key, results.table.columns().size(), started.row))
-          {
-            ++results.n_by_program[finished.program_of(run.key)];
-            return;
-          }
+        if (finished.find(run.fingerprint,
+                          row_name,
+                          results.table.columns().size(),
+                          started.row))
+          return;
         if (!group)
           group = std::make_unique<CampaignGroup>(run.parameters, context);
         started.prepared = group->prepare(run);
@@ -304,7 +302,7 @@ namespace squeal
         if (!started[i].row.empty())
           {
             std::vector<Cell> phases;
-            finished.find(run.key + phase_key, 0, phases);
+            finished.find(run.fingerprint, phase_name, 0, phases);
             add(run, started[i].row, phases);
             return;
           }
@@ -349,29 +347,80 @@ namespace squeal
            const std::vector<Cell> &row,
            const std::vector<Cell> &phases)
       {
+        require_same_inputs();
         add(run, row, phases);
         if (!context.is_root)
           return;
+        // first what the row is not complete without
         if (results.keeps_phases)
-          finished.add(run.key + phase_key, phases);
-        finished.add(run.key, row);
+          finished.add(run.fingerprint, phase_name, phases);
+        finished.add(run.fingerprint, row_name, row);
       }
     };
 
 
 
-    /** Warns of rows that another version of the program made. */
+    /** Says what the file of finished runs has for these @p runs. */
     void
-    warn_of_other_programs(const CampaignResults &results,
-                           const std::string     &program,
-                           RunLog                &log)
+    report_finished(const FinishedRuns             &finished,
+                    const std::vector<CampaignRun> &runs,
+                    const std::size_t               n_columns,
+                    const std::string              &file,
+                    RunLog                         &log)
     {
-      for (const auto &[other, number] : results.n_by_program)
-        if (other != program)
-          log.warning(std::to_string(number) +
-                      " of the rows were kept from squeal " + other +
-                      ", this is " + program +
-                      ": Transient/Resume = false runs them again");
+      std::vector<Cell>  row;
+      const CampaignRun *missing = nullptr;
+      unsigned int       n_found = 0;
+      for (const CampaignRun &run : runs)
+        if (finished.find(run.fingerprint, row_name, n_columns, row))
+          ++n_found;
+        else if (!missing)
+          missing = &run;
+      if (n_found > 0)
+        log.info("  " + std::to_string(n_found) + " of " +
+                 std::to_string(runs.size()) + " runs are taken from " + file);
+      else if (missing && finished.n_rows() > 0)
+        log.warning("the runs in " + file +
+                    " are others and are kept there: of the one most alike, " +
+                    finished.nearest_difference(missing->fingerprint));
+    }
+
+
+
+    /** The file of finished runs; without `Resume` an earlier one is put
+     * aside. */
+    std::string
+    finished_file(RunContext &context)
+    {
+      const std::string file = context.output.state_file(
+        "runs.json", state_kind::rows, "Output directory");
+      if (context.is_root && !context.parameters.transient.resume &&
+          std::filesystem::exists(file))
+        context.log.warning("the runs in " + file +
+                            " are not used, as Transient/Resume is false; kept "
+                            "as '" +
+                            set_aside(file) + "'");
+      return file;
+    }
+
+
+
+    /** "12 runs", and of how many a limit cycle stands beside stable sliding:
+     * "stable" alone would deny it. */
+    std::string
+    campaign_verdict(const Table &table)
+    {
+      std::string  text = std::to_string(table.n_rows()) + " runs";
+      unsigned int n    = 0;
+      if (table.has_column("outcome"))
+        for (std::size_t i = 0; i < table.n_rows(); ++i)
+          n += table.text(i, "stable") == "yes" &&
+               table.text(i, "outcome") == "squeal after the trigger";
+      if (n > 0)
+        text += ", " + std::to_string(n) +
+                " of them stable about steady sliding that squeal after the "
+                "trigger: a limit cycle stands beside it";
+      return text;
     }
 
 
@@ -392,7 +441,7 @@ namespace squeal
       HtmlReport report("Transients of " + p.scene.name,
                         "over the axes of the campaign");
       report.set_verdict(HtmlReport::Verdict::neutral,
-                         std::to_string(table.n_rows()) + " runs",
+                         campaign_verdict(table),
                          context.record.figures);
       if (results.keeps_phases)
         context.write_table("phases.csv", all_phases(results, runs));
@@ -418,16 +467,22 @@ namespace squeal
     std::vector<CampaignRun> runs;
     for (const auto &group : groups)
       runs.insert(runs.end(), group.begin(), group.end());
-    const std::string program = version_of(context.record);
     CampaignResults   results(p);
-    FinishedRuns      finished(finished_file(p), program, p.transient.resume);
+    const std::string file =
+      on_root(context.is_root, [&]() { return finished_file(context); });
+    FinishedRuns finished(file, on_root(context.is_root, [&]() {
+                            return std::filesystem::exists(file)
+                                     ? read_file(file)
+                                     : "";
+                          }));
+    report_finished(
+      finished, runs, results.table.columns().size(), file, context.log);
     {
       Progress       progress(context.log, "transients", runs.size());
       CampaignRunner runner(context, finished, progress, results);
       for (const auto &group : groups)
         runner.run(group);
     }
-    warn_of_other_programs(results, program, context.log);
     report_campaign(context, results, runs);
   }
 } // namespace squeal

@@ -5,9 +5,12 @@
 
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/cea_solution.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/transient/growth_rule.h>
 #include <squeal/transient/time_step_error.h>
 
 #include <algorithm>
@@ -68,11 +71,19 @@ namespace squeal
       for (const unsigned int k : prepared.branches)
         {
           const auto lambda = prepared.linear.lambda[k];
-          result.push_back(t.integrator == Integrator::implicit
-                             ? implicit_step_error(lambda, t.step())
-                           : t.integrator == Integrator::explicit_
-                             ? explicit_step_error(lambda, t.step(), t.beta_2)
-                             : reduced[k]);
+          const auto error  = [&]() {
+            switch (t.integrator)
+              {
+              case Integrator::implicit:
+                return implicit_step_error(lambda, t.step());
+              case Integrator::explicit_:
+                return explicit_step_error(lambda, t.step(), t.beta_2);
+              case Integrator::reduced:
+                return std::complex<double>(reduced[k]);
+              }
+            unknown_choice("integrator");
+          };
+          result.push_back(error());
         }
       return result;
     }
@@ -136,6 +147,7 @@ namespace squeal
               same_frequency * b.frequency +
                 std::abs(errors[k].imag()) / (2. * M_PI))
             b.fit.is_valid = false;
+          b.fit.is_valid = tells_a_rate(b.fit);
           std::vector<double> sizes;
           for (std::size_t i = 0; i < a.size(); ++i)
             if (times[i] >= rms_from)
@@ -237,16 +249,20 @@ namespace squeal
           acceleration.push_back(square);
           f.separates = f.separates || samples[i].n_open == n_nodes;
         }
-      f.mean_normal          = mean_of(normal);
-      f.rms_normal           = rms_about_mean(normal);
-      f.min_normal           = *std::min_element(normal.begin(), normal.end());
-      f.max_normal           = *std::max_element(normal.begin(), normal.end());
-      f.mean_tangential      = mean_of(tangential);
-      f.rms_tangential       = rms_about_mean(tangential);
-      f.macroscopic_friction = f.mean_tangential / f.mean_normal;
-      f.mean_leading_edge_factor = mean_of(edge) / f.mean_normal;
-      f.rms_acceleration         = std::sqrt(mean_of(acceleration));
-      f.least_rms                = f.rms_normal;
+      f.mean_normal     = mean_of(normal);
+      f.rms_normal      = rms_about_mean(normal);
+      f.min_normal      = *std::min_element(normal.begin(), normal.end());
+      f.max_normal      = *std::max_element(normal.begin(), normal.end());
+      f.mean_tangential = mean_of(tangential);
+      f.rms_tangential  = rms_about_mean(tangential);
+      // A pad that does not touch in all that time has neither.
+      const bool touches = f.mean_normal > 0.;
+      f.macroscopic_friction =
+        touches ? f.mean_tangential / f.mean_normal : not_known;
+      f.mean_leading_edge_factor =
+        touches ? mean_of(edge) / f.mean_normal : not_known;
+      f.rms_acceleration = std::sqrt(mean_of(acceleration));
+      f.least_rms        = f.rms_normal;
       for (unsigned int k = 0; k < 4; ++k)
         {
           const double rms =
@@ -312,7 +328,7 @@ namespace squeal
     };
     for (const auto &sample : record.samples)
       f.worst_imbalance =
-        std::max(f.worst_imbalance,
+        worst_of(f.worst_imbalance,
                  sample.imbalance * work(sample) /
                    std::max(work(record.samples.back()), 1e-300));
     f.steps_per_second    = record.n_steps / std::max(record.cpu_seconds, 1e-9);
@@ -377,11 +393,16 @@ namespace squeal
 
 
   ComplexPairs
-  whole_model_pairs(const Parameters   &parameters,
+  whole_model_pairs(const Parameters   &given,
                     const ContactState &state,
                     RunLog             &log,
                     Timers             &timers)
   {
+    // Shares of the nodes are forces in N where there is no reference.
+    Parameters parameters = given;
+    for (auto &contact : parameters.scene.contacts)
+      if (contact.normal_force == 0.)
+        contact.normal_force = 1.;
     Model        model(parameters, timers, {{state}});
     ModeSolution modes = solve_modes(model, log, timers);
     return solve_cea(model, modes, log, timers).pairs;

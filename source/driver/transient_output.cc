@@ -108,8 +108,8 @@ namespace squeal
               fitted(b.fit.e_foldings()),
               known(b.sigma),
               known(b.frequency),
-              known(b.sigma_cea),
-              known(b.frequency_cea),
+              has ? or_missing(b.sigma_cea) : Cell(),
+              has ? or_missing(b.frequency_cea) : Cell(),
               yes_or_no(f.has_limit_cycle),
               f.frequency,
               f.mean_normal,
@@ -117,13 +117,13 @@ namespace squeal
               f.min_normal,
               f.max_normal,
               f.rms_tangential,
-              f.macroscopic_friction,
+              or_missing(f.macroscopic_friction),
               f.phase,
               yes_or_no(f.separates),
               f.stick_fraction,
               f.max_slip_speed_ratio,
               f.rms_acceleration,
-              f.mean_leading_edge_factor,
+              or_missing(f.mean_leading_edge_factor),
               f.peak_pressure,
               f.n_never,
               f.n_slip,
@@ -133,7 +133,7 @@ namespace squeal
               f.steps_per_second,
               f.iterations_per_step,
               f.n_inversions,
-              std::isfinite(f.frequency_ci) ? Cell(f.frequency_ci) : Cell(),
+              or_missing(f.frequency_ci),
               f.largest_line,
               f.repetition};
     }
@@ -180,8 +180,8 @@ namespace squeal
         table.add_row({k + 1,
                        b.frequency,
                        b.sigma,
-                       b.frequency_cea,
-                       b.sigma_cea,
+                       or_missing(b.frequency_cea),
+                       or_missing(b.sigma_cea),
                        fitted(b.fit.frequency),
                        fitted(b.fit.rate),
                        fitted(b.fit.rate_ci),
@@ -198,13 +198,17 @@ namespace squeal
   Table
   force_table(const TransientRecord &record)
   {
-    Table table({{"time_s", Type::real, "s", ""},
-                 {"normal_n", Type::real, "N", "compression positive"},
-                 {"tangential_n", Type::real, "N", "along y, on the source"},
-                 {"radial_n", Type::real, "N", "along x, on the source"},
-                 {"n_open", Type::integer, "", "open nodes"},
-                 {"n_stick", Type::integer, "", "sticking nodes"},
-                 {"leading_edge_factor", Type::real, "", ""}});
+    Table table(
+      {{"time_s", Type::real, "s", ""},
+       {"normal_n", Type::real, "N", "compression positive"},
+       {"tangential_n", Type::real, "N", "along the sliding, on the source"},
+       {"radial_n",
+        Type::real,
+        "N",
+        "across the sliding (outwards on a disc), on the source"},
+       {"n_open", Type::integer, "", "open nodes"},
+       {"n_stick", Type::integer, "", "sticking nodes"},
+       {"leading_edge_factor", Type::real, "", ""}});
     for (const auto &s : record.samples)
       table.add_row({s.time,
                      s.normal,
@@ -327,9 +331,9 @@ namespace squeal
         table.add_row({time,
                        v * (1. + (p.transient.final_speed_ratio - 1.) * time /
                                    p.transient.end_time),
-                       t / n,
+                       n > 0. ? Cell(t / n) : Cell(),
                        n,
-                       std::sqrt(std::max(0., squares - n * n))});
+                       std::sqrt(std::max(squares - n * n, 0.))});
       }
     return table;
   }
@@ -337,7 +341,9 @@ namespace squeal
 
 
   void
-  write_transient_json(const TransientFigures &f, const std::string &path)
+  write_transient_json(const TransientFigures &f,
+                       const std::string      &explanation,
+                       const std::string      &path)
   {
     const Table table = transient_table(f);
     Json        json  = {{"format_version", 1}};
@@ -346,6 +352,7 @@ namespace squeal
         json[column.name] = table.text(0, column.name);
       else
         json[column.name] = number(table.real(0, column.name));
+    json["explanation"]    = explanation;
     json["linear_phase_s"] = {f.linear_start, f.linear_end};
     json["harmonics_n"]    = f.harmonics;
     const Table branches   = branch_table(f);

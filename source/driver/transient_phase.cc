@@ -45,7 +45,7 @@ namespace squeal
       if (n == 0.)
         return {};
       const double mean = sum / n;
-      return {mean, std::sqrt(std::max(0., squares / n - mean * mean))};
+      return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.))};
     }
 
     /** Runs of a campaign that one picture shows. */
@@ -175,7 +175,7 @@ namespace squeal
       table.add_row({h.time[i],
                      h.amplitude_a[i],
                      h.amplitude_b[i],
-                     std::isfinite(h.phase[i]) ? Cell(h.phase[i]) : Cell()});
+                     or_missing(h.phase[i])});
     return table;
   }
 

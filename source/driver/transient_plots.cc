@@ -265,8 +265,9 @@ namespace squeal
     report.figure(
       file + ".png",
       "Contact pressure over the last period, white: none; arrows: "
-      "tractions on the pad, on one scale; the disc's surface moves "
-      "to +y");
+      "tractions on the pad, on one scale; the target's surface moves "
+      "to " +
+        sliding_text(prepared.pressed.geometry()));
   }
 
 

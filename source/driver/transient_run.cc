@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/transient_run.h>
 #include <squeal/parameters/choices.h>
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <ctime>
 
 namespace squeal
@@ -120,39 +121,11 @@ namespace squeal
                                                    t.tolerance,
                                                    method,
                                                    t.beta_2);
-      default:
+      case Integrator::reduced:
         return std::make_unique<ReducedTransient>(
           pressed.model(), t.step(), drive, force, t.tolerance, method);
       }
-  }
-
-
-
-  std::string
-  key_of_motion(const Parameters &p)
-  {
-    std::string key;
-    for (const auto &[name, value] : p.used)
-      if ((name.rfind("Scene/", 0) == 0 || name.rfind("Transient/", 0) == 0 ||
-           name.rfind("Discretization/", 0) == 0 ||
-           name.rfind("Eigenvalues/", 0) == 0 ||
-           name.rfind("Preload/Tolerance", 0) == 0 ||
-           name.rfind("Preload/Run-in", 0) == 0) &&
-          name.rfind("Transient/Checkpoint", 0) != 0 &&
-          name.rfind("Transient/Resume", 0) != 0 &&
-          name.rfind("Transient/Threads", 0) != 0)
-        key += name + " = " + value + "\n";
-    // Points of a campaign differ in numbers that the file does not hold.
-    for (const auto &body : p.scene.bodies)
-      key += std::to_string(std::log(std::max(1e-30, body.young_modulus))) +
-             " " + std::to_string(body.density) + "\n";
-    for (const auto &contact : p.scene.contacts)
-      key += std::to_string(contact.friction_coefficient) + " " +
-             std::to_string(contact.sliding_speed) + "\n";
-    for (const auto &support : p.scene.supports)
-      key += std::to_string(static_cast<int>(support.kind)) + "\n";
-    key += choice_name(p.transient.integrator) + "\n";
-    return key;
+    unknown_choice("integrator");
   }
 
 
@@ -201,7 +174,6 @@ namespace squeal
     , steady(state)
     , recorded(only(linearized, branches))
     , settings(p.transient)
-    , key(key_of_motion(p))
     , edge(leading_edge(model.geometry()))
     , n_steps(std::lround(settings.end_time / settings.step()))
     , stride(
@@ -243,7 +215,7 @@ namespace squeal
         ++kept.n_steps;
         kept.n_iterations += report.iterations;
         kept.n_sweeps += report.sweeps;
-        kept.worst_residual = std::max(kept.worst_residual, report.residual);
+        kept.worst_residual = worst_of(kept.worst_residual, report.residual);
         const auto &now     = motion->status();
         for (std::size_t j = 0; j < now.size(); ++j)
           if (now[j] != status[j])
@@ -290,9 +262,18 @@ namespace squeal
     for (std::size_t j = 0; j < status.size(); ++j)
       {
         NodeShares &node = kept.nodes[j];
-        (status[j] == ContactStatus::open    ? node.open
-         : status[j] == ContactStatus::stick ? node.stick
-                                             : node.slip) += 1.;
+        switch (status[j])
+          {
+          case ContactStatus::open:
+            node.open += 1.;
+            break;
+          case ContactStatus::stick:
+            node.stick += 1.;
+            break;
+          case ContactStatus::slip:
+            node.slip += 1.;
+            break;
+          }
         const double along = u[3 * j + 1] - last_motion[3 * j + 1] +
                              way * pressed.model().speed_ratio[j],
                      across = u[3 * j + 2] - last_motion[3 * j + 2];
@@ -311,16 +292,16 @@ namespace squeal
   {
     const auto            &g      = pressed.geometry();
     const Eigen::VectorXd &lambda = motion->forces();
-    const auto             q      = tractions(g, lambda);
     TransientSample        s;
     s.time            = motion->time();
     s.is_linear       = is_linear;
+    const auto force  = resultant_force(g, lambda);
+    s.radial          = force[0];
+    s.tangential      = force[1];
+    s.normal          = force[2];
     double edge_force = 0.;
     for (std::size_t j = 0; j < status.size(); ++j)
       {
-        s.radial += q[2 * j] * g.areas[j];
-        s.tangential += q[2 * j + 1] * g.areas[j];
-        s.normal += lambda[3 * j];
         edge_force += edge[j] ? lambda[3 * j] : 0.;
         s.n_open += status[j] == ContactStatus::open;
         s.n_stick += status[j] == ContactStatus::stick;
@@ -380,6 +361,7 @@ namespace squeal
     const auto             q      = tractions(g, lambda);
     h.time.push_back(s.time);
     const double step = motion->time() > 0. ? settings.step() : 1.;
+    double       x = 0., y = 0.; // of the resultant: fields have global axes
     for (std::size_t j = 0; j < status.size(); ++j)
       {
         const auto [tx, ty] = g.slip_direction[j];
@@ -389,6 +371,8 @@ namespace squeal
         const double along =
                        (u[3 * j + 1] - last_motion[3 * j + 1]) / step + way,
                      across = (u[3 * j + 2] - last_motion[3 * j + 2]) / step;
+        x += q[2 * j] * g.areas[j];
+        y += q[2 * j + 1] * g.areas[j];
         h.pressure.push_back(lambda[3 * j] / g.areas[j]);
         h.traction.push_back(q[2 * j]);
         h.traction.push_back(q[2 * j + 1]);
@@ -398,7 +382,7 @@ namespace squeal
           std::max(0., pressed.model().initial_gap[j] - u[3 * j]));
         h.status.push_back(static_cast<double>(status[j]));
       }
-    for (const double f : {s.radial, s.tangential, s.normal})
+    for (const double f : {x, y, s.normal})
       h.resultants.push_back(f);
     for (unsigned int c = 0; c < 3; ++c)
       h.probes.push_back(s.acceleration[c]);

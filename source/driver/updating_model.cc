@@ -44,12 +44,6 @@ namespace squeal
       return result;
     }
 
-    /** "(0,3+)" names the mode "(0,3+) support tangential 2" too. */
-    bool
-    is_named(const std::string &mode, const std::string &name)
-    {
-      return mode == name || prm::starts_with(mode, name + " ");
-    }
   } // namespace
 
 
@@ -201,7 +195,7 @@ namespace squeal
         for (unsigned int k = 0; k < pairs.size(); ++k)
           if (points)
             costs[i][k] = 1. - values(row, k);
-          else if (data[i].name.empty() || is_named(names[k], data[i].name))
+          else if (data[i].name.empty() || is_called(names[k], data[i].name))
             costs[i][k] =
               std::abs(std::log(pairs.frequency(k) / data[i].frequency));
       }

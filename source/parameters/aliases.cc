@@ -30,13 +30,14 @@ namespace squeal
             const std::string path =
               path_of(section_of(entry.path), alias.present);
             if (const RawEntry *present = tree.find(path))
-              throw InputError(entry.location.text() + ": " +
-                               quoted(entry.path) + " is the former name of " +
-                               quoted(alias.present) + ", which is set at " +
-                               present->location.text() +
-                               ": remove one of them");
-            notes.push_back(entry.location.text() + ": " + quoted(entry.path) +
-                            " is now called " + quoted(alias.present));
+              throw InputError(
+                entry.location.text() + ": " + in_quotes(entry.path) +
+                " is the former name of " + in_quotes(alias.present) +
+                ", which is set at " + present->location.text() +
+                ": remove one of them");
+            notes.push_back(entry.location.text() + ": " +
+                            in_quotes(entry.path) + " is now called " +
+                            in_quotes(alias.present));
             entry.path = path;
           }
       return notes;

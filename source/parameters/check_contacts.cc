@@ -4,6 +4,7 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,35 @@ namespace squeal
                          ": faces do not meet: " + reason + "; change 'Scene/" +
                          "Body " + contact.source_body +
                          "/Position' or the sizes of the bodies");
+      }
+
+
+
+      /** Signs of gap, pressure and friction are those of a target under its
+       * source: +z out of the target. What other faces would silently give is
+       * another brake. Faces of mesh files are judged when they are read. */
+      void
+      require_level_face(const ContactParameters &contact,
+                         const BodyParameters    &body,
+                         const std::string       &name,
+                         const std::string       &side)
+      {
+        if (body.shape == Shape::gmsh || body.shape == Shape::rigid)
+          return;
+        const auto        face   = flat_face(body, name);
+        const int         up     = side == "target" ? 1 : -1;
+        const std::string wanted = up > 0 ? "+z" : "-z";
+        if (face && face->axis == 2 && face->sign == up)
+          return;
+        throw InputError(
+          "contact " + contact.name + ": the " + side + " face " +
+          in_quotes(name) + " of body " + in_quotes(body.name) +
+          (face ? std::string(" looks along ") + (face->sign > 0 ? "+" : "-") +
+                    "xyz"[face->axis]
+                : " is curved") +
+          ", and the signs of contact and friction hold for a " + side +
+          " face that looks along " + wanted +
+          " only: turn the scene until the target lies under its source");
       }
 
 
@@ -72,13 +102,16 @@ namespace squeal
 
         const auto source_face = flat_face(source, contact.source_face);
         const auto target_face = flat_face(target, contact.target_face);
-        if (!source_face || !target_face)
-          return;
-        std::string fault = fault_of_touching(*source_face, *target_face);
-        if (fault.empty())
-          fault = fault_of_footprint(*source_face, *target_face);
-        if (!fault.empty())
-          refuse_pair(contact, fault);
+        if (source_face && target_face)
+          {
+            std::string fault = fault_of_touching(*source_face, *target_face);
+            if (fault.empty())
+              fault = fault_of_footprint(*source_face, *target_face);
+            if (!fault.empty())
+              refuse_pair(contact, fault);
+          }
+        require_level_face(contact, target, contact.target_face, "target");
+        require_level_face(contact, source, contact.source_face, "source");
       }
 
 
@@ -137,6 +170,31 @@ namespace squeal
             is_grid ? "Normal stiffness" : "Normal stiffness per area",
             "= " + format_number(stiffness) + " must be greater than 0");
       }
+
+
+
+      /** A grid stands on a rectangle: on another face points would be lost,
+       * and stiffness with them. Faces of mesh files are judged when they are
+       * read. */
+      void
+      check_grid(const SceneParameters   &scene,
+                 const ContactParameters &contact,
+                 const std::string       &section)
+      {
+        const BodyParameters &source =
+          require_body(scene, contact.source_body, section, "Source body");
+        if (contact.formulation == ContactParameters::Formulation::springs &&
+            contact.layout == ContactParameters::SpringLayout::grid &&
+            contact.grid != std::array<unsigned int, 2>{{1, 1}} &&
+            (source.shape == Shape::annulus || source.shape == Shape::cylinder))
+          refuse_entry(section,
+                       "Spring layout",
+                       "= grid needs a rectangular source face, and face " +
+                         in_quotes(contact.source_face) + " of body " +
+                         in_quotes(source.name) +
+                         " is round: use 'quadrature' with the 'Normal "
+                         "stiffness per area'");
+      }
     } // namespace
 
 
@@ -149,6 +207,7 @@ namespace squeal
           const std::string section = "Scene/Contact " + contact.name;
           check_faces(scene, contact, section);
           check_law(contact, section);
+          check_grid(scene, contact, section);
         }
     }
   } // namespace prm

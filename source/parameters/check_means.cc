@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/input_file.h>
+#include <squeal/base/state_files.h>
 
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/face_geometry.h>
@@ -7,7 +9,6 @@
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace squeal
 {
@@ -18,7 +19,7 @@ namespace squeal
                  const std::string &entry,
                  const std::string &reason)
     {
-      throw InputError(quoted(path_of(section, entry)) +
+      throw InputError(in_quotes(path_of(section, entry)) +
                        (starts_with(reason, ":") ? "" : " ") + reason);
     }
 
@@ -43,7 +44,7 @@ namespace squeal
                      "is empty: give one of the bodies " + join(names, ", "));
       refuse_entry(section,
                    entry,
-                   "= " + quoted(name) + " is not one of the bodies " +
+                   "= " + in_quotes(name) + " is not one of the bodies " +
                      join(names, ", ") + did_you_mean(name, names));
     }
 
@@ -60,8 +61,8 @@ namespace squeal
           if (!face.empty())
             refuse_entry(section,
                          entry,
-                         "= " + quoted(face) + ": the rigid body " +
-                           quoted(body.name) +
+                         "= " + in_quotes(face) + ": the rigid body " +
+                           in_quotes(body.name) +
                            " has no faces; leave the entry empty");
           return;
         }
@@ -71,15 +72,30 @@ namespace squeal
                      entry,
                      "is empty: give a physical surface of the mesh file of "
                      "body " +
-                       quoted(body.name));
+                       in_quotes(body.name));
       if (body.shape == BodyParameters::Shape::gmsh ||
           std::find(faces.begin(), faces.end(), face) != faces.end())
         return;
       refuse_entry(section,
                    entry,
-                   (face.empty() ? "is empty" : "= " + quoted(face)) +
-                     ": body " + quoted(body.name) + " has the faces " +
+                   (face.empty() ? "is empty" : "= " + in_quotes(face)) +
+                     ": body " + in_quotes(body.name) + " has the faces " +
                      join(faces, ", ") + did_you_mean(face, faces));
+    }
+
+
+
+    void
+    require_inside(const std::string &name,
+                   const std::string &section,
+                   const std::string &entry)
+    {
+      if (!name.empty() && !stays_inside(name))
+        refuse_entry(section,
+                     entry,
+                     "= " + in_quotes(name) +
+                       " leaves the output directory: give a name without "
+                       "'..' and without '/' in front");
     }
 
 
@@ -94,11 +110,12 @@ namespace squeal
         refuse_entry(section, entry, "is empty: give the name of a file");
       if (file.empty())
         return;
-      std::error_code ignored;
-      if (!std::filesystem::exists(file, ignored))
-        refuse_entry(section, entry, "= '" + file + "': no such file");
-      if (std::filesystem::is_directory(file, ignored))
-        refuse_entry(section, entry, "= '" + file + "' is a directory");
+      const std::string fault = input_file_fault(file);
+      if (!fault.empty())
+        refuse_entry(section,
+                     entry,
+                     "= '" + file + (starts_with(fault, "is ") ? "' " : "': ") +
+                       fault);
     }
   } // namespace prm
 } // namespace squeal

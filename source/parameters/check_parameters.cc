@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
 
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
@@ -68,7 +69,7 @@ namespace squeal
                      ? ""
                      : "a number greater than 0 and at most 1";
           }
-        return "";
+        unknown_choice("ladder");
       }
 
 
@@ -105,7 +106,7 @@ namespace squeal
                   refuse_entry(section,
                                "Ladders",
                                "contains 'cells', but body " +
-                                 quoted(body.name) +
+                                 in_quotes(body.name) +
                                  " has the cells of a file; use refinement");
             for (const double value : w.rungs(ladder))
               {
@@ -138,13 +139,14 @@ namespace squeal
       if (!c.where.empty() && c.where.find_first_of("=<>") == std::string::npos)
         refuse_entry(section,
                      "Where",
-                     "= " + quoted(c.where) + ": write it as 'column = value'");
+                     "= " + in_quotes(c.where) +
+                       ": write it as 'column = value'");
       const std::size_t equals = c.nearest.find('=');
       if (!c.nearest.empty() && (equals == std::string::npos || equals == 0 ||
                                  !parse_number(c.nearest.substr(equals + 1))))
         refuse_entry(section,
                      "Nearest",
-                     "= " + quoted(c.nearest) +
+                     "= " + in_quotes(c.nearest) +
                        ": write it as 'column = number'");
       if (c.relative_tolerance == 0. && c.absolute_tolerance == 0. &&
           c.column != "count")

@@ -63,7 +63,7 @@ namespace squeal
             if (m.find(point) < 0)
               refuse_entry(section,
                            name,
-                           "contains " + quoted(point) +
+                           "contains " + in_quotes(point) +
                              ", which is not in 'Measurement/Points'");
         if (f.scale == FrequencyResponseParameters::Scale::logarithmic &&
             !(parameters.eigen.lowest_frequency > 0.))
@@ -102,12 +102,12 @@ namespace squeal
             if (!starts_with(path, "Scene/"))
               refuse_entry(section,
                            "Entries",
-                           "contains " + quoted(path) +
+                           "contains " + in_quotes(path) +
                              ": only numbers of the scene can be fitted");
             if (!(value > 0.))
               refuse_entry(section,
                            "Entries",
-                           "contains " + quoted(path) + " = " +
+                           "contains " + in_quotes(path) + " = " +
                              format_number(value) +
                              ": the fit starts from values above 0");
           }
@@ -146,7 +146,7 @@ namespace squeal
               if (!seen.insert(path).second)
                 refuse_entry("Updating/Number " + n.name,
                              "Entries",
-                             "contains " + quoted(path) +
+                             "contains " + in_quotes(path) +
                                ", which is fitted already");
           }
         const MeasurementParameters &m = parameters.measurement;

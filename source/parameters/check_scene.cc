@@ -45,7 +45,7 @@ namespace squeal
             refuse_entry(section,
                          entry,
                          "= " + point_text(point) + " m lies outside body " +
-                           quoted(body.name) + ", which reaches from " +
+                           in_quotes(body.name) + ", which reaches from " +
                            point_text(box->lower) + " to " +
                            point_text(box->upper) + " m");
       }
@@ -175,12 +175,13 @@ namespace squeal
         for (const std::string &component : support.components)
           {
             if (!seen.insert(component).second)
-              refuse_entry(
-                section, "Components", "lists " + quoted(component) + " twice");
+              refuse_entry(section,
+                           "Components",
+                           "lists " + in_quotes(component) + " twice");
             if (component.size() == 2 && body.shape != Shape::rigid)
               refuse_entry(section,
                            "Components",
-                           ": " + quoted(component) +
+                           ": " + in_quotes(component) +
                              " is a rotation, which only rigid bodies have");
           }
       }

@@ -34,7 +34,7 @@ namespace squeal
         if (!starts_with(path, "Scene/"))
           refuse_entry(section,
                        name,
-                       "contains " + quoted(path) +
+                       "contains " + in_quotes(path) +
                          ": only numbers of the scene can be swept");
       }
 
@@ -51,7 +51,7 @@ namespace squeal
             !entry->allowed.matches(format_number(value)))
           refuse_entry(section,
                        name,
-                       "= " + format_number(value) + ": " + quoted(plain) +
+                       "= " + format_number(value) + ": " + in_quotes(plain) +
                          " must be " + entry->allowed.words());
       }
 
@@ -135,6 +135,7 @@ namespace squeal
     void
     check_sweep(const Parameters &parameters)
     {
+      require_inside(parameters.sweep.basis_file, "Sweep", "Basis file");
       const SweepParameters &s = parameters.sweep;
       const bool             is_campaign =
         parameters.analysis == Parameters::Analysis::transient &&
@@ -162,7 +163,7 @@ namespace squeal
               if (std::find(seen.begin(), seen.end(), path) != seen.end())
                 refuse_entry("Sweep/Axis " + axis.name,
                              "Entries",
-                             "contains " + quoted(path) +
+                             "contains " + in_quotes(path) +
                                ", which is swept already");
               seen.push_back(path);
             }

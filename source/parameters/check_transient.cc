@@ -70,7 +70,7 @@ namespace squeal
         if (!starts_with(l.stiffness_entry, "Scene/"))
           refuse_entry("Preload",
                        "Stiffness entry",
-                       "= " + quoted(l.stiffness_entry) +
+                       "= " + in_quotes(l.stiffness_entry) +
                          ": only numbers of the scene can be changed");
         try
           {
@@ -223,7 +223,7 @@ namespace squeal
         if (!t.tops.empty() && !has_top)
           refuse_entry("Transient",
                        "Top support",
-                       "= " + quoted(t.top_support) +
+                       "= " + in_quotes(t.top_support) +
                          " is not one of 'Scene/Supports'");
         const bool is_held =
           std::find(t.tops.begin(), t.tops.end(), "held") != t.tops.end() ||
@@ -238,6 +238,35 @@ namespace squeal
         if (t.start == TransientParameters::Start::ramp && t.compare_with_cea)
           refuse_entry(
             "Transient", "Compare with CEA", "needs 'Start = steady sliding'");
+        const ContactParameters &c = p.scene.contacts[0];
+        if (!c.transverse_slip_term && t.compare_with_cea)
+          refuse_entry("Scene/Contact " + c.name,
+                       "Transverse slip term",
+                       "must be true with 'Transient/Compare with CEA': in "
+                       "time friction turns with the slip rate, and it must "
+                       "in the eigenvalues");
+        if (t.final_speed_ratio != 1. && t.compare_with_cea)
+          refuse_entry("Transient",
+                       "Compare with CEA",
+                       "needs 'Final speed ratio = 1': eigenvalues belong to "
+                       "one sliding speed");
+      }
+
+      void
+      check_files(const TransientParameters &t)
+      {
+        require_inside(t.checkpoint_file, "Transient", "Checkpoint file");
+        require_inside(t.campaign_table, "Transient", "Campaign table");
+        const std::string &name   = t.campaign_table;
+        const std::string  ending = ".csv";
+        if (name.size() <= ending.size() ||
+            name.substr(name.size() - ending.size()) != ending ||
+            name == "phases.csv")
+          refuse_entry("Transient",
+                       "Campaign table",
+                       "= " + in_quotes(name) +
+                         ": give the table a name of its own that ends in "
+                         "'.csv'");
       }
     } // namespace
 
@@ -289,6 +318,7 @@ namespace squeal
           check_integrators(p);
           check_disc_frame(p);
           check_tops(p);
+          check_files(p.transient);
         }
     }
   } // namespace prm

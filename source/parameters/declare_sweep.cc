@@ -86,12 +86,12 @@ namespace squeal
                  s.basis_file,
                  Allowed::text(),
                  "HDF5 file that keeps the basis for later runs of the same "
-                 "scene, relative to the working directory; empty: the name of "
-                 "the output directory and '_basis.h5'.");
+                 "scene, in the output directory; empty: 'basis.h5'.");
       schema.add("Reuse basis",
                  s.reuse_basis,
                  "Use the basis of an earlier run if its scene, band, ranges "
-                 "and tolerances are those of this run.");
+                 "and tolerances are those of this run (doc/resume.md says "
+                 "what may differ).");
       schema.add("Edge tolerance",
                  s.edge_tolerance,
                  Allowed::positive(0.1),

@@ -138,7 +138,7 @@ namespace squeal
                    t.campaign_table,
                    Allowed::text(),
                    "Name of the table with one row for each point of the axes "
-                   "of 'Sweep' and each top.");
+                   "of 'Sweep' and each top, in the output directory.");
         schema.add("Threads",
                    t.threads,
                    Allowed::integer(1, 256),
@@ -239,19 +239,20 @@ namespace squeal
       schema.add("Checkpoint file",
                  t.checkpoint_file,
                  Allowed::text(),
-                 "HDF5 file that a stopped run continues from, relative to the "
-                 "working directory; empty: the name of the output directory "
-                 "and '_checkpoint.h5'.");
+                 "HDF5 file that a stopped run continues from, in the output "
+                 "directory; empty: 'checkpoint.h5'. The one before it is kept "
+                 "as well, with '_before' at the end of its name.");
       schema.add("Checkpoint interval",
                  t.checkpoint_interval,
                  Allowed::number(0.),
                  "Time between two checkpoints; 0: only when the run is "
-                 "stopped by SIGTERM or SIGINT.",
+                 "stopped by a signal.",
                  "s of wall time");
       schema.add("Resume",
                  t.resume,
                  "Continue from the checkpoint file if it belongs to the same "
-                 "parameters; a campaign leaves out the runs it has finished.");
+                 "run (doc/resume.md says what may differ); a campaign leaves "
+                 "out the runs it has finished.");
       declare_campaign(schema, t);
       declare_triggers(schema, t);
       schema.leave_section();

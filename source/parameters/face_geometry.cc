@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/parameters/face_geometry.h>
 
 #include <algorithm>
@@ -89,9 +90,9 @@ namespace squeal
           return {"side", "bottom", "top"};
         case Shape::gmsh:
         case Shape::rigid:
-          break;
+          return {};
         }
-      return {};
+      unknown_choice("shape");
     }
 
 

@@ -63,6 +63,11 @@ namespace squeal
         3, static_cast<unsigned int>(name.size() / 3) + 1);
       for (const std::string &candidate : candidates)
         {
+          // no word is nearer than the difference of the lengths
+          const std::size_t longer  = std::max(name.size(), candidate.size());
+          const std::size_t shorter = std::min(name.size(), candidate.size());
+          if (longer - shorter >= smallest)
+            continue;
           const unsigned int distance = edit_distance(name, candidate);
           if (distance < smallest && distance < name.size())
             {
@@ -80,7 +85,8 @@ namespace squeal
                  const std::vector<std::string> &candidates)
     {
       const std::string nearest = nearest_name(name, candidates);
-      return nearest.empty() ? "" : "; did you mean " + quoted(nearest) + "?";
+      return nearest.empty() ? ""
+                             : "; did you mean " + in_quotes(nearest) + "?";
     }
 
 
@@ -107,10 +113,10 @@ namespace squeal
       for (const std::string &name : names)
         {
           if (!is_identifier(name))
-            return quoted(name) + " is not a name: use letters, digits and "
-                                  "'_', first a letter";
+            return in_quotes(name) + " is not a name: use letters, digits and "
+                                     "'_', first a letter";
           if (!seen.insert(name).second)
-            return quoted(name) + " is there twice";
+            return in_quotes(name) + " is there twice";
         }
       return "";
     }

@@ -37,7 +37,7 @@ namespace squeal
             same_section.push_back(entry.first);
         }
       throw InputError(
-        "unknown entry " + prm::quoted(path) +
+        "unknown entry " + prm::in_quotes(path) +
         prm::did_you_mean(path, same_section.empty() ? paths : same_section));
     }
 
@@ -55,7 +55,7 @@ namespace squeal
         prm::parse_number(path.substr(open + 1, path.size() - open - 2));
       if (!number || *number < 1. || *number > 1e6 ||
           *number != static_cast<double>(static_cast<std::size_t>(*number)))
-        throw InputError(prm::quoted(path) +
+        throw InputError(prm::in_quotes(path) +
                          ": the components of a list are counted from [1]");
       return {prm::trim(path.substr(0, open)),
               static_cast<std::size_t>(*number)};
@@ -91,7 +91,7 @@ namespace squeal
         throw InputError(shown + " is not a number");
       if (entry.values.size() > 1 && position == 0)
         throw InputError(shown + " is a list: choose one number, for example " +
-                         prm::quoted(entry.path + "[1]"));
+                         prm::in_quotes(entry.path + "[1]"));
       if (position > entry.values.size())
         throw InputError(shown + " has no component [" +
                          std::to_string(position) + "]");

@@ -80,7 +80,7 @@ namespace squeal
         throw InputError("--set: a setting holds letters in another encoding "
                          "than UTF-8");
       if (equals == std::string::npos || entry.path.empty())
-        throw InputError("--set " + quoted(text) +
+        throw InputError("--set " + in_quotes(text) +
                          ": write it as 'Section/Entry = value'");
       entry.value     = trim(text.substr(equals + 1));
       entry.directory = std::filesystem::current_path().string();
@@ -93,7 +93,7 @@ namespace squeal
       if (!is_line || entry.value.find(" #") != std::string::npos ||
           starts_with(entry.value, "#") ||
           (!entry.value.empty() && entry.value.back() == '\\'))
-        throw InputError("--set " + quoted(text) +
+        throw InputError("--set " + in_quotes(text) +
                          ": a value is one line, without a '#' after a blank "
                          "and without a backslash at its end");
       return entry;

@@ -10,7 +10,7 @@
 #include <squeal/parameters/text.h>
 #include <squeal/parameters/unknown_names.h>
 
-#include <algorithm>
+#include <unordered_set>
 
 namespace squeal
 {
@@ -18,14 +18,18 @@ namespace squeal
   {
     namespace
     {
-      bool
-      mentions_section(const PrmTree &tree, const std::string &section)
+      /** Every section that is opened or that an entry stands in. */
+      std::unordered_set<std::string>
+      mentioned_sections(const PrmTree &tree)
       {
-        const auto is_inside = [&section](const RawEntry &entry) {
-          return starts_with(entry.path, section + "/");
-        };
-        return tree.find_section(section) != nullptr ||
-               std::any_of(tree.entries.begin(), tree.entries.end(), is_inside);
+        std::unordered_set<std::string> sections;
+        for (const RawSection &section : tree.sections)
+          sections.insert(section.path);
+        for (const RawEntry &entry : tree.entries)
+          for (std::string path = section_of(entry.path); !path.empty();
+               path             = section_of(path))
+            sections.insert(path);
+        return sections;
       }
     } // namespace
 
@@ -45,10 +49,13 @@ namespace squeal
       const std::string fault = fault_of_names(names);
       if (!fault.empty())
         throw InputError(start + fault);
+      const std::unordered_set<std::string> mentioned =
+        names.empty() ? std::unordered_set<std::string>()
+                      : mentioned_sections(tree);
       for (const std::string &name : names)
-        if (!mentions_section(tree, section(name)))
+        if (mentioned.count(section(name)) == 0)
           throw InputError(start + "there is no section " +
-                           quoted(section(name)) +
+                           in_quotes(section(name)) +
                            "; add it or remove the name");
       return names;
     }

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <filesystem>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace squeal
@@ -19,6 +20,13 @@ namespace squeal
     namespace
     {
       namespace fs = std::filesystem;
+
+      // Far beyond what anybody writes: the largest shipped file has some 150
+      // lines. They end includes that double at each level.
+      constexpr std::size_t largest_size      = std::size_t(1) << 24; // bytes
+      constexpr std::size_t most_lines        = 200000;
+      constexpr std::size_t most_nested_files = 32;
+      constexpr std::size_t most_nested_sections = 32;
 
       /** A line without comment, its continuations joined, and the number of
        * the first of them. */
@@ -78,15 +86,15 @@ namespace squeal
           included_from.empty() ? "" : included_from + ": include: ";
         std::error_code ignored;
         if (file.empty() || !fs::exists(file, ignored))
-          throw InputError(start + quoted(file) + ": no such file");
+          throw InputError(start + in_quotes(file) + ": no such file");
         if (fs::is_directory(file, ignored))
-          throw InputError(start + quoted(file) +
+          throw InputError(start + in_quotes(file) +
                            " is a directory, not a parameter file: name the "
                            "files in it (" +
                            file + "/*.prm)");
         if (fs::is_regular_file(file, ignored) &&
-            fs::file_size(file, ignored) > (1u << 24))
-          throw InputError(start + quoted(file) +
+            fs::file_size(file, ignored) > largest_size)
+          throw InputError(start + in_quotes(file) +
                            " is too large for a parameter file");
         try
           {
@@ -140,6 +148,56 @@ namespace squeal
 
 
 
+      /** A tree that finds its entries at once. */
+      class IndexedTree
+      {
+      public:
+        const RawEntry *
+        find(const std::string &path) const
+        {
+          const auto place = index.find(path);
+          return place == index.end() ? nullptr : &tree.entries[place->second];
+        }
+
+        void
+        set(const RawEntry &entry)
+        {
+          const auto place = index.emplace(entry.path, tree.entries.size());
+          if (place.second)
+            tree.entries.push_back(entry);
+          else
+            tree.entries[place.first->second] = entry;
+        }
+
+        /** Adds what is in @p other; its entries override those here. */
+        void
+        add(const PrmTree &other)
+        {
+          for (const RawEntry &entry : other.entries)
+            set(entry);
+          tree.sections.insert(
+            tree.sections.end(), other.sections.begin(), other.sections.end());
+        }
+
+        void
+        add_section(const RawSection &section)
+        {
+          tree.sections.push_back(section);
+        }
+
+        const PrmTree &
+        operator*() const
+        {
+          return tree;
+        }
+
+      private:
+        PrmTree                                      tree;
+        std::unordered_map<std::string, std::size_t> index;
+      };
+
+
+
       /** Reads a file and what it includes. */
       class PrmReader
       {
@@ -154,8 +212,8 @@ namespace squeal
           std::string             name;
           std::string             directory;
           std::vector<RawSection> open; /**< sections, the innermost last */
-          PrmTree                 own;
-          PrmTree                 included;
+          IndexedTree             own;
+          IndexedTree             included;
         };
 
         void read_line(const std::string &line,
@@ -167,11 +225,16 @@ namespace squeal
         void read_include(const std::string &name,
                           const Location    &location,
                           File              &file);
+        void open_section(const std::string &name,
+                          const Location    &location,
+                          File              &file) const;
 
         /** Files being read, outermost first. */
         std::vector<std::string> active;
         /** Files read, with the section they were read into. */
         std::set<std::pair<std::string, std::string>> done;
+        /** Lines of all of them so far. */
+        std::size_t n_lines = 0;
       };
 
 
@@ -185,6 +248,19 @@ namespace squeal
 
 
 
+      /** Refuses sections that nobody can mean before they cost time. */
+      void
+      check_depth(const std::string &path, const Location &location)
+      {
+        if (std::count(path.begin(), path.end(), '/') >
+            static_cast<long>(most_nested_sections))
+          refuse(location,
+                 "more than " + std::to_string(most_nested_sections) +
+                   " sections inside each other: is an 'end' missing?");
+      }
+
+
+
       void
       PrmReader::read_set(const std::string &rest,
                           const Location    &location,
@@ -193,16 +269,17 @@ namespace squeal
         const std::size_t equals = rest.find('=');
         if (equals == std::string::npos)
           refuse(location,
-                 quoted("set " + rest) +
+                 in_quotes("set " + rest) +
                    " has no '='; write 'set Entry = value'");
         const std::string name = normal_path(rest.substr(0, equals));
         if (name.empty())
           refuse(location, "'set' without the name of an entry");
 
         const std::string path = path_of(innermost(file.open), name);
+        check_depth(path, location);
         if (const RawEntry *earlier = file.own.find(path))
           refuse(location,
-                 "entry " + quoted(path) +
+                 "entry " + in_quotes(path) +
                    " is set a second time; the first "
                    "is in line " +
                    std::to_string(earlier->location.line) +
@@ -224,12 +301,23 @@ namespace squeal
           fs::path(name).is_absolute()
             ? fs::path(name)
             : (fs::path(file.name).parent_path() / name).lexically_normal();
-        const PrmTree tree =
-          read(path.string(), innermost(file.open), location.text());
-        for (const RawEntry &entry : tree.entries)
-          file.included.set(entry);
-        for (const RawSection &section : tree.sections)
-          file.included.sections.push_back(section);
+        file.included.add(
+          read(path.string(), innermost(file.open), location.text()));
+      }
+
+
+
+      void
+      PrmReader::open_section(const std::string &name,
+                              const Location    &location,
+                              File              &file) const
+      {
+        if (name.empty())
+          refuse(location, "'subsection' without a name");
+        const std::string path = path_of(innermost(file.open), name);
+        check_depth(path, location);
+        file.open.push_back({path, location});
+        file.own.add_section(file.open.back());
       }
 
 
@@ -251,14 +339,7 @@ namespace squeal
         else if (keyword == "include")
           read_include(rest, location, file);
         else if (keyword == "subsection")
-          {
-            const std::string name = normal_path(rest);
-            if (name.empty())
-              refuse(location, "'subsection' without a name");
-            file.open.push_back(
-              {path_of(innermost(file.open), name), location});
-            file.own.sections.push_back(file.open.back());
-          }
+          open_section(normal_path(rest), location, file);
         else if (keyword == "end" && rest.empty())
           {
             if (file.open.size() == 1)
@@ -268,7 +349,7 @@ namespace squeal
         else
           refuse(
             location,
-            quoted(line) +
+            in_quotes(line) +
               " is not understood; a line starts with 'set', "
               "'subsection', 'end', 'include' or '#'" +
               did_you_mean(keyword, {"set", "subsection", "end", "include"}));
@@ -281,6 +362,10 @@ namespace squeal
                       const std::string &section,
                       const std::string &included_from)
       {
+        if (active.size() >= most_nested_files)
+          throw InputError(included_from + ": include " + in_quotes(name) +
+                           ": more than " + std::to_string(most_nested_files) +
+                           " files that include each other");
         const std::string content = read_text(name, included_from);
         std::error_code   ignored;
         const std::string identity =
@@ -288,7 +373,7 @@ namespace squeal
         const bool is_cycle =
           std::find(active.begin(), active.end(), identity) != active.end();
         if (is_cycle)
-          throw InputError(included_from + ": include " + quoted(name) +
+          throw InputError(included_from + ": include " + in_quotes(name) +
                            " leads back to a file that includes this one");
         if (!done.insert({identity, section}).second)
           return {};
@@ -298,8 +383,17 @@ namespace squeal
         file.name      = name;
         file.directory = fs::absolute(name).parent_path().string();
         file.open.push_back({section, {}});
-        bool is_empty = true;
-        for (const LogicalLine &line : logical_lines(content, name))
+        bool                           is_empty = true;
+        const std::vector<LogicalLine> lines    = logical_lines(content, name);
+        n_lines += lines.size();
+        if (n_lines > most_lines)
+          throw InputError(
+            (included_from.empty()
+               ? name
+               : included_from + ": include " + in_quotes(name)) +
+            ": more than " + std::to_string(most_lines) +
+            " lines with all included files");
+        for (const LogicalLine &line : lines)
           if (!line.text.empty())
             {
               read_line(line.text, {name, line.number}, file);
@@ -309,17 +403,13 @@ namespace squeal
 
         if (file.open.size() > 1)
           refuse(file.open.back().location,
-                 "subsection " + quoted(entry_of(file.open.back().path)) +
+                 "subsection " + in_quotes(entry_of(file.open.back().path)) +
                    " has no 'end'");
         if (is_empty)
           throw InputError(name + ": sets no entry: the file is empty");
 
-        PrmTree tree = std::move(file.included);
-        for (const RawEntry &entry : file.own.entries)
-          tree.set(entry);
-        for (const RawSection &own_section : file.own.sections)
-          tree.sections.push_back(own_section);
-        return tree;
+        file.included.add(*file.own);
+        return *file.included;
       }
     } // namespace
 

@@ -105,8 +105,8 @@ namespace squeal
       const std::optional<std::string> value =
         entry.allowed.canonical(raw.value, raw.directory);
       if (!value || !entry.allowed.matches(*value))
-        throw InputError(raw.location.text() + ": " + quoted(raw.path) + " = " +
-                         quoted(raw.value) + " is not allowed; " +
+        throw InputError(raw.location.text() + ": " + in_quotes(raw.path) +
+                         " = " + in_quotes(raw.value) + " is not allowed; " +
                          remedy(entry, raw.value));
 
       const std::vector<std::string> sections = split(entry.section, '/');

@@ -113,7 +113,7 @@ namespace squeal
 
 
     std::string
-    quoted(const std::string &text)
+    in_quotes(const std::string &text)
     {
       std::size_t length = text.size();
       if (length > 200)

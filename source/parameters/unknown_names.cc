@@ -7,6 +7,7 @@
 #include <squeal/parameters/unknown_names.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace squeal
 {
@@ -26,7 +27,8 @@ namespace squeal
       std::string
       place(const std::string &section)
       {
-        return section.empty() ? "the top level" : "section " + quoted(section);
+        return section.empty() ? "the top level"
+                               : "section " + in_quotes(section);
       }
 
 
@@ -65,9 +67,10 @@ namespace squeal
         const RawEntry   *list  = tree.find(family.list_path());
         const std::string value = list == nullptr ? "" : list->value;
         throw InputError(
-          location.text() + ": section " + quoted(section) + ": " +
-          quoted(name) + " is not in '" + family.list_path() + " = " + value +
-          "'" + (list == nullptr ? "" : " (" + list->location.text() + ")") +
+          location.text() + ": section " + in_quotes(section) + ": " +
+          in_quotes(name) + " is not in '" + family.list_path() + " = " +
+          value + "'" +
+          (list == nullptr ? "" : " (" + list->location.text() + ")") +
           did_you_mean(name, split(value, ',')));
       }
 
@@ -101,22 +104,26 @@ namespace squeal
             places.push_back(section_of(other.path));
         members.insert(members.end(), allowed.begin(), allowed.end());
         throw InputError(location.text() + ": unknown section " +
-                         quoted(section) + hint(name, members, places) +
+                         in_quotes(section) + hint(name, members, places) +
                          allowed_here(allowed));
       }
 
 
 
-      /** Refuses the outermost part of @p section that is not declared. */
+      using Names = std::unordered_set<std::string>;
+
+      /** Refuses the outermost part of @p section that is not among the
+       * @p declared ones. */
       void
       check_section(const std::string &section,
                     const Location    &location,
+                    const Names       &declared,
                     const PrmTree     &tree,
                     const Schema      &schema)
       {
-        if (schema.has_section(section))
+        if (declared.count(section) > 0)
           return;
-        check_section(section_of(section), location, tree, schema);
+        check_section(section_of(section), location, declared, tree, schema);
         refuse_section(section, location, tree, schema);
       }
 
@@ -124,12 +131,13 @@ namespace squeal
 
       void
       check_entry(const RawEntry &entry,
+                  const Names    &declared,
                   const PrmTree  &tree,
                   const Schema   &schema,
                   const Schema   &generic)
       {
         const std::string section = section_of(entry.path);
-        check_section(section, entry.location, tree, schema);
+        check_section(section, entry.location, declared, tree, schema);
         if (schema.find(entry.path) != nullptr)
           return;
 
@@ -140,7 +148,7 @@ namespace squeal
             places.push_back(other.section);
         const std::vector<std::string> names = schema.entries_of(section);
         throw InputError(entry.location.text() + ": unknown entry " +
-                         quoted(entry.path) + hint(name, names, places) +
+                         in_quotes(entry.path) + hint(name, names, places) +
                          allowed_here(names));
       }
     } // namespace
@@ -152,10 +160,13 @@ namespace squeal
                           const Schema  &schema,
                           const Schema  &generic)
     {
+      Names declared;
+      for (const Schema::Section &section : schema.sections())
+        declared.insert(section.path);
       for (const RawSection &section : tree.sections)
-        check_section(section.path, section.location, tree, schema);
+        check_section(section.path, section.location, declared, tree, schema);
       for (const RawEntry &entry : tree.entries)
-        check_entry(entry, tree, schema, generic);
+        check_entry(entry, declared, tree, schema, generic);
     }
   } // namespace prm
 } // namespace squeal

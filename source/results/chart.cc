@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/chart_layout.h>
 
@@ -26,15 +27,16 @@ namespace squeal
           return 9 - hollow;
         case ChartSeries::Marker::diamond:
           return 13 - hollow;
-        default:
+        case ChartSeries::Marker::circle:
           return 7 - hollow;
         }
+      unknown_choice("marker");
     }
 
     std::string
     ink_of(const Ink ink)
     {
-      return " lc rgb " + quoted(colour_code(ink));
+      return " lc rgb " + in_quotes(colour_code(ink));
     }
 
     /** Writes the commands that draw one chart. */
@@ -100,8 +102,8 @@ namespace squeal
                 const double       size,
                 const std::string &more)
     {
-      drawing.add("set label " + quoted(words) + " at" + at(x, y) + ' ' +
-                  align + " font " + quoted("," + plot_number(size)) +
+      drawing.add("set label " + in_quotes(words) + " at" + at(x, y) + ' ' +
+                  align + " font " + in_quotes("," + plot_number(size)) +
                   " front " + more);
     }
 
@@ -127,7 +129,7 @@ namespace squeal
             free_from = place + half;
           const bool own_colour = fits && tick.highlighted;
           list += (list.empty() ? "" : ", ") +
-                  quoted(fits && !own_colour ? tick.text : "") + ' ' +
+                  in_quotes(fits && !own_colour ? tick.text : "") + ' ' +
                   plot_number(tick.position) +
                   (tick.text.empty() ? " 1" : " 0");
           if (own_colour)
@@ -137,7 +139,7 @@ namespace squeal
                  tick.text,
                  horizontal ? "center" : "right",
                  font,
-                 "tc rgb " + quoted(colour_code(Ink::vermillion)));
+                 "tc rgb " + in_quotes(colour_code(Ink::vermillion)));
         }
       drawing.add("set " + name + "tics (" + list +
                   ") nomirror out scale 0.8, 0.4 tc rgb '#000000'");
@@ -157,9 +159,9 @@ namespace squeal
       drawing.add("set tmargin at screen " +
                   plot_number(inner.y_max / drawing.height));
       drawing.add("set xrange [0:1]\nset yrange [0:1]\nset clip two");
-      drawing.add("set border 3 lw 1.2 lc rgb " + quoted(rule_colour));
+      drawing.add("set border 3 lw 1.2 lc rgb " + in_quotes(rule_colour));
       drawing.add(chart.grid ? "set grid xtics ytics back lt 1 lw 1 lc rgb " +
-                                 quoted(grid_colour)
+                                 in_quotes(grid_colour)
                              : "unset grid");
       draw_ticks(layout.x_axis, true);
       draw_ticks(layout.y_axis, false);
@@ -213,7 +215,7 @@ namespace squeal
                            : "0, graph " + from + " to graph 1, graph " + to;
           drawing.add("set object rectangle from graph " + corners +
                       " behind fs solid 1 noborder fc rgb " +
-                      quoted(strip.tint));
+                      in_quotes(strip.tint));
         }
     }
 
@@ -239,7 +241,7 @@ namespace squeal
            line.text,
            "center",
            size,
-           "tc rgb " + quoted(text_colour(line.ink)));
+           "tc rgb " + in_quotes(text_colour(line.ink)));
       layout.block(box);
     }
 
@@ -260,7 +262,7 @@ namespace squeal
            note.text,
            left ? "left" : (centre ? "center" : "right"),
            size,
-           "tc rgb " + quoted(text_colour(note.ink)));
+           "tc rgb " + in_quotes(text_colour(note.ink)));
       const double start = left ? x : x - (centre ? 0.5 : 1.) * width;
       layout.block({start, y - half, start + width, y + half});
     }
@@ -286,7 +288,7 @@ namespace squeal
                     at(x0 + 0.5 * font, entry.y - 0.5 * font) + " to" +
                     at(x1, entry.y + 0.5 * font) +
                     " front fs solid 1 noborder fc rgb " +
-                    quoted(colour_code(series.ink)));
+                    in_quotes(colour_code(series.ink)));
       text(x1 + 0.5 * font, entry.y, series.label, "left", font);
     }
 
@@ -305,7 +307,7 @@ namespace squeal
                label.text,
                "center",
                size,
-               "tc rgb " + quoted(text_colour(name.ink)));
+               "tc rgb " + in_quotes(text_colour(name.ink)));
           if (label.needs_leader)
             drawing.add("set arrow from" + at(label.x, label.y) + " to" +
                         at(std::min(box.x_max, std::max(box.x_min, label.x)),

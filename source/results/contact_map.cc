@@ -115,8 +115,8 @@ namespace squeal
             plot_number(1e3 * points[j][1]) + ' ' +
             plot_number(1e3 * length / longest * panel.arrows_x[j]) + ' ' +
             plot_number(1e3 * length / longest * panel.arrows_y[j]) + '\n';
-        drawing.add("set title " + quoted(panel.title));
-        drawing.add("set cblabel " + quoted(panel.label));
+        drawing.add("set title " + in_quotes(panel.title));
+        drawing.add("set cblabel " + in_quotes(panel.label));
         drawing.add("set cbrange [" + plot_number(lower) + ":" +
                     plot_number(upper) + "]");
         // Seen from above, where the height counts for the colour only.

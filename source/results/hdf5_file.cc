@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/hdf5_handle.h>
+#include <squeal/base/sealed_file.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/results/hdf5_file.h>
 
 #include <algorithm>
@@ -23,9 +25,10 @@ namespace squeal
           return H5T_STD_I32LE;
         case Hdf5File::Kind::integer8:
           return H5T_STD_U8LE;
-        default:
+        case Hdf5File::Kind::real64:
           return H5T_IEEE_F64LE;
         }
+      unknown_choice("kind of number");
     }
 
 
@@ -59,6 +62,17 @@ namespace squeal
 
 
 
+    /** Without the time of day: the same results have the same bytes. */
+    Hdf5Handle
+    dataset_creation()
+    {
+      const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+      H5Pset_obj_track_times(list, 0);
+      return {list, H5Pclose};
+    }
+
+
+
     Hdf5Handle
     intermediate_groups()
     {
@@ -77,6 +91,9 @@ namespace squeal
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     if (mode == Mode::create)
       id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    else if (mode == Mode::create_sealed)
+      id =
+        H5Fcreate(path.c_str(), H5F_ACC_TRUNC, sealed_creation(), H5P_DEFAULT);
     else
       {
         namespace fs = std::filesystem;
@@ -221,7 +238,7 @@ namespace squeal
                                      type_of(kind),
                                      space,
                                      groups,
-                                     H5P_DEFAULT,
+                                     dataset_creation(),
                                      H5P_DEFAULT),
                           H5Dclose);
     if (!data.is_valid() || (!values.empty() && H5Dwrite(data,
@@ -251,7 +268,7 @@ namespace squeal
     const Hdf5Handle groups = intermediate_groups();
     const Hdf5Handle data(
       H5Dcreate2(
-        id, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT),
+        id, name.c_str(), type, space, groups, dataset_creation(), H5P_DEFAULT),
       H5Dclose);
     if (!data.is_valid() ||
         (n > 0 &&
@@ -276,7 +293,7 @@ namespace squeal
                                             extent.data(),
                                             most.data()),
                            H5Sclose);
-    const Hdf5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Hdf5Handle list = dataset_creation();
     H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data());
     const Hdf5Handle groups = intermediate_groups();
     const Hdf5Handle data(

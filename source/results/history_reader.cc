@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/child_process.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/input_file.h>
+#include <squeal/base/sealed_file.h>
 #include <squeal/results/contact_history.h>
 #include <squeal/results/table.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -50,7 +54,44 @@ namespace squeal
 
 
 
+  void
+  HistoryReader::read_to_end() const
+  {
+    constexpr std::uint64_t n_at_once = 1024;
+    HistorySamples          values;
+    for (std::uint64_t first = 0; first < samples; first += n_at_once)
+      read(first, std::min(n_at_once, samples - first), values);
+    status_changes();
+  }
+
+
+
+  const std::string &
+  HistoryReader::accepted(const std::string &path)
+  {
+    if (is_sealed_file(path, HistoryWriter::sealed_kind))
+      {
+        if (!is_whole_file(path, HistoryWriter::sealed_kind))
+          refuse(path,
+                 "is damaged: its checksum is another one; make it again");
+      }
+    else if (input_file_fault(path).empty() && ends_by_signal([&]() {
+               HistoryReader(path, Accepted()).read_to_end();
+             }))
+      refuse(path, "is damaged: the HDF5 library crashes when it reads it");
+    return path;
+  }
+
+
+
   HistoryReader::HistoryReader(const std::string &path)
+    : HistoryReader(accepted(path), Accepted())
+  {
+  }
+
+
+
+  HistoryReader::HistoryReader(const std::string &path, Accepted)
     : file(path, Hdf5File::Mode::read)
   {
     check_format(file);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/sealed_file.h>
 #include <squeal/results/contact_history.h>
 
 #include <deal.II/base/exceptions.h>
@@ -35,8 +36,8 @@ namespace squeal
   HistoryWriter::HistoryWriter(const std::string &path, const HistoryLayout &l)
     : layout(l)
     , target(path)
-    , file(
-        std::make_unique<Hdf5File>(target.temporary(), Hdf5File::Mode::create))
+    , file(std::make_unique<Hdf5File>(target.temporary(),
+                                      Hdf5File::Mode::create_sealed))
   {
     const std::uint64_t n = layout.n_nodes();
     AssertDimension(layout.areas.size(), n);
@@ -134,6 +135,7 @@ namespace squeal
     file->write_attribute("complete", 1.);
     file->close();
     file.reset();
+    seal_file(target.temporary(), sealed_kind);
     target.commit();
   }
 } // namespace squeal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
+#include <squeal/base/inputs_read.h>
 #include <squeal/results/measured_shapes.h>
 #include <squeal/results/table.h>
 
@@ -30,7 +30,7 @@ namespace squeal
       explicit Lines(const std::string &path)
         : path(path)
       {
-        std::istringstream in(read_file(path));
+        std::istringstream in(read_input_file(path));
         for (std::string line; std::getline(in, line);)
           lines.push_back(line);
       }
@@ -244,7 +244,7 @@ namespace squeal
   std::vector<MeasuredShape>
   read_measured_shapes(const std::string &path)
   {
-    std::istringstream in(read_file(path));
+    std::istringstream in(read_input_file(path));
     std::string        line;
     while (std::getline(in, line) && trimmed(line).empty())
       ;

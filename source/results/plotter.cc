@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/files.h>
 #include <squeal/base/run_log.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/results/plotter.h>
 
 #include <array>
@@ -168,9 +169,14 @@ namespace squeal
         return "#6f6a00";
       case Ink::grey:
         return "#595959";
-      default:
+      case Ink::blue:
+      case Ink::vermillion:
+      case Ink::green:
+      case Ink::purple:
+      case Ink::black:
         return colour_code(ink);
       }
+    unknown_choice("ink");
   }
 
 
@@ -180,7 +186,7 @@ namespace squeal
   {
     const std::string name = "data" + std::to_string(data.size()) + ".txt";
     data.emplace_back(name, content);
-    return quoted(name);
+    return in_quotes(name);
   }
 
 
@@ -194,7 +200,7 @@ namespace squeal
 
 
   std::string
-  quoted(const std::string &text)
+  in_quotes(const std::string &text)
   {
     std::string result = "'";
     for (const char c : text)
@@ -268,14 +274,14 @@ namespace squeal
         const std::string size =
           std::to_string(drawing.width) + "," + std::to_string(drawing.height);
         const std::string font =
-          quoted("DejaVu Sans," + plot_number(drawing.font_size));
+          in_quotes("DejaVu Sans," + plot_number(drawing.font_size));
         done = run_gnuplot(
           temporary.folder,
-          "cd " + quoted(temporary.folder.string()) + "\nset terminal " +
+          "cd " + in_quotes(temporary.folder.string()) + "\nset terminal " +
             terminal + " size " + size + " font " + font + " noenhanced" +
             " background '#ffffff'\nmarker_scale = " +
             (terminal == svg_terminal ? "0.5" : "1.0") + "\nset output " +
-            quoted(target) + '\n' + drawing.script + "\nunset output\n",
+            in_quotes(target) + '\n' + drawing.script + "\nunset output\n",
           said);
       }
     std::error_code error;

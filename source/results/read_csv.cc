@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
+#include <squeal/base/inputs_read.h>
+#include <squeal/parameters/text.h>
 #include <squeal/results/table.h>
 
 #include <algorithm>
@@ -155,9 +156,11 @@ namespace squeal
       if (!value || std::isnan(*value) || column.type == Type::integer)
         fail(path,
              line,
-             "column '" + column.name + "': '" + text + "' is not " +
+             "column '" + column.name + "': " + prm::in_quotes(text) +
+               " is not " +
                (column.type == Type::integer ? "an integer" : "a number"));
-      return *value;
+      // What was written as infinite reads back.
+      return unbounded(*value);
     }
 
     std::vector<Table::Column>
@@ -176,6 +179,12 @@ namespace squeal
             fail(path,
                  header.line,
                  "column " + std::to_string(c + 1) + " has no name");
+          // it is shown in messages and titles
+          if (column.name.find_first_of("\r\n") != std::string::npos)
+            fail(path,
+                 header.line,
+                 "the name of column " + std::to_string(c + 1) +
+                   " has more than one line");
           for (const Table::Column &earlier : columns)
             if (earlier.name == column.name)
               fail(path, header.line, "two columns '" + column.name + "'");
@@ -199,7 +208,7 @@ namespace squeal
   Table
   read_csv(const std::string &path, const std::vector<Table::Column> &required)
   {
-    const std::string content   = read_file(path);
+    const std::string content   = read_input_file(path);
     const auto        is_binary = [](const char c) {
       return static_cast<unsigned char>(c) < 32 && !std::isspace(c);
     };

@@ -149,10 +149,10 @@ namespace squeal
              const double       size,
              const std::string &more = "")
     {
-      drawing.add("set label " + quoted(words) + " at screen " +
+      drawing.add("set label " + in_quotes(words) + " at screen " +
                   plot_number(x / drawing.width) + ", screen " +
                   plot_number(y / drawing.height) + ' ' + align + " font " +
-                  quoted("," + plot_number(size)) + " front " + more);
+                  in_quotes("," + plot_number(size)) + " front " + more);
     }
 
     /** Adds the scale of colours in @p box to the quads. */
@@ -277,8 +277,10 @@ namespace squeal
         add_text(drawing,
                  0.5 * (middle + right),
                  1.0 * line,
-                 "disc face from +z, x to the right; nodal lines black, "
-                 "contact dashed",
+                 std::string("contact face of the disc ") +
+                   (picture.face_looks_down ? "(below) " : "") +
+                   "seen from +z, x to the right; nodal lines black, "
+                   "contact dashed",
                  "center",
                  font - 1.);
       }

@@ -49,12 +49,30 @@ namespace squeal
       return result + '"';
     }
 
-    /** @p cell as @p column holds it. */
+    /** Ends the run instead of writing a number that is none. */
+    void
+    require_finite(const Cell          &cell,
+                   const Table::Column &column,
+                   const std::size_t    row)
+    {
+      const double *real = std::get_if<double>(&cell.value);
+      if (real == nullptr || std::isfinite(*real) ||
+          (cell.may_be_infinite && !std::isnan(*real)))
+        return;
+      throw ComputationError(
+        "the result '" + column.name + "' in row " + std::to_string(row + 1) +
+        " is " + (std::isnan(*real) ? "not a number" : "infinite") +
+        ": the numbers of the scene lead to no result here; look at the "
+        "largest and the smallest of them");
+    }
+
+    /** @p cell as @p column holds it in @p row. */
     Cell
-    fitted(const Cell &cell, const Table::Column &column)
+    fitted(const Cell &cell, const Table::Column &column, const std::size_t row)
     {
       if (cell.is_missing())
         return {};
+      require_finite(cell, column, row);
       const bool is_real    = std::holds_alternative<double>(cell.value);
       const bool is_integer = std::holds_alternative<long long>(cell.value);
       const bool is_text    = !is_real && !is_integer;
@@ -71,44 +89,9 @@ namespace squeal
 
 
 
-  std::string
-  shortest_text(const double value)
-  {
-    char       buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value).ptr;
-    return std::string(buffer, end);
-  }
-
-
-
-  std::string
-  rounded_text(const double value, const int n_digits)
-  {
-    if (!std::isfinite(value) || value == 0.)
-      return shortest_text(value == 0. ? 0. : value);
-    char       buffer[512];
-    const auto print = [&](const std::chars_format format,
-                           const int               precision) {
-      const auto end = std::to_chars(
-        buffer, buffer + sizeof(buffer), value, format, precision);
-      return std::string(buffer, end.ptr);
-    };
-    const std::string scientific =
-      print(std::chars_format::scientific, n_digits - 1);
-    // the exponent after rounding: 999.96 has four digits before the point
-    const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
-    if (exponent < -4 || exponent >= std::max(n_digits, 6))
-      return scientific;
-    return print(std::chars_format::fixed,
-                 std::max(0, n_digits - 1 - exponent));
-  }
-
-
-
   Cell::Cell(const double number)
+    : value(number)
   {
-    if (!std::isnan(number))
-      value = number;
   }
 
 
@@ -131,6 +114,22 @@ namespace squeal
   Cell::is_missing() const
   {
     return std::holds_alternative<std::monostate>(value);
+  }
+
+
+
+  Cell
+  or_missing(const double value)
+  {
+    return std::isnan(value) ? Cell() : Cell(value);
+  }
+
+  Cell
+  unbounded(const double value)
+  {
+    Cell cell(value);
+    cell.may_be_infinite = true;
+    return cell;
   }
 
 
@@ -163,7 +162,7 @@ namespace squeal
                              " cells under the columns " +
                              names_of(column_list));
     for (std::size_t c = 0; c < cells.size(); ++c)
-      cells[c] = fitted(cells[c], column_list[c]);
+      cells[c] = fitted(cells[c], column_list[c], rows.size());
     rows.push_back(std::move(cells));
   }
 
@@ -174,9 +173,10 @@ namespace squeal
   {
     if (has_column(column.name))
       throw std::logic_error("the column '" + column.name + "' exists");
+    const Cell first = fitted(cell, column, 0);
     column_list.insert(column_list.begin(), column);
     for (auto &row : rows)
-      row.insert(row.begin(), fitted(cell, column));
+      row.insert(row.begin(), first);
   }
 
 
@@ -196,7 +196,7 @@ namespace squeal
   Table::set(const std::size_t row, const std::string &column, const Cell &cell)
   {
     const std::size_t c = column_index(column);
-    rows.at(row)[c]     = fitted(cell, column_list[c]);
+    rows.at(row)[c]     = fitted(cell, column_list[c], row);
   }
 
 
@@ -311,16 +311,16 @@ namespace squeal
     const int n_decimals = column_list[column].n_decimals;
     if (n_decimals < 0 || !std::isfinite(*real))
       return rounded_text(*real, column_list[column].n_digits);
-    char              buffer[512];
-    const auto        end = std::to_chars(buffer,
+    // What the decimals cannot show is no zero.
+    if (*real != 0. && std::abs(*real) < std::pow(10., -n_decimals))
+      return rounded_text(*real, 2);
+    char       buffer[512];
+    const auto end = std::to_chars(buffer,
                                    buffer + sizeof(buffer),
-                                   *real,
+                                   *real == 0. ? 0. : *real,
                                    std::chars_format::fixed,
                                    n_decimals);
-    const std::string text(buffer, end.ptr);
-    // what rounds to zero has no sign
-    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
-    return is_zero && text.front() == '-' ? text.substr(1) : text;
+    return std::string(buffer, end.ptr);
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/results/universal_file.h>
 
 #include <cmath>
@@ -98,9 +99,10 @@ namespace squeal
           return "m";
         case UniversalFunction::Quantity::velocity:
           return "m/s";
-        default:
+        case UniversalFunction::Quantity::acceleration:
           return "m/s^2";
         }
+      unknown_choice("quantity");
     }
 
     std::string
@@ -112,9 +114,10 @@ namespace squeal
           return "Displacement";
         case UniversalFunction::Quantity::velocity:
           return "Velocity";
-        default:
+        case UniversalFunction::Quantity::acceleration:
           return "Acceleration";
         }
+      unknown_choice("quantity");
     }
   } // namespace
 

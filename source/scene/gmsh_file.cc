@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/input_file.h>
 
 #include <squeal/parameters/text.h>
 
@@ -104,7 +105,7 @@ namespace squeal
                                            "start with $MeshFormat");
           if (section[0] != '$')
             text.fail("expected the start of a section such as $Nodes, got " +
-                      prm::quoted(section));
+                      prm::in_quotes(section));
           if (section == "$MeshFormat")
             {
               read_format();
@@ -208,7 +209,7 @@ namespace squeal
       const long        type = next_integer("file type");
       version_4              = version == "4.1";
       if (!version_4 && version != "2" && version != "2.1" && version != "2.2")
-        text.fail("format " + prm::quoted(version) +
+        text.fail("format " + prm::in_quotes(version) +
                   " is not read: save the mesh as version 4.1 or 2.2 "
                   "(Mesh.MshFileVersion)");
       if (type != 0)
@@ -421,6 +422,7 @@ namespace squeal
   GmshFile
   read_gmsh_file(const std::string &name)
   {
+    require_input_file(name);
     refuse_binary(name);
     return GmshReader(name).read();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
 
 #include <squeal/scene/coarse_mesh.h>
 #include <squeal/scene/gmsh_file.h>
@@ -55,9 +56,15 @@ namespace squeal
           return "pyramids";
         case Kind::higher_order_hexahedron:
           return "hexahedra of second or higher order";
-        default:
+        case Kind::other_volume:
           return "cells of an unknown kind";
+        case Kind::low_dimensional:
+        case Kind::quadrilateral:
+        case Kind::other_surface:
+        case Kind::hexahedron:
+          break;
         }
+      unknown_choice("kind of cell to refuse");
     }
 
     /** The name of a physical group, or its number where it has none. */

@@ -33,16 +33,17 @@ namespace squeal
         n_columns = names.size();
         for (unsigned int i = 0; i < names.size(); ++i)
           if (!column_of.emplace(names[i], i).second)
-            file.fail("column " + prm::quoted(names[i]) + " is there twice");
+            file.fail("column " + prm::in_quotes(names[i]) + " is there twice");
         for (const std::string &column : required)
           if (!has(column))
-            file.fail("column " + prm::quoted(column) +
+            file.fail("column " + prm::in_quotes(column) +
                       " is missing in the header line");
         for (const std::string &column : names)
           if (!contains(required, column) && !contains(optional, column))
-            file.fail(
-              "column " + prm::quoted(column) + " is not known; there may be " +
-              prm::join(required, ", ") + ", " + prm::join(optional, ", "));
+            file.fail("column " + prm::in_quotes(column) +
+                      " is not known; there may be " +
+                      prm::join(required, ", ") + ", " +
+                      prm::join(optional, ", "));
       }
 
       bool
@@ -140,7 +141,7 @@ namespace squeal
         return ContactTerm::Side::source;
       if (text == "target")
         return ContactTerm::Side::target;
-      table.file.fail("side " + prm::quoted(text) +
+      table.file.fail("side " + prm::in_quotes(text) +
                       " is not known; write source or target");
     }
 
@@ -154,7 +155,7 @@ namespace squeal
         return ContactTerm::Direction::sliding;
       if (text == "transverse")
         return ContactTerm::Direction::transverse;
-      table.file.fail("direction " + prm::quoted(text) +
+      table.file.fail("direction " + prm::in_quotes(text) +
                       " is not known; write normal, sliding or transverse");
     }
   } // namespace

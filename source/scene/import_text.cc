@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
+#include <squeal/base/inputs_read.h>
 
 #include <squeal/parameters/text.h>
 
@@ -73,7 +73,7 @@ namespace squeal
 
     TextFile::TextFile(const std::string &name)
       : file_name(name)
-      , content(read_file(name))
+      , content(read_input_file(name))
     {
       if (content.find_first_not_of(" \t\r\n\f") == std::string::npos)
         throw InputError(file_name + " is empty");
@@ -245,7 +245,7 @@ namespace squeal
     {
       long value = 0;
       if (!parse_integer(text, value))
-        file.fail(std::string(what) + " " + prm::quoted(std::string(text)) +
+        file.fail(std::string(what) + " " + prm::in_quotes(std::string(text)) +
                   " is not an integer");
       return value;
     }
@@ -259,10 +259,10 @@ namespace squeal
     {
       double value = 0.;
       if (!parse_real(text, value))
-        file.fail(std::string(what) + " " + prm::quoted(std::string(text)) +
+        file.fail(std::string(what) + " " + prm::in_quotes(std::string(text)) +
                   " is not a number");
       if (!std::isfinite(value))
-        file.fail(std::string(what) + " " + prm::quoted(std::string(text)) +
+        file.fail(std::string(what) + " " + prm::in_quotes(std::string(text)) +
                   " is not finite");
       return value;
     }

@@ -18,7 +18,7 @@ namespace squeal
         std::string line = upper_case(file.line());
         line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
         if (!prm::starts_with(line, "*MATRIXINPUT"))
-          file.fail("keyword " + prm::quoted(std::string(file.line())) +
+          file.fail("keyword " + prm::in_quotes(std::string(file.line())) +
                     " does not belong in a matrix file; only *MATRIX INPUT "
                     "and the data lines of MATRIX OUTPUT do");
         if (!matrix.entries.empty())

@@ -24,7 +24,8 @@ namespace squeal
           file.fail("a dense ('array') matrix cannot be read; write a sparse "
                     "one ('coordinate')");
         if (words[3] != "REAL" && words[3] != "DOUBLE" && words[3] != "INTEGER")
-          file.fail("a matrix of kind " + prm::quoted(std::string(words[3])) +
+          file.fail("a matrix of kind " +
+                    prm::in_quotes(std::string(words[3])) +
                     " cannot be read; write a real one");
         if (words[4] == "GENERAL")
           return RawMatrix::Storage::general;
@@ -32,7 +33,7 @@ namespace squeal
           return RawMatrix::Storage::symmetric;
         if (words[4] == "SKEW-SYMMETRIC")
           return RawMatrix::Storage::skew;
-        file.fail("symmetry " + prm::quoted(std::string(words[4])) +
+        file.fail("symmetry " + prm::in_quotes(std::string(words[4])) +
                   " is not known; write general, symmetric or skew-symmetric");
       }
 

@@ -157,7 +157,7 @@ namespace squeal
             const auto found = headers.find(upper_case(name));
             if (found == headers.end())
               throw InputError(file.name() + ": no DMIG matrix " +
-                               prm::quoted(name) + "; there are " +
+                               prm::in_quotes(name) + "; there are " +
                                names_of(headers));
             return found;
           }

@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/base/timers.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/sweep/basis_builder.h>
 
 #include <Eigen/Eigenvalues>
@@ -91,7 +92,7 @@ namespace squeal
   double
   excess(const WorstError &worst, const BasisOptions &options)
   {
-    return std::max(worst.frequency / options.frequency_tolerance,
+    return worst_of(worst.frequency / options.frequency_tolerance,
                     worst.sigma / options.sigma_tolerance);
   }
 
@@ -109,13 +110,13 @@ namespace squeal
         const double shift =
           pairs.error_estimate[i] * std::abs(pairs.lambda[i]);
         const double omega = std::max(std::abs(pairs.lambda[i].imag()), 1e-300);
-        worst.relative     = std::max(worst.relative, pairs.error_estimate[i]);
-        if (shift / omega > worst.frequency)
+        worst.relative     = worst_of(worst.relative, pairs.error_estimate[i]);
+        if (is_worse(shift / omega, worst.frequency))
           {
             worst.frequency    = shift / omega;
             worst.frequency_at = point;
           }
-        if (shift > worst.sigma)
+        if (is_worse(shift, worst.sigma))
           {
             worst.sigma    = shift;
             worst.sigma_at = point;
@@ -341,13 +342,13 @@ namespace squeal
             inside.push_back(j);
         add_to_worst(select_pairs(snapshots.back(), inside), training[i], own);
         training_errors[i]   = own.relative;
-        round.worst.relative = std::max(round.worst.relative, own.relative);
-        if (own.frequency > round.worst.frequency)
+        round.worst.relative = worst_of(round.worst.relative, own.relative);
+        if (is_worse(own.frequency, round.worst.frequency))
           {
             round.worst.frequency    = own.frequency;
             round.worst.frequency_at = training[i];
           }
-        if (own.sigma > round.worst.sigma)
+        if (is_worse(own.sigma, round.worst.sigma))
           {
             round.worst.sigma    = own.sigma;
             round.worst.sigma_at = training[i];

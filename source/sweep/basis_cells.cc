@@ -2,6 +2,7 @@
 
 // The cells of a parameter box and the part of the common basis each needs.
 
+#include <squeal/base/worst_of.h>
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/sweep/basis_builder.h>
 
@@ -51,7 +52,7 @@ namespace squeal
       estimate_errors(pairs, truth.lambda);
       add_to_worst(pairs, point, worst);
       worst.relative =
-        (pairs.error_estimate.array() / pairs.condition.array()).maxCoeff();
+        worst_of(pairs.error_estimate.array() / pairs.condition.array());
       return worst;
     }
   } // namespace

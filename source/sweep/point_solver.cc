@@ -2,6 +2,7 @@
 #include <squeal/base/dense_products.h>
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/eigenvalue_condition.h>
 #include <squeal/sweep/point_solver.h>
 #include <squeal/sweep/refined_pairs.h>
 
@@ -76,8 +77,8 @@ namespace squeal
                              (2. * pairs.lambda[j] * Mx.col(j) + Cx.col(j)))(0);
           pairs.right.col(j) /= mass_x;
           pairs.left.col(j) /= mass_y;
-          pairs.condition[j] = 2. * std::abs(pairs.lambda[j]) * mass_x *
-                               mass_y / std::max(std::abs(d), 1e-300);
+          pairs.condition[j] =
+            eigenvalue_condition(pairs.lambda[j], mass_x * mass_y, d);
         }
       return pairs;
     }

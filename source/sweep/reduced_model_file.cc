@@ -5,15 +5,16 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/hdf5_handle.h>
+#include <squeal/base/input_file.h>
+#include <squeal/base/sealed_file.h>
+#include <squeal/base/state_files.h>
 #include <squeal/sweep/reduced_model.h>
-
-#include <filesystem>
 
 namespace squeal
 {
   namespace
   {
-    constexpr int format_version = 1;
+    constexpr int format_version = 2;
 
     void
     require(const bool ok, const std::string &file, const std::string &what)
@@ -118,18 +119,29 @@ namespace squeal
       return result;
     }
 
+    /** A text of any length: an attribute has room for 64 kB. */
     void
     write_text(const hid_t        root,
                const std::string &name,
-               const std::string &text)
+               const std::string &text,
+               const std::string &file)
     {
       const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
       H5Tset_size(type, text.size() + 1);
       const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-      const Hdf5Handle attribute(
-        H5Acreate2(root, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose);
-      H5Awrite(attribute, type, text.c_str());
+      const Hdf5Handle set(H5Dcreate2(root,
+                                      name.c_str(),
+                                      type,
+                                      space,
+                                      H5P_DEFAULT,
+                                      H5P_DEFAULT,
+                                      H5P_DEFAULT),
+                           H5Dclose);
+      require(
+        set >= 0 &&
+          H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) >= 0,
+        file,
+        "cannot be written");
     }
 
     std::string
@@ -137,13 +149,30 @@ namespace squeal
               const std::string &name,
               const std::string &file)
     {
-      const Hdf5Handle attribute(H5Aopen(root, name.c_str(), H5P_DEFAULT),
-                                 H5Aclose);
-      require(attribute >= 0, file, "is no basis of squeal");
-      const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-      std::string      text(H5Tget_size(type), '\0');
-      H5Aread(attribute, type, text.data());
+      const Hdf5Handle set(H5Dopen2(root, name.c_str(), H5P_DEFAULT), H5Dclose);
+      require(set >= 0, file, "is no basis of squeal");
+      const Hdf5Handle type(H5Dget_type(set), H5Tclose);
+      require(H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0,
+              file,
+              "holds something else than a text in '" + name + "'");
+      std::string text(H5Tget_size(type), '\0');
+      require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) >=
+                0,
+              file,
+              "is damaged at '" + name + "'");
       return text.c_str();
+    }
+
+    /** Opens a whole file of the format that this program reads. */
+    Hdf5Handle
+    opened(const std::string &file)
+    {
+      require_input_file(file);
+      require(is_sealed_file(file, state_kind::basis),
+              file,
+              "is no basis that squeal has written");
+      require(is_whole_file(file, state_kind::basis), file, "is damaged");
+      return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
     }
 
     std::string
@@ -159,23 +188,20 @@ namespace squeal
 
   void
   write_reduced_model(const ReducedModel &model,
-                      const std::string  &hash,
+                      const std::string  &key,
                       const std::string  &file)
   {
     const Hdf5Silence silence;
-    const auto        folder = std::filesystem::path(file).parent_path();
-    std::error_code   error;
-    if (!folder.empty())
-      std::filesystem::create_directories(folder, error);
-    AtomicFile target(file);
+    AtomicFile        target(file);
     {
-      const Hdf5Handle root(
-        H5Fcreate(
-          target.temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-        H5Fclose);
+      const Hdf5Handle root(H5Fcreate(target.temporary().c_str(),
+                                      H5F_ACC_TRUNC,
+                                      sealed_creation(),
+                                      H5P_DEFAULT),
+                            H5Fclose);
       require(root >= 0, file, "cannot be written");
-      write_text(root, "squeal_basis", std::to_string(format_version));
-      write_text(root, "hash", hash);
+      write_text(root, "version", std::to_string(format_version), file);
+      write_text(root, "key", key, file);
       Matrices parts, grams, numbers = model.numbers;
       for (std::size_t i = 0; i < model.grams.size(); ++i)
         grams[part_name(i)] = model.grams[i];
@@ -196,24 +222,33 @@ namespace squeal
       write_group(root, "functionals", model.functionals, file);
       write_group(root, "numbers", numbers, file);
     }
+    seal_file(target.temporary(), state_kind::basis);
     target.commit();
   }
 
 
 
-  ReducedModel
-  read_reduced_model(const std::string &file, std::string &hash)
+  std::string
+  key_of_reduced_model(const std::string &file)
   {
     const Hdf5Silence silence;
-    const Hdf5Handle  root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
-                          H5Fclose);
-    require(root >= 0, file, "is no HDF5 file, or is cut off");
-    const std::string version = read_text(root, "squeal_basis", file);
+    const Hdf5Handle  root = opened(file);
+    return read_text(root, "key", file);
+  }
+
+
+
+  ReducedModel
+  read_reduced_model(const std::string &file, std::string &key)
+  {
+    const Hdf5Silence silence;
+    const Hdf5Handle  root    = opened(file);
+    const std::string version = read_text(root, "version", file);
     require(version == std::to_string(format_version),
             file,
             "has the format version " + version + ", this program reads " +
               std::to_string(format_version));
-    hash = read_text(root, "hash", file);
+    key = read_text(root, "key", file);
     ReducedModel model;
     for (auto &part : read_group(root, "parts", file))
       model.parts.push_back(std::move(part.second));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/dense_products.h>
 #include <squeal/eigen/shifted_hessenberg.h>
+#include <squeal/eigen/standard_pairs.h>
 #include <squeal/sweep/refined_pairs.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -55,13 +56,19 @@ namespace squeal
                Eigen::MatrixXcd::Identity(Z.rows(), Z.cols());
       }
 
-      /** The quadratic problem between two bases; roots nearest to
-       * @p lambda, one a column. */
-      Eigen::VectorXcd
+      /** Roots of the quadratic problem between two bases nearest to a
+       * lambda, one a column of the vectors. */
+      struct Roots
+      {
+        Eigen::VectorXcd lambda;
+        Eigen::MatrixXcd right, left; /**< empty unless asked for */
+      };
+
+      Roots
       roots(const Eigen::MatrixXcd &Y,
             const Eigen::MatrixXcd &Z,
             const Complex           lambda,
-            Eigen::MatrixXcd       *vectors = nullptr) const
+            const bool              with_vectors) const
       {
         const Eigen::Index m = Z.cols();
         // About lambda, for what counts is the small difference.
@@ -74,37 +81,25 @@ namespace squeal
         A.topRightCorner(m, m).setIdentity();
         A.bottomLeftCorner(m, m)  = -factor.solve(Q);
         A.bottomRightCorner(m, m) = -factor.solve(dQ);
-        const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(A);
-        std::vector<int>                                  order(2 * m);
-        for (int i = 0; i < 2 * m; ++i)
-          order[i] = i;
+        const StandardPairs pairs = standard_pairs(A);
+        std::vector<int>    order(2 * m);
+        std::iota(order.begin(), order.end(), 0);
         std::sort(order.begin(), order.end(), [&](const int a, const int b) {
-          return std::abs(solver.eigenvalues()[a]) <
-                 std::abs(solver.eigenvalues()[b]);
+          return std::abs(pairs.values[a]) < std::abs(pairs.values[b]);
         });
-        Eigen::VectorXcd result(m);
-        if (vectors)
-          vectors->resize(Z.rows(), m);
-        for (Eigen::Index i = 0; i < m; ++i)
+        order.resize(m);
+        Roots result;
+        result.lambda = pairs.values(order).array() + lambda;
+        if (with_vectors)
           {
-            result[i] = lambda + solver.eigenvalues()[order[i]];
-            if (vectors)
-              vectors->col(i) = Z * solver.eigenvectors().col(order[i]).head(m);
+            result.right = Z * pairs.right.topRows(m)(Eigen::all, order);
+            // The last block of a left vector is M^T times that of Q.
+            const Eigen::MatrixXcd last =
+              pairs.left.bottomRows(m)(Eigen::all, order);
+            const Eigen::MatrixXcd y = factor.transpose().solve(last);
+            result.left              = Y * y;
           }
         return result;
-      }
-
-      /** The left vector in @p Y at a root between one or two vectors each. */
-      Eigen::VectorXcd
-      left_vector(const Eigen::MatrixXcd &Y,
-                  const Eigen::MatrixXcd &Z,
-                  const Complex           lambda) const
-      {
-        if (Y.cols() == 1)
-          return Y.col(0);
-        const Eigen::MatrixXcd G = Y.transpose() * at(lambda, Z);
-        const int j = G.col(0).squaredNorm() > G.col(1).squaredNorm() ? 0 : 1;
-        return G(1, j) * Y.col(0) - G(0, j) * Y.col(1);
       }
 
       /** To mass norm 1. */
@@ -237,23 +232,22 @@ namespace squeal
         Eigen::MatrixXcd Z = columns(pairs.right, N, a, b);
         Eigen::MatrixXcd Y = columns(pairs.left, N, a, b);
         quadratic.iterate(centre, Z, Y);
-        Eigen::MatrixXcd       right;
-        const Eigen::VectorXcd roots =
-          quadratic.roots(Y, Z, centre, with_vectors ? &right : nullptr);
+        const Quadratic::Roots roots =
+          quadratic.roots(Y, Z, centre, with_vectors);
         // Of two, both members choose as suits both best.
         Eigen::Index best = 0;
         if (b >= 0)
           {
             const auto away = [&](const int pair, const Eigen::Index i) {
-              return std::abs(roots[i] - pairs.lambda[pair]);
+              return std::abs(roots.lambda[i] - pairs.lambda[pair]);
             };
             best = away(a, 0) + away(b, 1) <= away(a, 1) + away(b, 0) ? 0 : 1;
           }
-        result.lambda[a] = roots[best];
+        result.lambda[a] = roots.lambda[best];
         if (!with_vectors)
           continue;
-        result.right.col(a) = right.col(best);
-        result.left.col(a)  = quadratic.left_vector(Y, Z, roots[best]);
+        result.right.col(a) = roots.right.col(best);
+        result.left.col(a)  = roots.left.col(best);
         quadratic.normalise(result.right.col(a));
         quadratic.normalise(result.left.col(a));
       }

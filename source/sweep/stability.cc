@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/worst_of.h>
 #include <squeal/sweep/stability.h>
 
 #include <algorithm>
@@ -197,7 +198,7 @@ namespace squeal
                   top = q;
                 const int i = line[q].pair_of(branch);
                 range.sigma_error =
-                  std::max(range.sigma_error,
+                  worst_of(range.sigma_error,
                            line[q].pairs.error_estimate[i] *
                              std::abs(line[q].pairs.lambda[i]));
               }

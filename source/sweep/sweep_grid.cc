@@ -31,6 +31,19 @@ namespace squeal
 
 
 
+  double
+  entry_value(const SweepAxisParameters &axis,
+              const std::size_t          entry,
+              const double               share)
+  {
+    const double from = component(axis.from, entry);
+    const double to   = component(axis.to, entry);
+    return axis.scale == Scale::logarithmic ? from * std::pow(to / from, share)
+                                            : (1. - share) * from + share * to;
+  }
+
+
+
   SweepGrid::SweepGrid(const Parameters &parameters)
     : axes(parameters.sweep.axes)
   {
@@ -148,13 +161,8 @@ namespace squeal
         if (i == 0 || axes[a].scale == Scale::list)
           result.push_back(value(a, point[a]));
         else
-          {
-            const double from = component(axes[a].from, i);
-            const double to   = component(axes[a].to, i);
-            const double s    = share(a, point[a]);
-            result.push_back(is_logarithmic(a) ? from * std::pow(to / from, s)
-                                               : from + s * (to - from));
-          }
+          // Not the member, which counts entries through all axes.
+          result.push_back(squeal::entry_value(axes[a], i, share(a, point[a])));
     return result;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/transient/contact_solver.h>
 
 #include <deal.II/base/exceptions.h>
@@ -90,7 +91,7 @@ namespace squeal
       return;
     const Eigen::ArrayXd change =
       now.W.diagonal().array() / kept.W.diagonal().array() - 1.;
-    if (change.abs().maxCoeff() <= largest_change)
+    if (worst_of(change.abs()) <= largest_change)
       return;
     has_inverse = false;
     is_single   = starts_single;
@@ -161,9 +162,8 @@ namespace squeal
         states[j]                   = p.status;
         rows[j]                     = rows_of(p);
         violation.segment<3>(3 * j) = lambda.segment<3>(3 * j) - p.forces;
-        const double size = violation.segment<3>(3 * j).cwiseAbs().maxCoeff();
-        // Not a number must not pass for small.
-        worst = size <= worst ? worst : size;
+        worst =
+          worst_of(worst, worst_of(violation.segment<3>(3 * j).cwiseAbs()));
       }
     return worst / mean_force;
   }

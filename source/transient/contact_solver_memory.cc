@@ -4,84 +4,115 @@
 
 #include <squeal/transient/contact_solver.h>
 
-#include <deal.II/base/exceptions.h>
-
+#include <limits>
 #include <type_traits>
 
 namespace squeal
 {
-  std::vector<double>
+  namespace
+  {
+    constexpr std::size_t last_status =
+      static_cast<std::size_t>(ContactStatus::slip);
+
+    NamedNumbers
+    numbers_of(const std::vector<NodeRows> &rows)
+    {
+      std::vector<double> status, friction, turning, direction;
+      for (const NodeRows &r : rows)
+        {
+          status.push_back(static_cast<double>(r.status));
+          friction.push_back(r.friction);
+          turning.push_back(r.turning);
+          direction.push_back(r.direction[0]);
+          direction.push_back(r.direction[1]);
+        }
+      NamedNumbers result;
+      result.set("status", status);
+      result.set("friction", friction);
+      result.set("turning", turning);
+      result.set("direction", direction);
+      return result;
+    }
+
+    std::vector<NodeRows>
+    rows_from(const NamedNumbers &numbers, const std::size_t n)
+    {
+      const auto           &status    = numbers.get("status", n);
+      const auto           &friction  = numbers.get("friction", n);
+      const auto           &turning   = numbers.get("turning", n);
+      const auto           &direction = numbers.get("direction", 2 * n);
+      std::vector<NodeRows> rows(n);
+      for (std::size_t j = 0; j < n; ++j)
+        {
+          rows[j].status = static_cast<ContactStatus>(
+            whole_number(status[j], last_status, "status"));
+          rows[j].friction = friction[j];
+          rows[j].turning  = turning[j];
+          rows[j].direction =
+            Eigen::Vector2d(direction[2 * j], direction[2 * j + 1]);
+        }
+      return rows;
+    }
+  } // namespace
+
+
+
+  NamedNumbers
   ContactSolver::memory() const
   {
-    std::vector<double> result;
-    for (const auto *list : {&base, &updated})
-      for (const NodeRows &r : *list)
-        for (const double value : {static_cast<double>(r.status),
-                                   r.friction,
-                                   r.turning,
-                                   r.direction[0],
-                                   r.direction[1]})
-          result.push_back(value);
-    const auto append = [&](const auto &matrix) {
-      result.insert(result.end(), matrix.data(), matrix.data() + matrix.size());
-    };
+    NamedNumbers result;
+    result.set("has_inverse", has_inverse ? 1. : 0.);
+    result.set("n_inversions", static_cast<double>(n_inverted));
     if (!has_inverse)
       return result;
-    result.push_back(is_single ? 1. : 0.);
-    result.push_back(changed.size());
-    result.insert(result.end(), changed.begin(), changed.end());
+    result.set("base", numbers_of(base));
+    result.set("updated", numbers_of(updated));
+    result.set("is_single", is_single ? 1. : 0.);
+    result.set("changed_nodes",
+               std::vector<double>(changed.begin(), changed.end()));
     const auto keep = [&](const auto &op) {
-      result.push_back(op.n_applied());
-      append(op.changed_columns());
-      append(op.change_matrix());
+      result.set("n_applied", static_cast<double>(op.n_applied()));
+      result.set("changed_columns",
+                 Eigen::MatrixXd(op.changed_columns().template cast<double>()));
+      result.set("change_matrix",
+                 Eigen::MatrixXd(op.change_matrix().template cast<double>()));
     };
     if (is_single)
       keep(single);
     else
       keep(full);
-    append(kept.W);
+    result.set("kept_operator", kept.W);
     return result;
   }
 
+
+
   void
-  ContactSolver::restore(const std::vector<double> &memory)
+  ContactSolver::restore(const NamedNumbers &memory)
   {
-    if (memory.empty())
-      return;
-    auto next = memory.begin();
-    for (auto *list : {&base, &updated})
+    constexpr std::size_t any = std::numeric_limits<unsigned int>::max();
+    const std::size_t     n   = gap.size();
+    const unsigned int    n_inversions = memory.count("n_inversions", any);
+    if (memory.count("has_inverse", 1) == 0)
       {
-        list->resize(gap.size());
-        for (NodeRows &r : *list)
-          {
-            r.status    = static_cast<ContactStatus>(int(*next++));
-            r.friction  = *next++;
-            r.turning   = *next++;
-            r.direction = Eigen::Vector2d(next[0], next[1]);
-            next += 2;
-          }
+        n_inverted = n_inversions;
+        return;
       }
-    is_single = *next++ == 1.;
-    std::vector<unsigned int> nodes(static_cast<std::size_t>(*next++));
-    for (unsigned int &node : nodes)
-      node = static_cast<unsigned int>(*next++);
-    const Eigen::Index    n         = 3 * nodes.size();
-    const unsigned int    n_applied = static_cast<unsigned int>(*next++);
-    const Eigen::Index    n_rows    = now.W.rows();
-    const double         *rest      = memory.data() + (next - memory.begin());
+    base      = rows_from(memory.group("base"), n);
+    updated   = rows_from(memory.group("updated"), n);
+    is_single = memory.count("is_single", 1) == 1;
+    std::vector<unsigned int> nodes;
+    for (const double node : memory.get("changed_nodes"))
+      nodes.push_back(whole_number(node, n - 1, "changed_nodes"));
+    const unsigned int    n_applied = memory.count("n_applied", any);
+    const Eigen::Index    n_rows = now.W.rows(), n_changed = 3 * nodes.size();
     const Eigen::MatrixXd columns =
-                            Eigen::Map<const Eigen::MatrixXd>(rest, n_rows, n),
-                          small = Eigen::Map<const Eigen::MatrixXd>(
-                            rest + columns.size(), n, n);
-    const double *before = rest + (n_rows + n) * n;
-    kept                 = {};
-    if (before != memory.data() + memory.size())
-      {
-        AssertDimension(memory.data() + memory.size() - before,
-                        n_rows * n_rows);
-        kept =
-          Operator(Eigen::Map<const Eigen::MatrixXd>(before, n_rows, n_rows));
-      }
+      memory.matrix("changed_columns", n_rows, n_changed);
+    const Eigen::MatrixXd small =
+      memory.matrix("change_matrix", n_changed, n_changed);
+    kept        = memory.get("kept_operator").empty()
+                    ? Operator()
+                    : Operator(memory.matrix("kept_operator", n_rows, n_rows));
     has_inverse = true;
     changed.clear();
     set_inverse();
@@ -96,5 +127,6 @@ namespace squeal
       take(single);
     else
       take(full);
+    n_inverted = n_inversions;
   }
 } // namespace squeal

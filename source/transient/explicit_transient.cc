@@ -150,10 +150,10 @@ namespace squeal
     energies.elastic = 0.5 * K_u.dot(u - dt * w - (beta_2 - 0.5) * dt * dt * a);
   }
 
-  std::vector<Eigen::VectorXd *>
+  std::vector<std::pair<std::string, Eigen::VectorXd *>>
   ExplicitTransient::further_state()
   {
-    return {&w, &K_u};
+    return {{"lagged_velocities", &w}, {"elastic_forces", &K_u}};
   }
 
   double

@@ -2,6 +2,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/transient/full_transient.h>
 
+#include <limits>
+
 namespace squeal
 {
   Block
@@ -283,64 +285,46 @@ namespace squeal
 
 
 
-  std::vector<Eigen::VectorXd *>
+  std::vector<std::pair<std::string, Eigen::VectorXd *>>
   FullTransient::state()
   {
-    std::vector<Eigen::VectorXd *> result = {&u,
-                                             &v,
-                                             &a,
-                                             &lambda,
-                                             &lambda_1,
-                                             &lambda_2,
-                                             &nodes_motion,
-                                             &way,
-                                             &friction.state()};
-    for (auto *x : further_state())
-      result.push_back(x);
+    std::vector<std::pair<std::string, Eigen::VectorXd *>> result = {
+      {"displacements", &u},
+      {"velocities", &v},
+      {"accelerations", &a},
+      {"forces", &lambda},
+      {"forces_before", &lambda_1},
+      {"forces_before_that", &lambda_2},
+      {"motion", &nodes_motion},
+      {"way", &way},
+      {"friction", &friction.state()}};
+    for (const auto &further : further_state())
+      result.push_back(further);
     return result;
   }
 
-  std::vector<double>
+  NamedNumbers
   FullTransient::memory() const
   {
-    std::vector<double> result = {static_cast<double>(n_steps),
-                                  energies.kinetic,
-                                  energies.elastic,
-                                  energies.damping,
-                                  energies.friction,
-                                  energies.driving,
-                                  energies.load,
-                                  energies.numerical,
-                                  energies.start};
-    for (const auto *x : const_cast<FullTransient *>(this)->state())
-      result.insert(result.end(), x->data(), x->data() + x->size());
-    const std::vector<double> more = solver->memory();
-    result.insert(result.end(), more.begin(), more.end());
+    NamedNumbers result;
+    result.set("n_steps", static_cast<double>(n_steps));
+    result.set("energies", energies.memory());
+    for (const auto &[name, x] : const_cast<FullTransient *>(this)->state())
+      result.set(name, Eigen::MatrixXd(*x));
+    result.set("solver", solver->memory());
     return result;
   }
 
   void
-  FullTransient::restore(const std::vector<double> &memory)
+  FullTransient::restore(const NamedNumbers &memory)
   {
-    auto next = memory.begin();
-    n_steps   = static_cast<unsigned int>(*next++);
-    for (double *x : {&energies.kinetic,
-                      &energies.elastic,
-                      &energies.damping,
-                      &energies.friction,
-                      &energies.driving,
-                      &energies.load,
-                      &energies.numerical,
-                      &energies.start})
-      *x = *next++;
+    n_steps = memory.count("n_steps", std::numeric_limits<unsigned int>::max());
+    energies.restore(memory.group("energies"));
     // Sizes are those of the start, which has been set before.
-    for (auto *x : state())
-      {
-        *x = Eigen::Map<const Eigen::VectorXd>(&*next, x->size());
-        next += x->size();
-      }
+    for (const auto &[name, x] : state())
+      *x = memory.vector(name, x->size());
     if (model.turning)
       set_turn();
-    solver->restore({next, memory.end()});
+    solver->restore(memory.group("solver"));
   }
 } // namespace squeal

@@ -47,7 +47,7 @@ namespace squeal
           mean += s / n_parts;
           square += s * s / n_parts;
         }
-      const double variance = std::max(0., square - mean * mean);
+      const double variance = std::max(square - mean * mean, 0.);
       return {slope(x, y, 0, x.size()),
               student * std::sqrt(variance / (n_parts - 1.))};
     }

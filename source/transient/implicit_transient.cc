@@ -55,10 +55,11 @@ namespace squeal
     set_stored_energy();
   }
 
-  std::vector<Eigen::VectorXd *>
+  std::vector<std::pair<std::string, Eigen::VectorXd *>>
   ImplicitTransient::further_state()
   {
-    return {&K_u, &M_v, &touching};
+    return {
+      {"elastic_forces", &K_u}, {"momentum", &M_v}, {"touching", &touching}};
   }
 
   void

@@ -75,7 +75,7 @@ namespace squeal
   {
     for (Eigen::Index k = 0; k < model.damping.size(); ++k)
       {
-        const double omega = std::sqrt(std::max(0., model.omega_squared[k]));
+        const double omega = std::sqrt(std::max(model.omega_squared[k], 0.));
         model.damping[k] +=
           2. * omega *
           cut_off_damping(ratio, model.cut_off, omega / (2. * M_PI));

@@ -3,6 +3,8 @@
 #include <squeal/transient/reduced_transient.h>
 
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <sstream>
 
 namespace squeal
@@ -25,6 +27,40 @@ namespace squeal
              30.;
     }
   } // namespace
+
+
+
+  namespace
+  {
+    constexpr std::pair<const char *, double EnergyLedger::*> energy_names[] = {
+      {"kinetic", &EnergyLedger::kinetic},
+      {"elastic", &EnergyLedger::elastic},
+      {"damping", &EnergyLedger::damping},
+      {"friction", &EnergyLedger::friction},
+      {"driving", &EnergyLedger::driving},
+      {"load", &EnergyLedger::load},
+      {"numerical", &EnergyLedger::numerical},
+      {"start", &EnergyLedger::start}};
+    static_assert(sizeof(EnergyLedger) ==
+                    std::size(energy_names) * sizeof(double),
+                  "every member has a name");
+  } // namespace
+
+  NamedNumbers
+  EnergyLedger::memory() const
+  {
+    NamedNumbers result;
+    for (const auto &[name, member] : energy_names)
+      result.set(name, this->*member);
+    return result;
+  }
+
+  void
+  EnergyLedger::restore(const NamedNumbers &memory)
+  {
+    for (const auto &[name, member] : energy_names)
+      this->*member = memory.number(name);
+  }
 
 
 
@@ -258,60 +294,41 @@ namespace squeal
     return solver.n_inversions();
   }
 
-  std::vector<double>
+  std::vector<std::pair<std::string, Eigen::VectorXd *>>
+  ReducedTransient::state()
+  {
+    return {{"coordinates", &q},
+            {"velocities", &v},
+            {"motion", &u},
+            {"total_force", &total_force},
+            {"forces", &lambda},
+            {"forces_before", &lambda_1},
+            {"forces_before_that", &lambda_2},
+            {"load", &load_now},
+            {"motion_of_load", &motion_now},
+            {"friction", &friction.state()}};
+  }
+
+  NamedNumbers
   ReducedTransient::memory() const
   {
-    std::vector<double> result = {static_cast<double>(n_steps),
-                                  energies.damping,
-                                  energies.friction,
-                                  energies.driving,
-                                  energies.load,
-                                  energies.numerical,
-                                  energies.start};
-    for (const auto *x : {&q,
-                          &v,
-                          &u,
-                          &total_force,
-                          &lambda,
-                          &lambda_1,
-                          &lambda_2,
-                          &load_now,
-                          &motion_now,
-                          &friction.state()})
-      result.insert(result.end(), x->data(), x->data() + x->size());
-    const std::vector<double> more = solver.memory();
-    result.insert(result.end(), more.begin(), more.end());
+    NamedNumbers result;
+    result.set("n_steps", static_cast<double>(n_steps));
+    result.set("energies", energies.memory());
+    for (const auto &[name, x] : const_cast<ReducedTransient *>(this)->state())
+      result.set(name, Eigen::MatrixXd(*x));
+    result.set("solver", solver.memory());
     return result;
   }
 
   void
-  ReducedTransient::restore(const std::vector<double> &memory)
+  ReducedTransient::restore(const NamedNumbers &memory)
   {
-    auto next = memory.begin();
-    n_steps   = static_cast<unsigned int>(*next++);
-    for (double *x : {&energies.damping,
-                      &energies.friction,
-                      &energies.driving,
-                      &energies.load,
-                      &energies.numerical,
-                      &energies.start})
-      *x = *next++;
-    const Eigen::Index n = model.n_modes(), m = 3 * model.n_nodes();
-    for (const auto &[x, size] :
-         {std::make_pair(&q, n),
-          std::make_pair(&v, n),
-          std::make_pair(&u, m),
-          std::make_pair(&total_force, n),
-          std::make_pair(&lambda, m),
-          std::make_pair(&lambda_1, m),
-          std::make_pair(&lambda_2, m),
-          std::make_pair(&load_now, n),
-          std::make_pair(&motion_now, m),
-          std::make_pair(&friction.state(), friction.state().size())})
-      {
-        *x = Eigen::Map<const Eigen::VectorXd>(&*next, size);
-        next += size;
-      }
-    solver.restore({next, memory.end()});
+    n_steps = memory.count("n_steps", std::numeric_limits<unsigned int>::max());
+    energies.restore(memory.group("energies"));
+    // Sizes are those of the start, which has been set before.
+    for (const auto &[name, x] : state())
+      *x = memory.vector(name, x->size());
+    solver.restore(memory.group("solver"));
   }
 } // namespace squeal

@@ -200,8 +200,11 @@ namespace squeal
              const double               interval,
              const double               frequency)
   {
-    using Part        = Eigen::Map<const Eigen::ArrayXd>;
-    const auto   n    = static_cast<Eigen::Index>(signal.size());
+    const auto n = static_cast<Eigen::Index>(signal.size());
+    // Sums over arrays of Eigen's own have the same bits wherever in memory
+    // they are, which those over parts of a vector have not.
+    const Eigen::ArrayXd all =
+      Eigen::Map<const Eigen::ArrayXd>(signal.data(), n);
     const double step = 1. / (frequency * interval);
     double       best = 0.;
     for (unsigned int m = 1; m <= 20 && frequency > 0.; ++m)
@@ -209,10 +212,9 @@ namespace squeal
         const auto lag = static_cast<Eigen::Index>(std::round(m * step));
         if (2 * lag > n)
           break;
-        const Eigen::ArrayXd now =
-          Part(signal.data(), n - lag) - Part(signal.data(), n - lag).mean();
-        const Eigen::ArrayXd later = Part(signal.data() + lag, n - lag) -
-                                     Part(signal.data() + lag, n - lag).mean();
+        Eigen::ArrayXd now = all.head(n - lag), later = all.tail(n - lag);
+        now -= now.mean();
+        later -= later.mean();
         const double size = now.matrix().norm() * later.matrix().norm();
         if (size > 0.)
           best = std::max(best, (now * later).sum() / size);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/eigen/standard_pairs.h>
 #include <squeal/transient/steady_sliding.h>
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -24,7 +26,7 @@ namespace squeal
         throw ComputationError("there is no steady sliding: nothing presses "
                                "the bodies of the contact together");
       throw ComputationError(
-        "there is no steady sliding beyond mu = " + std::to_string(reached) +
+        "there is no steady sliding beyond mu = " + rounded_text(reached, 6) +
         ": the friction wedges or sprags");
     }
   } // namespace
@@ -249,7 +251,7 @@ namespace squeal
             increment *= 0.5;
             if (increment * n_steps < 1e-3)
               throw ComputationError("the contact at rest has no solution at " +
-                                     std::to_string(100. * share) +
+                                     rounded_text(100. * share, 4) +
                                      " % of the load");
           }
         states.push_back(now);
@@ -274,47 +276,46 @@ namespace squeal
       return all(rows, Eigen::all);
     }
 
+    /** w^T x, and where two pairs have coalesced, so that nothing but rounding
+     * is left of it, the size of that. */
+    std::complex<double>
+    product_of(const Eigen::VectorXcd &w, const Eigen::VectorXcd &x)
+    {
+      const std::complex<double> product = (w.transpose() * x).value();
+      const double rounding = std::numeric_limits<double>::epsilon() *
+                              w.cwiseAbs().cwiseProduct(x.cwiseAbs()).sum();
+      return std::abs(product) > rounding ? product : rounding;
+    }
+
     /** Eigenvalues of x' = A x, x = (q, v, ...) with @p n positions. */
     LinearizedMotion
-    left_vectors(Eigen::MatrixXd A, const unsigned int n)
+    motion_of(const Eigen::MatrixXd &A, const unsigned int n)
     {
-      // Every state in the unit that makes row and column alike.
-      Eigen::VectorXd unit = Eigen::VectorXd::Ones(A.rows());
-      for (unsigned int pass = 0; pass < 8; ++pass)
-        for (Eigen::Index i = 0; i < A.rows(); ++i)
-          {
-            const double diagonal = std::abs(A(i, i));
-            const double row      = A.row(i).cwiseAbs().sum() - diagonal,
-                         column   = A.col(i).cwiseAbs().sum() - diagonal;
-            if (row <= 0. || column <= 0.)
-              continue;
-            const double factor = std::sqrt(row / column);
-            A.row(i) /= factor;
-            A.col(i) *= factor;
-            unit[i] *= factor;
-          }
-      const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-      const Eigen::MatrixXcd inverse = solver.eigenvectors().inverse();
-      std::vector<int>       kept;
+      const StandardPairs pairs = standard_pairs(A);
+      std::vector<int>    kept;
       for (Eigen::Index k = 0; k < A.rows(); ++k)
-        if (solver.eigenvalues()[k].imag() >= 0.)
+        if (pairs.values[k].imag() >= 0.)
           kept.push_back(k);
       std::sort(kept.begin(), kept.end(), [&](const int a, const int b) {
-        return solver.eigenvalues()[a].imag() < solver.eigenvalues()[b].imag();
+        return pairs.values[a].imag() < pairs.values[b].imag();
       });
       LinearizedMotion result;
-      result.lambda.resize(kept.size());
+      result.lambda = pairs.values(kept);
       result.left.resize(kept.size(), A.rows());
       result.right.resize(A.rows(), kept.size());
+      result.condition = pairs.reciprocal_condition(kept)
+                           .cwiseMax(std::numeric_limits<double>::epsilon())
+                           .cwiseInverse();
       for (std::size_t i = 0; i < kept.size(); ++i)
         {
-          result.lambda[i] = solver.eigenvalues()[kept[i]];
-          const Eigen::VectorXcd x =
-            unit.asDiagonal() * solver.eigenvectors().col(kept[i]);
-          const double size = x.segment(n, n).norm() / std::sqrt(2.);
-          result.left.row(i) =
-            size * inverse.row(kept[i]) * unit.cwiseInverse().asDiagonal();
+          const Eigen::VectorXcd w = pairs.left.col(kept[i]);
+          const Eigen::VectorXcd x = pairs.right.col(kept[i]);
+          // A motion at rest (a force that fades, lambda = 0) has no kinetic
+          // energy to be scaled by.
+          const double moving = x.segment(n, n).norm() / std::sqrt(2.);
+          const double size   = moving > 0. ? moving : 1.;
           result.right.col(i) = x / size;
+          result.left.row(i)  = size / product_of(w, x) * w.transpose();
         }
       return result;
     }
@@ -433,7 +434,7 @@ namespace squeal
                             .partialPivLu()
                             .solve(rate);
       }
-    LinearizedMotion result = left_vectors(A, n);
+    LinearizedMotion result = motion_of(A, n);
     result.across           = A.bottomRightCorner(n_s, n_s);
     return result;
   }

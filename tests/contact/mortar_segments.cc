@@ -5,6 +5,7 @@
 // costs.
 
 #include "contact/turned_block.h"
+#include "worst.h"
 
 #include <squeal/contact/face_overlap.h>
 #include <squeal/contact/mortar.h>
@@ -60,16 +61,16 @@ namespace
             const std::vector<SurfaceFace> &targets,
             const unsigned int              degree)
   {
-    double worst = 0.;
+    Worst worst;
     for (const auto &source : sources)
       {
         double sum = 0.;
         for (const auto &target : targets)
           for (const auto &point : face_overlap(source, target, degree))
             sum += point.weight;
-        worst = std::max(worst, std::abs(sum - 1.));
+        worst.add(std::abs(sum - 1.));
       }
-    return worst;
+    return worst.largest();
   }
 
   void
@@ -125,22 +126,25 @@ namespace
   double
   biorthogonality(const MortarCoupling &m)
   {
-    double worst = 0.;
+    Worst worst;
     for (const auto &rows : m.target_rows)
       for (const auto &row : rows)
         {
-          double partner = 0., others = 0.;
+          Worst  others;
+          double partner = 0.;
+          others.add(0.);
           for (const auto &[r, w] : row)
             if (std::abs(w) > std::abs(partner))
               {
-                others  = std::max(others, std::abs(partner));
+                others.add(std::abs(partner));
                 partner = w;
               }
             else
-              others = std::max(others, std::abs(w));
-          worst = std::max({worst, std::abs(partner - 1.), others});
+              others.add(std::abs(w));
+          worst.add(std::abs(partner - 1.));
+          worst.add(others.largest());
         }
-    return worst;
+    return worst.largest();
   }
 
   void
@@ -184,7 +188,7 @@ namespace
                  const unsigned int    body,
                  const bool            constant)
   {
-    double worst = 0.;
+    Worst worst;
     for (unsigned int k = 0; k < (constant ? 1u : 3u); ++k)
       {
         const auto value = [&](const dealii::Point<3> &x) {
@@ -202,10 +206,10 @@ namespace
               double sum = 0.;
               for (const auto &[row, weight] : m.target_rows[j][c])
                 sum += weight * u[row];
-              worst = std::max(worst, std::abs(sum - value(m.nodes[j])));
+              worst.add(std::abs(sum - value(m.nodes[j])));
             }
       }
-    return worst;
+    return worst.largest();
   }
 
   /** Nodal forces of an even pressure of 1 Pa on the source face. */
@@ -238,7 +242,8 @@ namespace
   double
   relative(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
   {
-    return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+    return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
+           b.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   }
 
   /** Pads of several meshes in one place on a disc. */

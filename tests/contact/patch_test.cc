@@ -5,6 +5,7 @@
 // friction.
 
 #include "contact/turned_block.h"
+#include "worst.h"
 
 #include <squeal/contact/mortar.h>
 #include <squeal/discretization/face_quadrature.h>
@@ -120,7 +121,7 @@ namespace
     dealii::FEValues<3>     values(
       d.mapping(), fe, gauss, dealii::update_gradients);
     std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    double                                       worst = 0.;
+    Worst                                        worst;
     for (const auto &cell : d.dof_handler().active_cell_iterators())
       {
         values.reinit(cell);
@@ -146,10 +147,10 @@ namespace
               shear * (gradient + gradient.transpose()) +
               volume * gradient.trace() * Eigen::Matrix3d::Identity();
             stress(2, 2) += pressure;
-            worst = std::max(worst, stress.cwiseAbs().maxCoeff());
+            worst.add(stress.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
           }
       }
-    return worst / pressure;
+    return worst.largest() / pressure;
   }
 
   double

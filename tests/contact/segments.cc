@@ -4,6 +4,7 @@
 // regions that only touch, slivers, curved edges.
 
 #include "check.h"
+#include "worst.h"
 
 #include <squeal/contact/segments.h>
 
@@ -78,34 +79,35 @@ namespace
   check_random_polygons()
   {
     std::mt19937 random(1);
-    double       exchanged = 0., split = 0., whole = 0.;
+    Worst        whole;
+    Worst        exchanged;
+    Worst        split;
     unsigned int meeting = 0;
     for (unsigned int trial = 0; trial < 2000; ++trial)
       {
         const Corners a = random_polygon(random), b = random_polygon(random);
         const double  area = shoelace(a), common = common_area(a, b);
         meeting += common > 1e-3 * area && common < .999 * area;
-        whole =
-          std::max(whole, std::abs(integral(polygon(a), 1) - area) / area);
-        exchanged =
-          std::max(exchanged, std::abs(common - common_area(b, a)) / area);
+        whole.add(std::abs(integral(polygon(a), 1) - area) / area);
+        exchanged.add(std::abs(common - common_area(b, a)) / area);
         // What one half-plane leaves, its complement takes.
         HalfPlane  h = convex_window(b)[0], other = h;
         const auto kept = integral(clip(polygon(a), {h}), 1);
         other.normal *= -1.;
         other.offset *= -1.;
-        split = std::max(
-          split,
+        split.add(
           std::abs(kept + integral(clip(polygon(a), {other}), 1) - area) /
-            area);
+          area);
       }
     check(meeting > 1000,
           "pairs of random polygons that cut one another: " +
             std::to_string(meeting));
-    check(whole < 1e-14, "their areas are those of the shoelace formula");
-    check(exchanged < 1e-13,
+    check(whole.largest() < 1e-14,
+          "their areas are those of the shoelace formula");
+    check(exchanged.largest() < 1e-13,
           "a in b and b in a have the same area, to 1e-13 of it");
-    check(split < 1e-13, "both sides of a line add up to the polygon");
+    check(split.largest() < 1e-13,
+          "both sides of a line add up to the polygon");
   }
 
   Corners
@@ -163,7 +165,7 @@ namespace
     // Over the triangle 0, (1, 0), (0, 1): int x^a y^b = a! b! / (a + b + 2)!
     const Region triangle = clip(polygon(square(0., 0., 1.)),
                                  convex_window({{0., 0.}, {1., 0.}, {0., 1.}}));
-    double       worst    = 0.;
+    Worst        worst;
     for (unsigned int n = 1; n <= 7; ++n)
       for (unsigned int a = 0; a <= 2 * n - 2; ++a)
         {
@@ -173,9 +175,10 @@ namespace
           const double sum = integral(triangle, n, {}, [&](const Point &x) {
             return std::pow(x[0], a) * std::pow(x[1], b);
           });
-          worst            = std::max(worst, std::abs(sum / exact - 1.));
+          worst.add(std::abs(sum / exact - 1.));
         }
-    check(worst < 1e-13, "n Gauss points are exact for the degree 2 n - 2");
+    check(worst.largest() < 1e-13,
+          "n Gauss points are exact for the degree 2 n - 2");
   }
 
   /** Four quarters of a circle, in @p n pieces each. */

@@ -3,6 +3,7 @@
 #define squeal_tests_contact_turned_block_h
 
 #include "scenes.h"
+#include "worst.h"
 
 #include <fstream>
 
@@ -92,16 +93,17 @@ namespace squeal
                     const double       y)
     {
       std::vector<double> marks(d.triangulation().n_active_cells(), 0.);
-      double              nearest = 1e300, height = -1e300;
+      Worst               height;
+      double              nearest = 1e300;
       dealii::CellId      chosen;
       for (const auto &cell : d.dof_handler().active_cell_iterators())
         if (cell->material_id() == body)
-          height = std::max(height, cell->center()[2]);
+          height.add(cell->center()[2]);
       for (const auto &cell : d.dof_handler().active_cell_iterators())
         if (const double distance =
               std::hypot(cell->center()[0] - x, cell->center()[1] - y);
-            cell->material_id() == body && cell->center()[2] > height - 1e-9 &&
-            distance < nearest)
+            cell->material_id() == body &&
+            cell->center()[2] > height.largest() - 1e-9 && distance < nearest)
           {
             nearest = distance;
             chosen  = cell->id();

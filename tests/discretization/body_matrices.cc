@@ -30,7 +30,7 @@ namespace
   {
     return (K.multiply(R).colwise().norm().array() /
             K.multiply_absolute(R).colwise().norm().array())
-      .maxCoeff();
+      .maxCoeff<Eigen::PropagateNaN>();
   }
 
   void

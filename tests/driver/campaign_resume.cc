@@ -3,6 +3,7 @@
 // A campaign keeps the rows of its finished runs and goes on with the others.
 // Arguments: the program and the folder of parameter files.
 
+#include <squeal/base/exceptions.h>
 #include <squeal/driver/finished_runs.h>
 
 #include "program.h"
@@ -14,52 +15,42 @@ using namespace squeal::testing;
 
 namespace
 {
+  Fingerprint
+  some_run(const std::string &density)
+  {
+    Fingerprint fingerprint;
+    fingerprint.add("program", "1.0");
+    fingerprint.add("Scene/Body pad/Density", density);
+    return fingerprint;
+  }
+
   void
   rows_are_kept()
   {
     std::filesystem::remove("kept_runs.json");
     const std::vector<Cell> row = {Cell("held"), Cell(0.1), Cell(12), Cell()};
-    {
-      FinishedRuns finished("kept_runs.json", "1.0", true);
-      finished.add("first", row);
-    }
-    FinishedRuns      finished("kept_runs.json", "2.0", true);
-    std::vector<Cell> found;
-    check(finished.find("first", 4, found) && found.size() == 4 &&
+    FinishedRuns("kept_runs.json", "").add(some_run("2500"), "row", row);
+    const FinishedRuns finished("kept_runs.json", text_of("kept_runs.json"));
+    std::vector<Cell>  found;
+    check(finished.find(some_run("2500"), "row", 4, found) &&
+            found.size() == 4 &&
             std::get<std::string>(found[0].value) == "held" &&
             std::get<double>(found[1].value) == 0.1 &&
-            std::get<long long>(found[2].value) == 12 &&
-            !std::holds_alternative<double>(found[3].value),
+            std::get<long long>(found[2].value) == 12 && found[3].is_missing(),
           "text, numbers and missing values come back as they were");
-    check(!finished.find("first", 5, found), "not if columns have changed");
-    check(!finished.find("second", 4, found), "nor under another key");
-    check(finished.program_of("first") == "1.0",
-          "a row knows the version of its program");
-    finished.add("first", row);
-    check(FinishedRuns("kept_runs.json", "3.0", true).program_of("first") ==
-            "2.0",
-          "which is that of the last one to write it");
-    check(!FinishedRuns("kept_runs.json", "3.0", false).find("first", 4, found),
-          "without Resume nothing is kept");
-    write_text("kept_runs.json", "{\"first\": [\"held\", 0.1, 12, null]}");
-    const FinishedRuns old("kept_runs.json", "3.0", true);
-    check(old.find("first", 4, found) && old.program_of("first") == "unknown",
-          "rows without a version are read");
-    for (const char *text : {"{\"first\": ", "{\"first\": {\"row\": 3}}"})
-      {
-        write_text("kept_runs.json", text);
-        bool refused = false;
-        try
-          {
-            FinishedRuns bad("kept_runs.json", "3.0", true);
-          }
-        catch (const std::exception &e)
-          {
-            refused =
-              std::string(e.what()).find("kept_runs.json") != std::string::npos;
-          }
-        check(refused, std::string("refuses ") + text);
-      }
+    check(!finished.find(some_run("2500"), "row", 5, found),
+          "not if columns have changed");
+    check(!finished.find(some_run("2500"), "phases", 4, found) &&
+            !finished.find(some_run("2501"), "row", 4, found),
+          "nor under another name or of another run");
+    check(finished.nearest_difference(some_run("2501")) ==
+            "Scene/Body pad/Density is 2501, it was 2500",
+          "which says what differs");
+    for (const char *text :
+         {"{\"format\": ", "{\"first\": {\"row\": 3}}", "[]", "3"})
+      check_throws<InputError>([&]() { FinishedRuns("kept_runs.json", text); },
+                               "kept_runs.json",
+                               std::string("refuses ") + text);
   }
 
 
@@ -136,7 +127,7 @@ end
   void
   runs_are_not_run_again(const std::string &program, const std::string &folder)
   {
-    std::filesystem::remove("campaign_runs.json");
+    std::filesystem::remove_all("campaign");
     std::string output;
     const auto  first = run(program, folder, "0.1, 0.3", output);
     check(first.size() == 2, "a row for each point");
@@ -145,20 +136,24 @@ end
     // A row holds the steps per second, which no second run would have again.
     check(second[0] == first[0] && second[2] == first[1],
           "finished runs are kept to the last digit");
-    check(output.find("rows were kept from") == std::string::npos,
-          "rows of this program need no warning");
-
-    std::string       text = text_of("campaign_runs.json");
-    const std::string mark = "\"program\": \"";
-    for (std::size_t at = text.find(mark); at != std::string::npos;
-         at             = text.find(mark, at + 1))
-      text.insert(at + mark.size(), "an earlier ");
-    write_text("campaign_runs.json", text);
-    check(run(program, folder, "0.1, 0.2, 0.3", output) == second,
-          "rows of another version count");
-    check(output.find("3 of the rows were kept from squeal an earlier") !=
+    check(output.find("2 of 3 runs are taken from campaign/runs.json") !=
             std::string::npos,
-          "with a warning");
+          "which is said");
+    check(run(program, folder, "0.1, 0.2, 0.3", output) == second,
+          "all of them the third time");
+
+    run(program,
+        folder,
+        "0.1",
+        output,
+        "end\nsubsection Scene\n  subsection Body pin\n"
+        "    set Density = 1300\n  end\n");
+    check(output.find("are others and are kept there: of the one most alike, "
+                      "Scene/Body pin/Density is 1300, it was 1200") !=
+            std::string::npos,
+          "runs with another density are not taken, and that is said");
+    check(run(program, folder, "0.1, 0.2, 0.3", output) == second,
+          "and the others are still there");
   }
 
 
@@ -169,7 +164,7 @@ end
   blows_are_struck_side_by_side(const std::string &program,
                                 const std::string &folder)
   {
-    std::filesystem::remove("campaign_runs.json");
+    std::filesystem::remove_all("campaign");
     std::string output;
     const auto  rows = run(program, folder, "0.1, 0.15, 0.2, 0.3", output, R"(
   set Threads = 2

@@ -31,8 +31,12 @@ main()
   add(5001., "T(0,3-)", 3, "-");
   add(2000., "(0,0)", 0, "");
   add(3000., "(0,4+)", 4, "+");
+  // Near ties: of the parity, next to a "+", and of everything.
+  add(3001., "(0,4+)|(0,4-)", 4, "");
+  modes.add_row({5000.5, "(0,9+)|T(0,3-)", Cell(), Cell(), ""});
   const Table doublets = doublet_table(modes);
-  check(doublets.n_rows() == 2, "a mode without partner is no doublet");
+  check(doublets.n_rows() == 2,
+        "a mode without partner, or a near tie, is no doublet");
   check(doublets.text(0, "family") == "bending" &&
           doublets.text(1, "family") == "tangential",
         "bending and in-plane modes of one name are kept apart");

@@ -22,6 +22,8 @@
 #include <sstream>
 
 #include "check.h"
+#include "source_directory.h"
+#include "worst.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -139,12 +141,12 @@ namespace
   {
     check(a.size() == b.size() && a.size() > 0,
           text + ": " + std::to_string(a.size()) + " pairs and as many");
-    double worst = 0.;
+    Worst worst;
     for (Eigen::Index i = 0; i < a.size(); ++i)
-      worst =
-        std::max(worst, (b.array() - a[i]).abs().minCoeff() / std::abs(a[i]));
-    check(worst <= tolerance,
-          text + ": " + std::to_string(worst * 1e9) + "e-9");
+      worst.add((b.array() - a[i]).abs().minCoeff<Eigen::PropagateNaN>() /
+                std::abs(a[i]));
+    check(worst.largest() <= tolerance,
+          text + ": " + std::to_string(worst.largest() * 1e9) + "e-9");
   }
 
   Eigen::VectorXcd

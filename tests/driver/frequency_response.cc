@@ -9,6 +9,7 @@
 
 #include "program.h"
 #include "universal_reader.h"
+#include "worst.h"
 
 #include <Eigen/LU>
 
@@ -59,10 +60,10 @@ namespace
   double
   largest(const std::vector<Complex> &values)
   {
-    double result = 0.;
+    Worst result;
     for (const Complex value : values)
-      result = std::max(result, std::abs(value));
-    return result;
+      result.add(std::abs(value));
+    return result.largest();
   }
 
   /** Largest difference over the largest value. */
@@ -70,10 +71,10 @@ namespace
   difference(const std::vector<Complex> &a, const std::vector<Complex> &b)
   {
     check(a.size() == b.size() && !a.empty(), "as many values");
-    double result = 0.;
+    Worst result;
     for (std::size_t i = 0; i < a.size(); ++i)
-      result = std::max(result, std::abs(a[i] - b[i]));
-    return result / largest(b);
+      result.add(std::abs(a[i] - b[i]));
+    return result.largest() / largest(b);
   }
 
   /** Hoffmann's mass with a dashpot along the belt, observed in y and z. */
@@ -264,15 +265,15 @@ subsection Frequency response
   worst_check()
   {
     const Table table = read_csv("out/direct_check.csv");
-    double      worst = 0.;
+    Worst       worst;
     check(table.n_rows() > 0, "there are direct solutions");
     for (const double d : table.reals("difference_rel"))
       {
         // Of two solutions in two ways; also not a missing one.
         check(d > 0., "a difference to a direct solution");
-        worst = std::max(worst, d);
+        worst.add(d);
       }
-    return worst;
+    return worst.largest();
   }
 
   void
@@ -359,15 +360,15 @@ subsection Frequency response
                "a,1000,below,1,0\na,1000,far,-1,0\na,1000,side,9,0\n"
                "b,1000,below,1,0\nb,1000,far,1,0\nb,1000,side,0,0\n");
     run_well(brake(), {"Measurement/Shapes file = shapes.csv"});
-    const Table wrong    = read_csv("out/comac.csv");
-    double      smallest = 1.;
+    const Table wrong = read_csv("out/comac.csv");
+    Worst       smallest;
     for (std::size_t r = 0; r < wrong.n_rows(); ++r)
       {
         const double value = wrong.real(r, "comac");
         check(value >= 0. && value <= 1. + 1e-12, "a COMAC is a share");
-        smallest = std::min(smallest, value);
+        smallest.add(value);
       }
-    check(smallest < 0.99, "shapes that differ are told apart");
+    check(smallest.smallest() < 0.99, "shapes that differ are told apart");
 
     const std::string good = text_of("own.uff");
     for (const auto &[text, part] :

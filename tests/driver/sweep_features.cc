@@ -7,6 +7,8 @@
 #include <squeal/results/table.h>
 
 #include "program.h"
+#include "source_directory.h"
+#include "worst.h"
 
 #include <cmath>
 
@@ -54,19 +56,17 @@ namespace
           file + ": " + std::to_string(one.n_rows()) + " rows in both");
     for (const auto &column : columns)
       {
-        double worst = 0.;
+        Worst worst;
         for (std::size_t i = 0; i < one.n_rows(); ++i)
           {
             // A missing value would leave the largest as it is.
             check(!one.is_missing(i, column) && !two.is_missing(i, column),
                   file + ", " + column + ": a number in both");
-            worst =
-              std::max(worst,
-                       std::abs(one.real(i, column) - two.real(i, column)) /
-                         std::max(1., std::abs(one.real(i, column))));
+            worst.add(std::abs(one.real(i, column) - two.real(i, column)) /
+                      std::max(1., std::abs(one.real(i, column))));
           }
-        check(worst <= tolerance,
-              file + ", " + column + ": " + std::to_string(worst));
+        check(worst.largest() <= tolerance,
+              file + ", " + column + ": " + std::to_string(worst.largest()));
       }
   }
 
@@ -109,7 +109,7 @@ namespace
     for (std::size_t i = 0; i < all.n_rows(); ++i)
       {
         // The middle of the axis is where the scene's pad stands.
-        if (std::abs(all.real(i, "radius") - 0.1075) > 1e-9)
+        if (!(std::abs(all.real(i, "radius") - 0.1075) <= 1e-9))
           continue;
         check(n < one.n_rows() &&
                 std::abs(all.real(i, "lower_coordinate") -

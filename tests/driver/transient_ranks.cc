@@ -5,6 +5,7 @@
 // the program, the folder of parameter files.
 
 #include "program.h"
+#include "worst.h"
 
 #include <cmath>
 #include <map>
@@ -127,13 +128,13 @@ main(int argc, char *argv[])
         "a linear phase and changes of status");
   for (const char *name : {"normal_n", "tangential_n", "radial_n"})
     {
-      double worst = 0.;
+      Worst worst;
       for (std::size_t i = 0; i < n; ++i)
-        worst = std::max(worst, std::abs(a[name][i] - b[name][i]) / 100.);
+        worst.add(std::abs(a[name][i] - b[name][i]) / 100.);
       std::ostringstream text;
-      text << name << " until then: the same but for " << worst
+      text << name << " until then: the same but for " << worst.largest()
            << " of the load";
-      check(worst < 1e-8, text.str());
+      check(worst.largest() < 1e-8, text.str());
     }
 
   Table c           = table_of("ranks_1/transient.csv"),

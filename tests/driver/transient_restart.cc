@@ -57,7 +57,7 @@ main(int argc, char *argv[])
 {
   check(argc == 3, "two arguments: program and folder");
   namespace fs = std::filesystem;
-  for (const char *name : {"whole", "stopped", "stopped_checkpoint.h5"})
+  for (const char *name : {"whole", "stopped"})
     fs::remove_all(name);
   const Outcome whole = run_program(command(argv[1], argv[2], "whole"));
   check(whole.code == 0, "runs to its end: " + whole.errors);
@@ -79,7 +79,7 @@ main(int argc, char *argv[])
           std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
           ::kill(id, SIGTERM);
         });
-      if (outcome.code == 128 + SIGTERM && fs::exists("stopped_checkpoint.h5"))
+      if (outcome.code == 128 + SIGTERM && fs::exists("stopped/checkpoint.h5"))
         ++n_stops;
     }
   check(n_stops > 0, "stopped in the middle with a checkpoint");
@@ -87,11 +87,12 @@ main(int argc, char *argv[])
   check(last.code == 0, "continues to its end: " + last.errors);
   check(last.output.find("continues from") != std::string::npos,
         "from the checkpoint");
-  for (const char *name : {"forces.csv", "energy.csv", "probes.csv"})
+  for (const char *name :
+       {"forces.csv", "energy.csv", "probes.csv", "contact_history.h5"})
     check(text_of(std::string("whole/") + name) ==
             text_of(std::string("stopped/") + name),
           std::string("every bit of ") + name);
   check_same_history("whole/contact_history.h5", "stopped/contact_history.h5");
-  check(!fs::exists("stopped_checkpoint.h5"),
+  check(!fs::exists("stopped/checkpoint.h5"),
         "a finished run leaves no checkpoint");
 }

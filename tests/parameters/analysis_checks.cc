@@ -130,6 +130,36 @@ namespace
 
 
 
+  /** Eigenvalues and transient are compared with the same terms only. */
+  void
+  comparison_with_eigenvalues()
+  {
+    const std::vector<std::string> alike = {
+      "Analysis = transient",
+      "Scene/Contact pad_disc/Formulation = mortar",
+      "Scene/Contact pad_disc/Transverse slip term = true",
+      "Discretization/Estimate error = false",
+      "Transient/Compare with CEA = true"};
+    const auto with = [&](const std::string &change) {
+      std::vector<std::string> result = alike;
+      result.push_back(change);
+      return result;
+    };
+    read_parameters("example.prm", alike).check();
+    check_change_refused(
+      with("Scene/Contact pad_disc/Transverse slip term = false"),
+      {"'Scene/Contact pad_disc/Transverse slip term'",
+       "'Transient/Compare with CEA'"});
+    check_change_refused(
+      with("Transient/Final speed ratio = 2"),
+      {"'Transient/Compare with CEA'", "Final speed ratio = 1"});
+    check_change_refused(
+      with("Transient/Start = ramp"),
+      {"'Transient/Compare with CEA'", "Start = steady sliding"});
+  }
+
+
+
   void
   result_checks()
   {
@@ -226,6 +256,7 @@ main()
   band();
   ladders();
   disc_frame();
+  comparison_with_eigenvalues();
   cut_off_damping();
   result_checks();
   imported_models();

@@ -91,10 +91,12 @@ namespace
     // the far corners (+-0.005, -0.119) are at a radius of 0.1191
     check_change_accepted({pad + "Position = 0, -0.114, 0"});
 
-    const std::string round = pad + "Shape = cylinder";
-    const std::string face  = contact + "Source face = bottom";
+    const std::string round  = pad + "Shape = cylinder";
+    const std::string face   = contact + "Source face = bottom";
+    const std::string points = contact + "Spring layout = quadrature";
     check_change_accepted({round,
                            face,
+                           points,
                            pad + "Outer radius = 0.01",
                            pad + "Position = 0.0777, 0.0777, 0"});
     check_change_refused({round,
@@ -115,11 +117,53 @@ namespace
     check_change_accepted({block, face, size});
     check_change_refused({block, face, size, pad + "Position = 0.1, 0.006, 0"},
                          {"faces do not meet", "y = 0.001 to 0.011 m"});
-    check_change_accepted({block,
-                           size,
-                           contact + "Target face = x_max",
-                           contact + "Source face = x_min",
-                           pad + "Position = 0.155, 0, -0.01"});
+    check_change_refused({block,
+                          size,
+                          contact + "Target face = x_max",
+                          contact + "Source face = x_min",
+                          pad + "Position = 0.155, 0, -0.01"},
+                         {"contact pad_disc",
+                          "target face 'x_max' of body 'disc' looks along +x",
+                          "+z only"});
+  }
+
+
+
+  /** Signs of friction are those of a target under its source. */
+  void
+  faces_look_up()
+  {
+    check_change_refused({pad + "Position = 0.1075, 0, -0.02",
+                          contact + "Source face = z_max",
+                          contact + "Target face = bottom"},
+                         {"contact pad_disc",
+                          "target face 'bottom' of body 'disc' looks along -z",
+                          "turn the scene"});
+    check_change_refused({contact + "Target face = outer"},
+                         {"target face 'outer' of body 'disc' is curved"});
+  }
+
+
+
+  /** A grid on a round face would lose springs. */
+  void
+  grids_need_rectangles()
+  {
+    const std::vector<std::string> round = {pad + "Shape = cylinder",
+                                            pad + "Outer radius = 0.01",
+                                            contact + "Source face = bottom"};
+    const auto                     with  = [&](const std::string &last) {
+      std::vector<std::string> all = round;
+      all.push_back(last);
+      return all;
+    };
+    check_change_refused(with(contact + "Grid = 11, 11"),
+                         {"'Scene/Contact pad_disc/Spring layout'",
+                          "face 'bottom' of body 'pad' is round",
+                          "quadrature"});
+    check_change_accepted(with(contact + "Spring layout = quadrature"));
+    check_change_accepted(with(contact + "Grid = 1, 1"));
+    check_change_accepted(with(contact + "Formulation = mortar"));
   }
 
 
@@ -190,6 +234,8 @@ main()
   faces_meet();
   pads_beside_the_disc();
   blocks_on_blocks();
+  faces_look_up();
+  grids_need_rectangles();
   bodies_of_a_pair();
   laws();
   geometry_of_faces();

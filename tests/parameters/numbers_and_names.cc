@@ -119,7 +119,7 @@ namespace
     for (const char *text :
          {"\xb5", "\xc2", "\xc0\x80", "\xed\xa0\x80", "\xf5\x80\x80\x80"})
       check(!prm::is_utf8(text), "a broken letter is not UTF-8");
-    check(prm::quoted("a\nb") == "'a?b'", "an error stays in one line");
+    check(prm::in_quotes("a\nb") == "'a?b'", "an error stays in one line");
   }
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <squeal/parameters/parameters.h>
 
 #include "check.h"
+#include "source_directory.h"
 
 #include <string>
 #include <vector>

@@ -56,6 +56,13 @@ main()
           path + ":4: 1 cells where the header names 2",
           "a short row");
   refused("a,b\n1,2,3\n", path + ":2: 3 cells", "a long row");
+  refused("\"a\nb\",\"a\nb\"\n1,2\n",
+          path + ":1: the name of column 1 has more than one line",
+          "a name of two lines");
+  refused("a\n\"1\n2\"\n",
+          "column 'a': '1?2' is not a number",
+          "a cell of two lines",
+          {{"a", Type::real, "", ""}});
   refused("a,b\n1,nan\n",
           path + ":2: column 'b': 'nan' is not a number",
           "NaN in a column of numbers");

@@ -4,6 +4,7 @@
 #include <squeal/results/planar_cells.h>
 
 #include "check.h"
+#include "worst.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,14 +87,14 @@ namespace
       }
     check(n_right == n_inside, what + ": what is nearest to a point is its");
 
-    sum          = 0.;
-    double least = 1.;
+    sum = 0.;
+    Worst least;
     for (const auto &polygon : corners(delaunay_polygons(points), points))
       {
-        least = std::min(least, area(polygon));
+        least.add(area(polygon));
         sum += area(polygon);
       }
-    check(least > -1e-12, what + ": polygons turn to the left");
+    check(least.smallest() > -1e-12, what + ": polygons turn to the left");
     check_close(sum / whole, 1., 1e-5, what + ": polygons fill the hull");
   }
 } // namespace

@@ -11,6 +11,7 @@
 
 #include "read_vtu.h"
 #include "shape_scene.h"
+#include "worst.h"
 
 #include <algorithm>
 #include <complex>
@@ -59,7 +60,7 @@ namespace
     const std::complex<double> factor = std::polar(
       vtu_number(xml, "display_factor"), vtu_number(xml, "phase_offset_rad"));
     const unsigned int n_corners = corners.size() / body.size();
-    double             error     = 0.;
+    Worst              error;
     for (unsigned int i = 0; i < corners.size(); ++i)
       {
         const unsigned int     b = body[i / n_corners], p = corners[i];
@@ -68,22 +69,21 @@ namespace
           factor * (real.at(b, x).cast<std::complex<double>>() +
                     std::complex<double>(0., 1.) * imaginary.at(b, x));
         const Eigen::Vector3d now = (w * std::polar(1., phase)).real();
-        error                     = std::max({error,
-                                              (vector_at(re, p) - w.real()).norm(),
-                                              (vector_at(im, p) - w.imag()).norm(),
-                                              (vector_at(u, p) - now).norm()});
+        error.add((vector_at(re, p) - w.real()).norm());
+        error.add((vector_at(im, p) - w.imag()).norm());
+        error.add((vector_at(u, p) - now).norm());
       }
-    return error;
+    return error.largest();
   }
 
   double
   largest_displacement(const std::string &xml, const std::string &field)
   {
-    const auto u       = vtu_array<float>(xml, field);
-    double     largest = 0.;
+    const auto u = vtu_array<float>(xml, field);
+    Worst      largest;
     for (unsigned int p = 0; 3 * p < u.size(); ++p)
-      largest = std::max(largest, vector_at(u, p).norm());
-    return largest;
+      largest.add(vector_at(u, p).norm());
+    return largest.largest();
   }
 
   std::vector<std::string>
@@ -115,20 +115,20 @@ namespace
     // Lattice points of 36 x 8, 8 x 8 + 7 x 8 and 8 x 8 cells, and a cube.
     check(body.size() == 36 * 8 + 15 * 8 + 8 * 8 + 1, "number of cells");
 
-    double rim = 0., positive = 1.;
+    Worst positive, rim;
     for (unsigned int i = 0; i < body.size(); ++i)
       {
         std::array<Eigen::Vector3d, 8> v;
         for (unsigned int c = 0; c < 8; ++c)
           v[c] = vector_at(points, corners[8 * i + c]);
-        positive = std::min(
-          positive, (v[1] - v[0]).cross(v[3] - v[0]).dot(v[4] - v[0]) / 1e-9);
+        positive.add((v[1] - v[0]).cross(v[3] - v[0]).dot(v[4] - v[0]) / 1e-9);
         if (body[i] == 0)
           for (const auto &x : v)
-            rim = std::max(rim, x.head<2>().norm());
+            rim.add(x.head<2>().norm());
       }
-    check(positive > 0., "corners are in VTK's order");
-    check_close(rim, 0.12, 1e-6, "pieces of a curved cell end on the curve");
+    check(positive.smallest() > 0., "corners are in VTK's order");
+    check_close(
+      rim.largest(), 0.12, 1e-6, "pieces of a curved cell end on the curve");
     const Eigen::Vector3d lower(-0.12, -0.12, -0.01), upper(0.2, 0.12, 0.02);
     check_close(size, (upper - lower).norm(), 1e-12, "size of the scene");
 
@@ -178,18 +178,18 @@ namespace
         const auto files = files_of(pvd);
         check(files.size() == 12 && files[3] == "shapes/" + name + "_03.vtu",
               name + ": twelve frames in the subfolder");
-        double largest = 0., error = 0.;
+        Worst error, largest;
         for (const auto &file : files)
           {
             const std::string vtu = read_file(directory + "/" + file);
             check_xml(vtu, file);
-            largest =
-              std::max(largest, largest_displacement(vtu, "displacement"));
-            error = std::max(error, error_of_frame(vtu, real, imaginary));
+            largest.add(largest_displacement(vtu, "displacement"));
+            error.add(error_of_frame(vtu, real, imaginary));
           }
-        check(error < 3e-4 * drawn,
+        check(error.largest() < 3e-4 * drawn,
               name + ": every point moves as it was told");
-        check(largest < 1.0002 * drawn && largest > 0.96 * drawn,
+        check(largest.largest() < 1.0002 * drawn &&
+                largest.largest() > 0.96 * drawn,
               name + ": the largest motion is the display scale");
       }
     const std::string vtu = read_file(directory + "/shapes/shape_00.vtu");
@@ -232,10 +232,11 @@ namespace
     if (a[0] * b[0] < 0.)
       for (float &value : b)
         value = -value;
-    float difference = 0.;
+    Worst difference;
     for (unsigned int i = 0; i < a.size(); ++i)
-      difference = std::max(difference, std::abs(a[i] - b[i]));
-    check(difference < 2e-4 * largest_displacement(vtu("real"), "displacement"),
+      difference.add(std::abs(a[i] - b[i]));
+    check(difference.largest() <
+            2e-4 * largest_displacement(vtu("real"), "displacement"),
           "a real shape times i is drawn as the real one");
     check(largest_displacement(vtu("not_aligned"), "displacement") == 0. &&
             largest_displacement(vtu("not_aligned"), "displacement_imag") > 0.,

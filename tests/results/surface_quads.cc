@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "shape_scene.h"
+#include "worst.h"
 
 #include <algorithm>
 
@@ -63,7 +64,7 @@ namespace
         return;
       }
 
-    double error = 0.;
+    Worst error;
     for (unsigned int q = 0; q < quads.size(); ++q)
       for (unsigned int v = 0; v < 4; ++v)
         {
@@ -75,9 +76,10 @@ namespace
                                  std::cos(phase) * real.at(b, x) +
                                  std::sin(phase) * imaginary.at(b, x))
                                   .norm();
-          error = std::max({error, still, turned});
+          error.add(still);
+          error.add(turned);
         }
-    check(error < 1e-12, "corners move with the bodies");
+    check(error.largest() < 1e-12, "corners move with the bodies");
 
     const unsigned int tied_faces = 5 * 4 * 2 + 3 * 3;
     check(quads.size() == (12 * 2 * (3 + 1) + tied_faces) * n * n + 6,
@@ -94,11 +96,12 @@ namespace
                 // the mapping of degree 2 is on the circle at n <= 2
                 n <= 2 ? 1e-12 : 1e-3,
                 "disc of straight pieces that end on the circle");
-    double largest = 0.;
+    Worst largest;
     for (const auto &quad : quads)
       for (const auto &u : quad.displacements)
-        largest = std::max(largest, vector(u).norm());
-    check_close(largest_displacement(quads), largest, 1e-14, "largest motion");
+        largest.add(vector(u).norm());
+    check_close(
+      largest_displacement(quads), largest.largest(), 1e-14, "largest motion");
   }
 } // namespace
 

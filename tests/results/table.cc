@@ -56,7 +56,7 @@ namespace
       }
     Table table({{"x", Type::real, "m", "any double"}});
     for (const double value : values)
-      table.add_row({value});
+      table.add_row({unbounded(value)});
     table.write_csv(path);
     const Table read = read_csv(path);
     check(read.n_rows() == values.size(), "every row comes back");
@@ -88,7 +88,7 @@ namespace
                  {"name, quoted", Type::text, "", ""},
                  {"value", Type::real, "", ""}});
     for (std::size_t i = 0; i < texts.size(); ++i)
-      table.add_row({i, texts[i], i == 2 ? std::nan("") : 0.5 * i});
+      table.add_row({i, texts[i], or_missing(i == 2 ? std::nan("") : 0.5 * i)});
     table.add_row({Cell(), Cell(), Cell()});
     table.write_csv(path);
     const Table read = read_csv(path);
@@ -102,10 +102,58 @@ namespace
     check(same, "commas, quotes, line ends and edge blanks come back");
     check(read.is_missing(2, "value") && std::isnan(read.real(2, "value")) &&
             read_file(path).find("nan") == std::string::npos,
-          "NaN is an empty cell");
+          "a value that is not there is an empty cell");
     check(read.n_rows() == texts.size() + 1 && read.is_missing(7, "index") &&
             read.is_missing(7, "name, quoted"),
           "a row of nothing is still a row");
+  }
+
+  /** No table takes a number that is none, wherever it comes in. */
+  void
+  test_not_finite()
+  {
+    const double nan      = std::nan("");
+    const double infinity = std::numeric_limits<double>::infinity();
+    Table        table({{"index", Type::integer, "", ""},
+                        {"sigma_per_s", Type::real, "1/s", ""}});
+    table.add_row({1, 2.5});
+    const auto refused = [](const auto &action, const std::string &what) {
+      check_throws<ComputationError>(action, what, what + " is refused");
+    };
+    refused(
+      [&]() {
+        table.add_row({2, nan});
+      },
+      "'sigma_per_s' in row 2 is not a number");
+    refused(
+      [&]() {
+        table.add_row({2, infinity});
+      },
+      "'sigma_per_s' in row 2 is infinite");
+    refused([&]() { table.set(0, "sigma_per_s", -nan); },
+            "'sigma_per_s' in row 1 is not a number");
+    refused(
+      [&]() {
+        table.put_first({"e_pad", Type::real, "", ""}, nan);
+      },
+      "'e_pad' in row 1 is not a number");
+    refused(
+      [&]() {
+        table.add_row({2, unbounded(nan)});
+      },
+      "'sigma_per_s' in row 2 is not a number");
+    refused(
+      [&]() {
+        table.add_row({2, or_missing(infinity)});
+      },
+      "'sigma_per_s' in row 2 is infinite");
+    check(table.n_rows() == 1 && table.real(0, "sigma_per_s") == 2.5,
+          "and leaves the table as it was");
+    table.add_row({2, or_missing(nan)});
+    table.add_row({3, unbounded(infinity)});
+    check(table.is_missing(1, "sigma_per_s") &&
+            table.text(2, "sigma_per_s") == "inf",
+          "what was said to be missing or infinite is taken");
   }
 
   void
@@ -170,8 +218,13 @@ namespace
           "the printed table is aligned and cut");
     table.add_row({"y", -0.04, 1});
     table.add_row({"y", -0.06, 1});
-    check(table.display(3, 1) == "0.0" && table.display(4, 1) == "-0.1",
-          "what rounds to zero has no sign");
+    table.add_row({"y", -0., 1});
+    table.add_row({"y", 1.234e-7, 1});
+    table.add_row({"y", 0.14, 1});
+    check(table.display(3, 1) == "-0.040" && table.display(4, 1) == "-0.060" &&
+            table.display(5, 1) == "0.0" && table.display(6, 1) == "1.2e-07" &&
+            table.display(7, 1) == "0.1",
+          "what the decimals cannot show is printed all the same");
   }
 } // namespace
 
@@ -181,6 +234,7 @@ main()
   test_bits();
   test_texts();
   test_one_column_of_nothing();
+  test_not_finite();
   test_late_columns();
   test_rounding();
   std::filesystem::remove(path);

@@ -5,6 +5,7 @@
 #include <squeal/results/wav_file.h>
 
 #include "check.h"
+#include "worst.h"
 
 #include <cmath>
 
@@ -32,18 +33,18 @@ main()
     tone.push_back(1e3 * std::sin(2. * M_PI * frequency * i / rate));
   const auto   sound    = prolonged(tone, rate, 2.);
   unsigned int n_rising = 0;
-  double       loudest  = 0.;
+  Worst        loudest;
   for (std::size_t i = 1; i < sound.size(); ++i)
     {
       n_rising += sound[i - 1] < 0. && sound[i] >= 0.;
-      loudest = std::max(loudest, std::abs(sound[i]));
+      loudest.add(std::abs(sound[i]));
     }
   check(sound.size() >= 100000, "two seconds");
   check_close(n_rising * rate / sound.size(),
               frequency,
               0.01 * frequency,
               "the pitch stays");
-  check(loudest < 1e3 * (1. + 1e-9), "fades are not louder");
+  check(loudest.largest() < 1e3 * (1. + 1e-9), "fades are not louder");
   write_wav("tone.wav", sound, rate);
   const std::string file = read_file("tone.wav");
   check(file.substr(0, 4) == "RIFF" && file.substr(8, 8) == "WAVEfmt ",
@@ -54,12 +55,11 @@ main()
   check(file.size() == 44 + 2 * sound.size() &&
           number(file, 40, 4) == 2 * sound.size(),
         "with all samples");
-  int largest = 0;
+  Worst largest;
   for (std::size_t i = 44; i < file.size(); i += 2)
-    largest = std::max(
-      largest,
+    largest.add(
       std::abs(static_cast<int>(static_cast<short>(number(file, i, 2)))));
-  check(largest == 26214, "at 0.8 of full scale");
+  check(largest.largest() == 26214., "at 0.8 of full scale");
   write_wav("silence.wav", std::vector<double>(10, 0.), rate);
   check(number(read_file("silence.wav"), 44, 2) == 0, "silence stays silent");
 }

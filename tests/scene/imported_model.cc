@@ -11,6 +11,7 @@
 
 #include "../check.h"
 #include "import_helpers.h"
+#include "source_directory.h"
 
 #include <complex>
 

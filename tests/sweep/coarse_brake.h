@@ -2,6 +2,8 @@
 #ifndef tests_sweep_coarse_brake_h
 #define tests_sweep_coarse_brake_h
 
+#include "source_directory.h"
+
 #include <squeal/contact/contact_terms.h>
 #include <squeal/eigen/direct_solver.h>
 #include <squeal/sweep/basis_builder.h>

@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "coarse_brake.h"
+#include "worst.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -36,26 +37,26 @@ namespace
   ComplexPairs
   judge(const Setup &setup, const ReducedModel &model, const SweepPoint &point)
   {
-    const ComplexPairs pairs           = setup.solve(model, point);
-    const ComplexPairs direct          = setup.direct(setup.grid.scene(point));
-    double             worst_frequency = 0., worst_sigma = 0.;
+    const ComplexPairs pairs  = setup.solve(model, point);
+    const ComplexPairs direct = setup.direct(setup.grid.scene(point));
+    Worst              worst_frequency;
+    Worst              worst_sigma;
     ComplexPairs       truth = pairs;
     estimate_errors(truth, direct.lambda);
     for (unsigned int i = 0; i < pairs.size(); ++i)
       {
         const double shift =
           truth.error_estimate[i] * std::abs(pairs.lambda[i]);
-        worst_frequency =
-          std::max(worst_frequency, shift / pairs.lambda[i].imag());
-        worst_sigma = std::max(worst_sigma, shift);
+        worst_frequency.add(shift / pairs.lambda[i].imag());
+        worst_sigma.add(shift);
       }
     std::ostringstream text;
     text << "at " << point.transpose() << ": " << pairs.size()
-         << " pairs within the tolerance, worst " << worst_frequency << ", "
-         << worst_sigma << " 1/s";
+         << " pairs within the tolerance, worst " << worst_frequency.largest()
+         << ", " << worst_sigma.largest() << " 1/s";
     check(pairs.size() > 0 &&
-            worst_frequency <= setup.options.frequency_tolerance &&
-            worst_sigma <= setup.options.sigma_tolerance,
+            worst_frequency.largest() <= setup.options.frequency_tolerance &&
+            worst_sigma.largest() <= setup.options.sigma_tolerance,
           text.str());
     // None is missing: all that the direct solver has inside the band.
     unsigned int n_inside = 0;
@@ -95,11 +96,10 @@ namespace
     check(forth.size() == back.size(), "as many pairs turning backwards");
     for (unsigned int i = 0; i < forth.size(); ++i)
       {
-        double nearest = 1e300;
+        Worst nearest;
         for (unsigned int j = 0; j < back.size(); ++j)
-          nearest =
-            std::min(nearest, std::abs(forth.lambda[i] - back.lambda[j]));
-        check(nearest < 2e-6 * std::abs(forth.lambda[i]),
+          nearest.add(std::abs(forth.lambda[i] - back.lambda[j]));
+        check(nearest.smallest() < 2e-6 * std::abs(forth.lambda[i]),
               "the mirrored brake turns backwards with the same pairs");
       }
   }
@@ -185,17 +185,17 @@ namespace
           "points between those of the grid have the state of the nearest");
     check(soft.size() > 0 && stiff.size() > 0, "both have pairs in the band");
     // The state matters: the same numbers with the whole face closed.
-    SceneParameters scene               = setup.grid.scene(at(10.1, 0.45));
-    scene.contacts[0].state_number      = 0;
-    const ComplexPairs whole            = setup.direct(scene);
-    double             largest_distance = 0.;
+    SceneParameters scene          = setup.grid.scene(at(10.1, 0.45));
+    scene.contacts[0].state_number = 0;
+    const ComplexPairs whole       = setup.direct(scene);
+    Worst              largest_distance;
     for (unsigned int i = 0; i < soft.size(); ++i)
-      largest_distance =
-        std::max(largest_distance,
-                 (whole.lambda.array() - soft.lambda[i]).abs().minCoeff());
-    check(largest_distance > 100.,
+      largest_distance.add((whole.lambda.array() - soft.lambda[i])
+                             .abs()
+                             .minCoeff<Eigen::PropagateNaN>());
+    check(largest_distance.largest() > 100.,
           "a third of the face gives another spectrum: " +
-            std::to_string(largest_distance) + " 1/s");
+            std::to_string(largest_distance.largest()) + " 1/s");
   }
 
   void

@@ -152,7 +152,7 @@ namespace
     const auto          start     = [&](TransientIntegrator &run) {
       // Against the load, so that nodes stick, slip and open.
       Eigen::VectorXd v = -r.model.load;
-      v *= 2e-2 / v.cwiseAbs().maxCoeff();
+      v *= 2e-2 / v.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
       run.start(s.coordinates, v, s.forces);
     };
     const double     dt = 2e-6, force = load / r.model.n_nodes();

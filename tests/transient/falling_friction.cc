@@ -5,6 +5,7 @@
 
 #include "transient/hand_made.h"
 #include "transient/pressed_brake.h"
+#include "worst.h"
 
 #include <squeal/transient/implicit_transient.h>
 #include <squeal/transient/reduced_transient.h>
@@ -132,7 +133,8 @@ namespace
     run.start(coordinates, velocity, Eigen::Vector3d(1., 0., 0.));
     constexpr unsigned int n_periods = 3;
     double                 first = -1., last = -1., stuck = 0., caught = -1.;
-    double                 lowest = 1e300, highest = -1e300;
+    Worst                  lowest;
+    Worst                  highest;
     unsigned int           n      = 0;
     ContactStatus          before = ContactStatus::stick;
     while (n <= n_periods)
@@ -153,13 +155,14 @@ namespace
           caught = run.time();
         if (n > 0)
           {
-            lowest  = std::min(lowest, y);
-            highest = std::max(highest, y);
+            lowest.add(y);
+            highest.add(y);
           }
         before = now;
       }
-    return {
-      (last - first) / n_periods, stuck / n_periods, .5 * (highest - lowest)};
+    return {(last - first) / n_periods,
+            stuck / n_periods,
+            .5 * (highest.largest() - lowest.smallest())};
   }
 
   /** T = 2/w (pi - atan(w D/V)) + 2 D/V with D = (mu_s - mu_k) N/k, sticking
@@ -293,10 +296,10 @@ namespace
     pair.normal_force     = N;
     Model              model(scene, 1, 1.);
     const ComplexPairs pairs = model.solve(band(0., .8));
-    double             found = 0.;
+    Worst              found;
     for (unsigned int i = 0; i < pairs.size(); ++i)
-      found = std::max(found, pairs.sigma(i));
-    check_below(std::abs(found + .5 * N * slope),
+      found.add(pairs.sigma(i));
+    check_below(std::abs(found.largest() + .5 * N * slope),
                 1e-12,
                 "eigenvalue analysis: -N mu'(V)/(2m)");
   }

@@ -5,6 +5,7 @@
 #include "check.h"
 
 #include <squeal/transient/growth.h>
+#include <squeal/transient/growth_rule.h>
 #include <squeal/transient/spectrum.h>
 
 #include <cmath>
@@ -47,6 +48,47 @@ namespace
       }
     check(!fit_growth({0., 1.}, {1., 1.}, 0, 2).is_valid,
           "two samples are no window");
+  }
+
+  /** Slopes of parts all over the place are no rate; decay and neutral motion
+   * with narrow intervals are. Numbers of shipped scenes. */
+  void
+  rates_that_tell_nothing()
+  {
+    const auto tells = [](const double rate, const double ci) {
+      GrowthFit fit;
+      fit.rate     = rate;
+      fit.rate_ci  = ci;
+      fit.is_valid = true;
+      return tells_a_rate(fit);
+    };
+    check(!tells(861.39, 1082.16) && !tells(-127.4, 1125.5) &&
+            !tells(-316.71, 1063.51) && !tells(-204.77, 165.89) &&
+            !tells(3., 11.),
+          "intervals wider than half of the rate");
+    check(tells(1220.54, 0.47) && tells(-2220.88, 246.89) &&
+            tells(-5.19, 4.9) && tells(-8.21, .11) && tells(0.5, 9.),
+          "rates with narrow intervals, also beside the threshold, count");
+    const double nan = std::nan("");
+    check(!tells(nan, 1.) && !tells(5., nan) && !tells_a_rate(GrowthFit()),
+          "what is no number or no fit does not");
+
+    // A decaying pair under the trace of a larger, growing one of nearly the
+    // same frequency: parts of the window belong to the one or the other.
+    std::vector<double>  times;
+    std::vector<Complex> a;
+    for (unsigned int i = 0; i < 2000; ++i)
+      {
+        const double t = 4e-6 * i;
+        times.push_back(t);
+        a.push_back(std::exp(Complex(-1925., 2. * M_PI * 6636.) * t) +
+                    1e-3 * std::exp(Complex(1220., 2. * M_PI * 6684.) * t));
+      }
+    const GrowthFit mixed = fit_growth(times, a, 0, a.size());
+    check(mixed.is_valid && !tells_a_rate(mixed),
+          "nor does a decaying pair hidden by a growing one: " +
+            std::to_string(mixed.rate) + " +- " +
+            std::to_string(mixed.rate_ci));
   }
 
   // A turning mesh shifts the steady sliding by far more than the disturbance.
@@ -232,6 +274,7 @@ int
 main()
 {
   rates();
+  rates_that_tell_nothing();
   rates_beside_a_drift();
   spectra();
   periods();

@@ -6,6 +6,7 @@
 
 #include "transient/hand_made.h"
 #include "transient/pressed_brake.h"
+#include "worst.h"
 
 #include <squeal/transient/implicit_transient.h>
 #include <squeal/transient/reduced_transient.h>
@@ -114,11 +115,11 @@ namespace
     const double          mass = y.squaredNorm();
     check_below(
       std::abs(mass / (2500. * 9e-6) - 1.), 1e-9, "mass of the block");
-    double worst = 0.;
+    Worst worst;
     for (Eigen::Index k = 0; k < y.size(); ++k)
       if (r.model.omega_squared[k] > 0.)
-        worst = std::max(worst, std::abs(y[k]));
-    check_below(worst / std::sqrt(mass),
+        worst.add(std::abs(y[k]));
+    check_below(worst.largest() / std::sqrt(mass),
                 1e-6,
                 "elastic modes do not move the centre of mass");
     r.model.load = -gravity * z;
@@ -243,8 +244,9 @@ namespace
                 const double         dt)
   {
     const double G = young / 2.6, arrival = 2. * side / std::sqrt(G / 2500.),
-                 bound   = std::sqrt(2500. * G) * side * side * floor_speed;
-    double       highest = 0., at = 0., normal = 0., chatter = 0., last = 0.;
+                 bound = std::sqrt(2500. * G) * side * side * floor_speed;
+    Worst        normal;
+    double       highest = 0., at = 0., chatter = 0., last = 0.;
     unsigned int n = 0, n_stick = 0;
     check(std::abs(bound - 47.07) < .01 && std::abs(arrival - 12.75e-6) < 1e-8,
           "the published bound and time");
@@ -256,7 +258,7 @@ namespace
           highest = F_t;
           at      = run.time();
         }
-      normal = std::max(normal, F[0]);
+      normal.add(F[0]);
       chatter += std::abs(F_t - last);
       last = F_t;
       ++n;
@@ -272,7 +274,7 @@ namespace
       highest,
       highest / bound,
       at,
-      normal,
+      normal.largest(),
       chatter,
       double(n_stick) / n,
       run.ledger().imbalance());
@@ -343,8 +345,8 @@ namespace
         else
           run = std::make_unique<ImplicitTransient>(
             full_model(r), dt, pressed_drive(mu), force / r.model.n_nodes());
-        const std::string name   = is_reduced ? "reduced" : "implicit";
-        unsigned int      fewest = 121, most = 0;
+        const std::string name = is_reduced ? "reduced" : "implicit";
+        Worst             closed;
         start_floor(*run, r.model, 4e-3, [&]() {
           const auto        &status   = run->status();
           const unsigned int n_closed = static_cast<unsigned int>(
@@ -352,16 +354,15 @@ namespace
             std::count(status.begin(), status.end(), ContactStatus::open));
           if (run->time() > .5e-3 && run->time() < 1e-3)
             {
-              fewest = std::min(fewest, n_closed);
-              most   = std::max(most, n_closed);
+              closed.add(n_closed);
             }
         });
         const Eigen::Vector3d F = resultant(*run);
-        std::printf("%s: %u to %u closed from 0.5 to 1 ms; at the end F_n "
+        std::printf("%s: %.0f to %.0f closed from 0.5 to 1 ms; at the end F_n "
                     "%.5f, F_t/F_n %.8f, ledger %.1e\n",
                     name.c_str(),
-                    fewest,
-                    most,
+                    closed.smallest(),
+                    closed.largest(),
                     F[0],
                     F[1] / F[0],
                     run->ledger().imbalance());

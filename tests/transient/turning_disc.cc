@@ -5,6 +5,7 @@
 // energies and a restart, and what a feature of the disc does.
 
 #include "transient/pressed_brake.h"
+#include "worst.h"
 
 #include <squeal/base/exceptions.h>
 #include <squeal/contact/turning_contact.h>
@@ -111,26 +112,25 @@ namespace
         check_below((whole.forces - still.forces).norm() / still.forces.norm(),
                     1e-6,
                     "a turn by whole cells: the nodal forces");
-        double sink = 0., centre = 0., forces = 0.;
+        Worst sink, centre, forces;
         for (const double share : {.17, .35, .5, .71})
           {
             const Static s = press(r, *turning, (2. + share) * pitch);
-            sink           = std::max(sink, std::abs(s.sink / still.sink - 1.));
-            centre = std::max(centre, (s.centre - still.centre).norm() / .01);
-            forces = std::max(
-              forces, (s.forces - still.forces).norm() / still.forces.norm());
+            sink.add(std::abs(s.sink / still.sink - 1.));
+            centre.add((s.centre - still.centre).norm() / .01);
+            forces.add((s.forces - still.forces).norm() / still.forces.norm());
           }
         std::printf("disc of %u cells: sink %.3e m, changes by %.2e with the "
                     "angle, centre of pressure by %.2e of the pad's width, "
                     "nodal forces by %.2e\n",
                     16 * n,
                     still.sink,
-                    sink,
-                    centre,
-                    forces);
-        sinks.push_back(sink);
-        centres.push_back(centre);
-        all_forces.push_back(forces);
+                    sink.largest(),
+                    centre.largest(),
+                    forces.largest());
+        sinks.push_back(sink.largest());
+        centres.push_back(centre.largest());
+        all_forces.push_back(forces.largest());
       }
     check_below(sinks[2], 1e-3, "finest disc, any angle: sink");
     check_below(centres[2], 5e-3, "finest disc, any angle: centre");
@@ -347,18 +347,18 @@ namespace
         const SteadySliding s = steady_sliding(r.model, 0.);
         motion.start(
           s.coordinates, Eigen::VectorXd::Zero(r.model.n_modes()), s.forces);
-        double largest = 0.;
+        Worst largest;
         while (motion.time() < 2e-3)
           {
             motion.advance();
-            largest = std::max(largest, std::abs(motion.ledger().driving));
+            largest.add(std::abs(motion.ledger().driving));
           }
         const EnergyLedger e = motion.ledger();
-        shares.push_back(largest / e.start);
+        shares.push_back(largest.largest() / e.start);
         std::printf("disc of %u cells: work of the turning at most %.2e J, "
                     "stored %.2e J, ledger %.1e\n",
                     16 * n,
-                    largest,
+                    largest.largest(),
                     e.start,
                     e.imbalance());
         check(e.friction == 0., "no friction");
@@ -397,7 +397,7 @@ namespace
       start(*whole);
       for (unsigned int i = 0; i < 500; ++i)
         whole->advance();
-      const std::vector<double> memory = whole->memory();
+      const NamedNumbers memory = whole->memory();
       for (unsigned int i = 0; i < 500; ++i)
         whole->advance();
       start(*second);

@@ -2,8 +2,11 @@
 #ifndef squeal_base_files_h
 #define squeal_base_files_h
 
+#include <squeal/base/file_lock.h>
+
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -62,14 +65,19 @@ namespace squeal
   std::string read_file(const std::string &path);
 
   /**
-   * Makes @p directory ready for a new run: creates it if missing, and with
-   * @p overwrite removes the files that earlier runs listed in its manifest
-   * `.squeal_files`, never any other file. Throws InputError if the directory
-   * holds results or foreign files and @p overwrite is false, if a file is in
-   * its place, or if it cannot be written. What a run leaves that ended before
-   * its first result (a log, nothing else) does not count as results.
+   * Makes @p directory ready for a new run: creates it if missing, makes this
+   * process its one owner, and with @p overwrite removes the files that earlier
+   * runs listed in its manifest `.squeal_files`, never any other file. Throws
+   * InputError if another process owns it, if the directory holds results or
+   * foreign files and @p overwrite is false, if a file is in its place, or if it
+   * cannot be written; then nothing has been removed. What a run leaves that
+   * ended before its first result (a log, nothing else) does not count as
+   * results, nor do files that a later run continues from. The manifest carries
+   * the lock.
    */
-  void prepare_output_directory(const std::string &directory, bool overwrite);
+  std::unique_ptr<FileLock> prepare_output_directory(
+    const std::string &directory,
+    bool               overwrite);
 
   /**
    * The directory of one run. Every result asks it for its path, so that the
@@ -91,9 +99,23 @@ namespace squeal
      * Path of the result @p name, which may contain folders
      * ("plots/spectrum.png"): they are created, and the name is added to the
      * manifest. Throws InputError if a file of that name is there that squeal
-     * has not written.
+     * has not written, or if the name leaves the directory.
      */
     std::string file(const std::string &name);
+
+    /**
+     * Path of a file of a @p kind (see state_files.h) that outlives the run. It is no
+     * result: the manifest does not list it. Throws InputError, naming the
+     * parameter @p entry, if the name leaves the directory or if a file of that
+     * name is there that squeal has not written as one of this kind.
+     */
+    std::string state_file(const std::string &name,
+                           const std::string &kind,
+                           const std::string &entry);
+
+    /** False where the file system has no locks and a second process would not
+     * be noticed. */
+    bool is_owned() const;
 
     /** Removes what this run has written but for its log: for a run that
      * fails. */
@@ -103,9 +125,10 @@ namespace squeal
     const std::set<std::string> &files() const;
 
   private:
-    std::string           directory;
-    bool                  is_root;
-    std::set<std::string> names;
+    std::string               directory;
+    bool                      is_root;
+    std::unique_ptr<FileLock> lock; /**< on the root */
+    std::set<std::string>     names;
   };
 } // namespace squeal
 

@@ -7,8 +7,8 @@
 namespace squeal
 {
   /**
-   * While it lives, SIGTERM and SIGINT end the program in order: the files
-   * that the manifest of the output directory lists, complete or not, are
+   * While it lives, stop signals (stop_signals.h) end the program in order: the
+   * files that the manifest of the output directory lists, complete or not, are
    * removed but for the log, one line on stderr says so, and the exit code is
    * 128 + the number of the signal. At most one may live at a time.
    *

@@ -2,13 +2,14 @@
 #ifndef squeal_base_stop_request_h
 #define squeal_base_stop_request_h
 
-#include <csignal>
+#include <squeal/base/stop_signals.h>
 
 namespace squeal
 {
   /**
-   * While it lives, SIGTERM and SIGINT only leave a note, so that a long
-   * computation can save its state between two steps. repeat() hands the signal
+   * While it lives, the stop signals (see stop_signals.h) only leave a note, so
+   * that a long computation can save its state between two steps; what a write
+   * lacks because of one is told by whoever writes. repeat() hands the signal
    * to whoever handled it before (see InterruptGuard). At most one may live at
    * a time.
    */
@@ -28,8 +29,8 @@ namespace squeal
   private:
     void restore();
 
-    struct sigaction former_term, former_int;
-    bool             active = true;
+    SignalActions former;
+    bool          active = true;
   };
 } // namespace squeal
 

@@ -2,6 +2,7 @@
 #ifndef squeal_driver_campaign_runs_h
 #define squeal_driver_campaign_runs_h
 
+#include <squeal/driver/fingerprint.h>
 #include <squeal/parameters/parameters.h>
 
 #include <string>
@@ -15,7 +16,7 @@ namespace squeal
     Parameters          parameters;
     std::vector<double> shown; /**< values of the axes, as tables show them */
     std::string         top;   /**< kind of the support; empty as it stands */
-    std::string         key;   /**< of everything that its motion depends on */
+    Fingerprint         fingerprint; /**< all that its motion depends on */
   };
 
   /**

@@ -48,6 +48,10 @@ namespace squeal
   /** True where sigma exceeds its own error estimate. */
   bool is_unstable(const ComplexPairs &pairs, const unsigned int i);
 
+  /** The contact state of a scene as its parameters name it: of several pairs
+   * each state once, "none" without pairs. */
+  std::string contact_state_text(const SceneParameters &scene);
+
   /** eigenvalues.csv. */
   Table eigenvalue_table(const Model          &model,
                          const ModeSolution   &modes,

@@ -13,13 +13,30 @@
 
 namespace squeal
 {
+  /**
+   * The direction t of the sliding of the target's surface at the pad: the mean
+   * of that of the points over the face, which is Omega x r at the centre of a
+   * face that is symmetric about its radius. Unit vector, x and y; +y where
+   * points slide all round, in no common direction.
+   */
+  std::array<double, 2> sliding_direction(const ContactGeometry &geometry);
+
+  /** It in words: "+y", or "(0.5, 0.866)" where it is along no axis. */
+  std::string sliding_text(const ContactGeometry &geometry);
+
+  /** Resultant of nodal forces by the target on the source, N: along s = t x n
+   * (radially outwards under a disc that turns about +z), along t =
+   * sliding_direction(), normal, compression positive. It does not change when
+   * the scene is turned about the axis. */
+  std::array<double, 3> resultant_force(const ContactGeometry &geometry,
+                                        const Eigen::VectorXd &forces);
+
   /** The resultant of nodal forces on the contact face and where it acts. */
   struct ContactResultant
   {
-    std::array<double, 3> force;  /**< N: x, y by the target on the source,
-                                     normal, compression positive */
+    std::array<double, 3> force;  /**< resultant_force(), N */
     std::array<double, 2> centre; /**< of pressure, from the centre of the face,
-                                     m: x, y; NaN without contact */
+                                     m: along s and t; NaN without contact */
     double mean_pressure = 0.;    /**< over the whole face, Pa */
     double peak_pressure = 0.;    /**< of a node, Pa */
     /** Mean pressure of the nodes on the edge where the target's surface

@@ -2,6 +2,7 @@
 #ifndef squeal_driver_finished_runs_h
 #define squeal_driver_finished_runs_h
 
+#include <squeal/driver/fingerprint.h>
 #include <squeal/results/table.h>
 
 #include <nlohmann/json.hpp>
@@ -12,38 +13,41 @@
 namespace squeal
 {
   /**
-   * Rows of runs that an earlier campaign has finished, by their keys, in a
-   * JSON file that is rewritten after each run:
-   * {key: {"program": version, "row": [...]}}.
-   *
-   * A row of another version of the program counts too, since most changes of a
-   * program change no motion and a campaign may be hours of work; who asks is
-   * told of it.
+   * Rows of runs that an earlier campaign has finished, in a JSON file that is
+   * rewritten after each run: each with its name ("row", "phases"), the text of
+   * its fingerprint and a checksum of all three. Rows of other runs, of another
+   * program say, stay in the file.
    */
   class FinishedRuns
   {
   public:
-    /** Reads @p path if it is there and @p resume; throws InputError if it
-     * cannot be read. @p program is the version that goes with new rows. */
-    FinishedRuns(const std::string &path,
-                 const std::string &program,
-                 const bool         resume);
+    /** @p content: that of the file @p path; empty where there is none. Throws
+     * InputError, and leaves the file as it is, if it cannot be understood or a
+     * row is not as it was written. */
+    FinishedRuns(const std::string &path, const std::string &content);
 
-    /** False if there is no run @p key with @p n_columns numbers; 0: with any
-     * number of them. */
-    bool find(const std::string &key,
+    /** The row @p name of the run of @p fingerprint; false if there is none with
+     * @p n_columns numbers (0: with any number of them). */
+    bool find(const Fingerprint &fingerprint,
+              const std::string &name,
               const std::size_t  n_columns,
               std::vector<Cell> &row) const;
 
-    /** The version of the program that made that row; empty if there is none,
-     * "unknown" if the row does not say. */
-    std::string program_of(const std::string &key) const;
+    /** Adds a row or replaces it and writes the file. A row with an infinite
+     * number, which JSON does not know, is not kept. */
+    void add(const Fingerprint       &fingerprint,
+             const std::string       &name,
+             const std::vector<Cell> &row);
 
-    void add(const std::string &key, const std::vector<Cell> &row);
+    std::size_t n_rows() const;
+
+    /** Of the run in the file that is most like that of @p fingerprint: how that
+     * differs from it, see Fingerprint::difference(). Empty without runs. */
+    std::string nearest_difference(const Fingerprint &fingerprint) const;
 
   private:
-    const std::string      path, program;
-    nlohmann::ordered_json rows = nlohmann::ordered_json::object();
+    const std::string                   path;
+    std::vector<nlohmann::ordered_json> rows;
   };
 } // namespace squeal
 

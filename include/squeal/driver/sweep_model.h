@@ -2,6 +2,7 @@
 #ifndef squeal_driver_sweep_model_h
 #define squeal_driver_sweep_model_h
 
+#include <squeal/driver/fingerprint.h>
 #include <squeal/driver/mode_solution.h>
 #include <squeal/driver/run_context.h>
 #include <squeal/sweep/basis_builder.h>
@@ -39,7 +40,7 @@ namespace squeal
     Band                    band() const;
     /** Whether the basis comes from an earlier run. */
     bool is_reused() const;
-    /** Empty where the basis was reused. */
+    /** How the basis was built, in whichever run. */
     const std::vector<BasisRound> &history() const;
     unsigned int                   n_factors() const;
     /** CPU seconds that building the basis took, in whichever run. */
@@ -84,19 +85,29 @@ namespace squeal
     Modes undamped(const SweepPoint &point) const;
 
     /** Shares of the kinetic energy: bodies x vectors. */
-    Eigen::MatrixXd          energy_shares(const SweepPoint       &point,
-                                           const Eigen::MatrixXcd &vectors) const;
+    Eigen::MatrixXd energy_shares(const SweepPoint       &point,
+                                  const Eigen::MatrixXcd &vectors) const;
+    /** @p eigenvalues: of the vectors, in 1/s. */
     std::vector<ModeName>    names(const Eigen::MatrixXcd &vectors,
-                                   const Eigen::MatrixXd  &energy_shares) const;
+                                   const Eigen::MatrixXd  &energy_shares,
+                                   const Eigen::VectorXcd &eigenvalues) const;
     const std::vector<bool> &symmetric_parts() const;
 
   private:
-    void        build(RunContext &context, Block *vectors);
-    bool        read(RunContext &context);
-    void        add_quantities(RunContext &context, const Block &basis);
-    void        add_mesh_errors(RunContext &context, const Block &basis);
-    std::string hash() const;
-    bool        is_within(const WorstError &worst, const double factor) const;
+    void build(RunContext &context, Block *vectors);
+    bool read(RunContext &context);
+    void add_quantities(RunContext &context, const Block &basis);
+    void add_mesh_errors(RunContext &context, const Block &basis);
+    /** Where the basis is kept, in the output directory. */
+    static std::string basis_file(RunContext &context, const std::string &name);
+    /** Everything that the basis depends on. */
+    Fingerprint fingerprint() const;
+    /** @name The history of the basis among the numbers of the model */
+    //@{
+    void put_rounds();
+    void take_rounds();
+    //@}
+    bool is_within(const WorstError &worst, const double factor) const;
     /** Enlarges the small basis at @p point; false when it holds all. */
     bool enlarge(const SweepPoint &point);
 

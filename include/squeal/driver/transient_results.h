@@ -143,20 +143,23 @@ namespace squeal
    * changes: means over equal stretches of it. */
   Table speed_table(const TransientRecord &record,
                     const Parameters      &parameters);
-  void  write_transient_json(const TransientFigures &figures,
-                             const std::string      &path);
-  void  write_contact_history(const PreparedTransient &prepared,
-                              const TransientRecord   &record,
-                              const std::string       &name,
-                              const std::string       &path);
-  void  draw_transient(RunContext              &context,
-                       const PreparedTransient &prepared,
-                       const TransientRecord   &record,
-                       const TransientFigures  &figures,
-                       HtmlReport              &report);
-  void  draw_speeds(RunContext  &context,
-                    const Table &speeds,
-                    HtmlReport  &report);
+  /** transient.json; @p explanation: the verdict in words, which says what
+   * stands beside stable steady sliding. */
+  void write_transient_json(const TransientFigures &figures,
+                            const std::string      &explanation,
+                            const std::string      &path);
+  void write_contact_history(const PreparedTransient &prepared,
+                             const TransientRecord   &record,
+                             const std::string       &name,
+                             const std::string       &path);
+  void draw_transient(RunContext              &context,
+                      const PreparedTransient &prepared,
+                      const TransientRecord   &record,
+                      const TransientFigures  &figures,
+                      HtmlReport              &report);
+  void draw_speeds(RunContext  &context,
+                   const Table &speeds,
+                   HtmlReport  &report);
   /** Amplitudes and phases of phase tables, each with its label. */
   void draw_phases(RunContext                                       &context,
                    const std::vector<std::pair<std::string, Table>> &runs,

@@ -2,6 +2,7 @@
 #ifndef squeal_driver_transient_run_h
 #define squeal_driver_transient_run_h
 
+#include <squeal/driver/fingerprint.h>
 #include <squeal/driver/pressed_model.h>
 #include <squeal/results/contact_history.h>
 #include <squeal/transient/transient_integrator.h>
@@ -18,8 +19,9 @@ namespace squeal
   struct TransientSample
   {
     double time       = 0.;
-    double tangential = 0., radial = 0., normal = 0.; /**< N: y, x, z; target on
-                                                         source */
+    double tangential = 0., radial = 0., normal = 0.; /**< N: along and across
+                                                         the sliding, z; target
+                                                         on source */
     double n_open = 0., n_stick = 0.;                 /**< nodes */
     /** 1 where every status has been that of steady sliding since the sample
      * before. */
@@ -94,12 +96,17 @@ namespace squeal
     const TransientRecord &record() const;
     unsigned int           n_steps_left() const;
 
-    /** @name Checkpoints: a run that continues from one gives the same bits */
+    /** @name For checkpoints: a run that continues from one gives the same
+     * bits */
     //@{
-    void write_checkpoint(const std::string &path) const;
-    /** False where there is none, or one of other parameters. */
-    bool read_checkpoint(const std::string &path);
+    NamedNumbers memory() const;
+    /** Throws InputError where sizes are not those of this run; it must not go
+     * on then. */
+    void restore(const NamedNumbers &memory);
     //@}
+
+    /** Enters the sizes that the memory has: nodes, modes, steps. */
+    void describe(Fingerprint &fingerprint) const;
 
   private:
     void take_sample(const bool is_linear);
@@ -112,7 +119,6 @@ namespace squeal
     const SteadySliding                 &steady;
     const LinearizedMotion               recorded; /**< the branches only */
     const TransientParameters           &settings;
-    const std::string                    key; /**< of the parameters */
     const std::vector<bool>              edge;
     double                               edge_area = 0., area = 0.;
     unsigned int                         n_steps, stride;
@@ -132,9 +138,6 @@ namespace squeal
     const PressedModel  &pressed,
     const SteadySliding &steady,
     const Parameters    &parameters);
-
-  /** All entries that the motion depends on, as one text. */
-  std::string key_of_motion(const Parameters &parameters);
 } // namespace squeal
 
 #endif

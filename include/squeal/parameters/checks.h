@@ -58,6 +58,12 @@ namespace squeal
                       const std::string    &section,
                       const std::string    &entry);
 
+    /** Refuses the name of a file in the output directory that would leave
+     * it. */
+    void require_inside(const std::string &name,
+                        const std::string &section,
+                        const std::string &entry);
+
     /** Refuses a file that is named but is not there; the empty name is
      * refused too if @p is_needed. */
     void require_file(const std::string &file,

@@ -49,7 +49,7 @@ namespace squeal
     double       frequency_tolerance = 1e-6; /**< relative */
     double       sigma_tolerance     = 0.5;  /**< 1/s */
     unsigned int maximum_basis       = 2000;
-    /** HDF5 file of the basis; empty: "<output directory>_basis.h5". */
+    /** HDF5 file of the basis in the output directory; empty: basis.h5. */
     std::string basis_file;
     bool        reuse_basis    = true;
     double      edge_tolerance = 1e-5; /**< decades, or share of the range */

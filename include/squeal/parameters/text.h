@@ -26,7 +26,7 @@ namespace squeal
 
     /** @p text for an error line: in quotes, shortened, anything that is not
      * printable replaced by '?'. */
-    std::string quoted(const std::string &text);
+    std::string in_quotes(const std::string &text);
 
     /** Whether @p text is valid UTF-8, which plain ASCII is: anything else
      * could not be written to run.json. */

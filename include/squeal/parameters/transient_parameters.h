@@ -86,7 +86,7 @@ namespace squeal
     double           friction_impulse_time = 0.; /**< s */
     double           friction_impulse_duration = 1e-3; /**< s */
 
-    std::string checkpoint_file;            /**< empty: by the output's name */
+    std::string checkpoint_file;            /**< empty: checkpoint.h5 */
     double      checkpoint_interval = 600.; /**< s of wall time; 0: only when
                                                  the run is stopped */
     bool resume = true;

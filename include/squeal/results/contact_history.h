@@ -73,6 +73,8 @@ namespace squeal
   {
   public:
     static constexpr int format_version = 1;
+    /** What sealed_file.h calls a history that squeal has written. */
+    static constexpr const char *sealed_kind = "contact history";
 
     HistoryWriter(const std::string &path, const HistoryLayout &layout);
 
@@ -95,7 +97,9 @@ namespace squeal
    * file's name, for a file that is missing, no HDF5, truncated, incomplete, of
    * another format or version, without a dataset, with datasets that do not fit
    * each other, with an area that is not positive, with a value that is not a
-   * number, or with times that do not increase.
+   * number, or with times that do not increase. Of a history that squeal has
+   * written the checksum decides; one from elsewhere is first read to its end
+   * by a child process, since HDF5 itself crashes on some damaged files.
    */
   class HistoryReader
   {
@@ -122,6 +126,19 @@ namespace squeal
     const std::string &path() const;
 
   private:
+    struct Accepted
+    {
+    };
+
+    /** After its file has been found to be whole. */
+    HistoryReader(const std::string &path, Accepted);
+
+    /** @p path, if its file is one that can be read to its end. */
+    static const std::string &accepted(const std::string &path);
+
+    /** Reads all there is. */
+    void read_to_end() const;
+
     void check_shape(const std::string          &name,
                      const Hdf5File::Dimensions &row) const;
 

@@ -23,6 +23,7 @@ namespace squeal
     enum class Mode
     {
       create,
+      create_sealed, /**< to be sealed when it is closed: see sealed_file.h */
       read
     };
 

@@ -53,7 +53,7 @@ namespace squeal
   };
 
   /** @p text in the quotes of gnuplot. */
-  std::string quoted(const std::string &text);
+  std::string in_quotes(const std::string &text);
 
   /** @p value for a script or data file: seven digits, never "nan". */
   std::string plot_number(double value);

@@ -2,6 +2,8 @@
 #ifndef squeal_results_table_h
 #define squeal_results_table_h
 
+#include <squeal/base/number_text.h>
+
 #include <iosfwd>
 #include <string>
 #include <type_traits>
@@ -10,15 +12,9 @@
 
 namespace squeal
 {
-  /** Shortest decimal text that reads back as the same double. */
-  std::string shortest_text(double value);
-
-  /** @p value rounded to @p n_digits significant digits; no exponent between
-   * 1e-4 and 10^max(n_digits, 6). */
-  std::string rounded_text(double value, int n_digits);
-
   /** One value of a row: a double, an integer, a text, or nothing. A double
-   * that is not a number counts as nothing. */
+   * that is not finite goes into no table, unless or_missing() or unbounded()
+   * says that it belongs there. */
   class Cell
   {
   public:
@@ -36,7 +32,18 @@ namespace squeal
     bool is_missing() const;
 
     std::variant<std::monostate, double, long long, std::string> value;
+
+    /** Whether an infinite value is a result. */
+    bool may_be_infinite = false;
   };
+
+  /** @p value, or nothing where it is NaN: for quantities that are not there in
+   * every row, and only for those. An infinite value is refused as ever. */
+  Cell or_missing(double value);
+
+  /** @p value, which may be infinite but not NaN: the condition of a defective
+   * eigenvalue, the life without damage. */
+  Cell unbounded(double value);
 
   /**
    * Rows under typed columns: what every analysis hands over, and what is
@@ -62,7 +69,9 @@ namespace squeal
       std::string unit;         /**< "Hz", "1/s", "" */
       std::string description;  /**< one sentence */
       int         n_digits = 6; /**< significant digits where people read it */
-      int         n_decimals = -1; /**< >= 0: this many decimals instead */
+      /** >= 0: this many decimals instead, but for what is smaller than the
+       * last of them: two significant digits */
+      int n_decimals = -1;
     };
 
     Table() = default;
@@ -71,7 +80,9 @@ namespace squeal
     void add_column(const Column &column);
 
     /** Appends a row, one cell a column in their order. An integer in a real
-     * column is converted; any other mismatch is a programming error. */
+     * column is converted; any other mismatch is a programming error. Throws
+     * ComputationError naming the column and the row for a value that is not
+     * finite and was not said to be so. */
     void add_row(std::vector<Cell> cells);
 
     /** Puts a column before the others, the same cell in every row. */

@@ -64,18 +64,22 @@ namespace squeal
     void project(ModelCell &cell) const;
   };
 
-  /** Writes an HDF5 file with its @p hash. Throws InputError where it cannot
-   * be written. */
+  /** Writes a sealed HDF5 file (see sealed_file.h) with a @p key that says what
+   * the model depends on. Throws InputError where it cannot be written. */
   void write_reduced_model(const ReducedModel &model,
-                           const std::string  &hash,
+                           const std::string  &key,
                            const std::string  &file);
 
+  /** The key of what write_reduced_model() wrote, of any format version. Throws
+   * InputError for a file that squeal has not written or that is damaged. */
+  std::string key_of_reduced_model(const std::string &file);
+
   /**
-   * Reads what write_reduced_model() wrote. @p hash receives that of the file.
-   * Throws InputError for a file that is no HDF5, that is cut off or of another
-   * format version.
+   * Reads what write_reduced_model() wrote. @p key receives that of the file.
+   * Throws InputError for a file that squeal has not written, that is damaged
+   * in any byte or of another format version.
    */
-  ReducedModel read_reduced_model(const std::string &file, std::string &hash);
+  ReducedModel read_reduced_model(const std::string &file, std::string &key);
 } // namespace squeal
 
 #endif

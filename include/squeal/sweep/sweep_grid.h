@@ -15,6 +15,12 @@ namespace squeal
   /** A place in the parameter box, one coordinate an axis. */
   using SweepPoint = Eigen::VectorXd;
 
+  /** Value of an entry of a linear or logarithmic axis at the @p share, 0 to 1,
+   * of the way: from its own From to its own To. */
+  double entry_value(const SweepAxisParameters &axis,
+                     const std::size_t          entry,
+                     const double               share);
+
   /**
    * The parameter box of a sweep and its grid of points.
    *

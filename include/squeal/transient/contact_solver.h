@@ -2,6 +2,7 @@
 #ifndef squeal_transient_contact_solver_h
 #define squeal_transient_contact_solver_h
 
+#include <squeal/base/named_numbers.h>
 #include <squeal/contact/contact_geometry.h>
 #include <squeal/transient/kept_inverse.h>
 
@@ -106,8 +107,10 @@ namespace squeal
 
     /** @name What later iterations depend on, for checkpoints */
     //@{
-    std::vector<double> memory() const;
-    void                restore(const std::vector<double> &memory);
+    NamedNumbers memory() const;
+    /** Throws InputError, before anything is changed but the rows, where sizes
+     * are not those of this solver. */
+    void restore(const NamedNumbers &memory);
     //@}
 
   private:

@@ -52,9 +52,10 @@ namespace squeal
     double        largest_step() const; /**< stable, s */
 
   protected:
-    void                           initialize() override;
-    std::vector<Eigen::VectorXd *> further_state() override;
-    Eigen::MatrixXd                delassus() override;
+    void initialize() override;
+    std::vector<std::pair<std::string, Eigen::VectorXd *>> further_state()
+      override;
+    Eigen::MatrixXd delassus() override;
 
   private:
     /** K u and K w of this step. */

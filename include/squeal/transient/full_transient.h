@@ -64,8 +64,8 @@ namespace squeal
     Eigen::VectorXd        observed_accelerations() const override;
     EnergyLedger           ledger() const override;
     unsigned int           n_inversions() const override;
-    std::vector<double>    memory() const override;
-    void                   restore(const std::vector<double> &memory) override;
+    NamedNumbers           memory() const override;
+    void                   restore(const NamedNumbers &memory) override;
     const Eigen::VectorXd &forces() const override;
     const Eigen::VectorXd &motion() const override;
     const Eigen::VectorXd *unknowns() const override;
@@ -86,7 +86,7 @@ namespace squeal
      * start. */
     virtual void initialize() = 0;
     /** Vectors that later steps depend on, beside those of this class. */
-    virtual std::vector<Eigen::VectorXd *> further_state() = 0;
+    virtual std::vector<std::pair<std::string, Eigen::VectorXd *>> further_state() = 0;
 
     Eigen::VectorXd external_force(const double time) const;
     Eigen::VectorXd relative(const Eigen::VectorXd &x) const;
@@ -133,9 +133,9 @@ namespace squeal
                                   step at hand, m */
 
   private:
-    void                           set_turn();
-    Eigen::MatrixXd                symmetric_delassus();
-    std::vector<Eigen::VectorXd *> state();
+    void                                                   set_turn();
+    Eigen::MatrixXd                                        symmetric_delassus();
+    std::vector<std::pair<std::string, Eigen::VectorXd *>> state();
   };
 } // namespace squeal
 

@@ -37,9 +37,10 @@ namespace squeal
     ContactReport advance() override;
 
   protected:
-    void                           initialize() override;
-    std::vector<Eigen::VectorXd *> further_state() override;
-    Eigen::MatrixXd                delassus() override;
+    void initialize() override;
+    std::vector<std::pair<std::string, Eigen::VectorXd *>> further_state()
+      override;
+    Eigen::MatrixXd delassus() override;
 
   private:
     /** Motion of the nodes in a step without contact forces, as the solver

@@ -39,8 +39,8 @@ namespace squeal
     Eigen::VectorXd        observed_accelerations() const override;
     EnergyLedger           ledger() const override;
     unsigned int           n_inversions() const override;
-    std::vector<double>    memory() const override;
-    void                   restore(const std::vector<double> &memory) override;
+    NamedNumbers           memory() const override;
+    void                   restore(const NamedNumbers &memory) override;
     const Eigen::VectorXd &forces() const override;
     const Eigen::VectorXd &motion() const override;
     const std::vector<ContactStatus> &status() const override;
@@ -53,6 +53,8 @@ namespace squeal
                                   const Eigen::VectorXd &lambda_before,
                                   const Eigen::VectorXd &motion_before);
     double          stored_energy() const;
+    /** What later steps depend on, beside counts and energies. */
+    std::vector<std::pair<std::string, Eigen::VectorXd *>> state();
 
     const ReducedContactModel &model;
     const double               dt;

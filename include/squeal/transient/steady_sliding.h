@@ -58,11 +58,17 @@ namespace squeal
                                 omega */
     /** Rows l_k: l_k (q; v; lambda across the sliding at the closed nodes) is
      * the amplitude of pair k in a motion, scaled so that an eigenmotion of
-     * kinetic energy amplitude 1 J has amplitude 1. */
+     * kinetic energy amplitude 1 J has amplitude 1. Where two pairs have
+     * coalesced the scale is lost in rounding, but their amplitudes still grow
+     * by lambda. */
     Eigen::MatrixXcd left;
     /** Columns: the eigenmotions of amplitude 1, left * right has a unit
      * diagonal. */
     Eigen::MatrixXcd right;
+    /** Of the eigenvalues, |l_k| |x_k| in balanced units: 1 of motions at
+     * right angles, at a coalescence the most that double precision tells
+     * apart, 4.5e15. */
+    Eigen::VectorXd condition;
     /** What lambda across the sliding has part in its own rate, 1/s. */
     Eigen::MatrixXd across;
 

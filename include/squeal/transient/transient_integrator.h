@@ -46,6 +46,10 @@ namespace squeal
                               nodal forces that open or close a gap within a
                               step, and beta_2 above 1/2 */
 
+    /** Its members by name, for checkpoints. */
+    NamedNumbers memory() const;
+    void         restore(const NamedNumbers &memory);
+
     /** What does not add up, relative to the work done. */
     double imbalance() const;
     double start = 0.; /**< kinetic + elastic at the start */
@@ -91,8 +95,10 @@ namespace squeal
 
     /** @name All that later steps depend on: the same bits after restore() */
     //@{
-    virtual std::vector<double> memory() const                       = 0;
-    virtual void                restore(const std::vector<double> &) = 0;
+    virtual NamedNumbers memory() const = 0;
+    /** After start(). Throws InputError where sizes are not those of this
+     * motion. */
+    virtual void restore(const NamedNumbers &) = 0;
     //@}
   };
 } // namespace squeal

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_transient_growth_rule_h
+#define squeal_transient_growth_rule_h
+
+#include <squeal/transient/growth.h>
+
+namespace squeal
+{
+  /**
+   * Whether the interval of a fit lets it stand for a growth rate: its half
+   * width is at most half of the rate, or at most 10 1/s for a pair near the
+   * threshold, whose rate may be anything small. A wider one tells the rate to
+   * no more than a factor of three, or not even its sign; it comes from
+   * amplitudes that are traces of other, larger motions, whose parts of the
+   * window give slopes all over the place.
+   *
+   * The linearised rate is deliberately no part of the rule: a narrow interval
+   * beside it is a finding and is shown.
+   */
+  bool tells_a_rate(const GrowthFit &fit);
+} // namespace squeal
+
+#endif
