@@ -180,6 +180,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/history_reader.cc
     source/results/history_writer.cc
     source/results/html_report.cc
+    source/results/json_file.cc
     source/results/label_layout.cc
     source/results/matrix_market.cc
     source/results/measured_shapes.cc

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
 #include <squeal/driver/analyses.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/pressed_model.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/json_file.h>
 
 #include <nlohmann/json.hpp>
 
@@ -211,10 +211,10 @@ namespace squeal
     }
 
     void
-    write_json(const Table       &steps,
-               const std::string &path,
-               const double       friction,
-               const double       speed)
+    write_preload_json(const Table       &steps,
+                       const std::string &path,
+                       const double       friction,
+                       const double       speed)
     {
       nlohmann::ordered_json json = {{"format_version", 1},
                                      {"friction_coefficient", friction},
@@ -231,8 +231,7 @@ namespace squeal
           list.push_back(row);
         }
       json["load_steps"] = list;
-      write_atomically(path,
-                       [&](std::ostream &out) { out << json.dump(2) << '\n'; });
+      write_json(path, json);
     }
 
 
@@ -418,10 +417,10 @@ namespace squeal
     std::string open_this;
     if (context.is_root)
       {
-        write_json(steps,
-                   context.output.file("preload.json"),
-                   p.scene.contacts[0].friction_coefficient,
-                   pressed.speed());
+        write_preload_json(steps,
+                           context.output.file("preload.json"),
+                           p.scene.contacts[0].friction_coefficient,
+                           pressed.speed());
         open_this = write_contact(context, pressed, full, contact, report);
       }
     report.section("Load steps");

@@ -2,9 +2,9 @@
 
 // Tables, JSON and the history file of a transient.
 
-#include <squeal/base/files.h>
 #include <squeal/driver/contact_output.h>
 #include <squeal/driver/transient_results.h>
+#include <squeal/results/json_file.h>
 
 #include <nlohmann/json.hpp>
 
@@ -364,8 +364,7 @@ namespace squeal
           row[column.name] = number(branches.real(i, column.name));
         json["branches"].push_back(row);
       }
-    write_atomically(path,
-                     [&](std::ostream &out) { out << json.dump(2) << '\n'; });
+    write_json(path, json);
   }
 
 

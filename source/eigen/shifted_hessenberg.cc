@@ -23,6 +23,9 @@ namespace squeal
   ShiftedHessenberg::ShiftedHessenberg(const Eigen::MatrixXd &K,
                                        const Eigen::MatrixXd &M)
   {
+    // Eigen's decompositions ask for one unknown at least.
+    if (M.rows() == 0)
+      return;
     const Eigen::LLT<Eigen::MatrixXd> cholesky(M);
     if (cholesky.info() != Eigen::Success)
       throw ComputationError("the mass matrix of a reduced model is not "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/results/json_file.h>
 #include <squeal/results/run_record.h>
 
 #include <nlohmann/json.hpp>
@@ -143,10 +144,7 @@ namespace squeal
                        {"timings", from_timings(record.timings)},
                        {"files", record.files},
                        {"parameters", from_pairs(record.parameters)}};
-    // a path or name that is no UTF-8 must not end the run
-    const std::string text =
-      json.dump(2, ' ', false, Json::error_handler_t::replace);
-    write_atomically(path, [&](std::ostream &out) { out << text << '\n'; });
+    write_json(path, json);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/input_file.h>
+#include <squeal/base/unknown_choice.h>
 
 #include <squeal/parameters/text.h>
 
@@ -39,6 +40,30 @@ namespace squeal
       if ((type >= 20 && type <= 25) || (type >= 36 && type <= 61))
         return Kind::other_surface;
       return Kind::other_volume;
+    }
+
+
+
+    /** Nodes that are kept of an element of a kind. */
+    unsigned int
+    n_nodes_read(const Kind kind)
+    {
+      switch (kind)
+        {
+        case Kind::hexahedron:
+          return 8;
+        case Kind::quadrilateral:
+          return 4;
+        case Kind::low_dimensional:
+        case Kind::other_surface:
+        case Kind::higher_order_hexahedron:
+        case Kind::tetrahedron:
+        case Kind::wedge:
+        case Kind::pyramid:
+        case Kind::other_volume:
+          return 0;
+        }
+      unknown_choice("kind of element");
     }
 
 
@@ -327,10 +352,7 @@ namespace squeal
       GmshFile::Element element{tag, kind_of(type), group, {}};
       if (element.kind == Kind::low_dimensional)
         return;
-      const unsigned int n_nodes = element.kind == Kind::hexahedron      ? 8
-                                   : element.kind == Kind::quadrilateral ? 4
-                                                                         : 0;
-      for (unsigned int v = 0; v < n_nodes; ++v)
+      for (unsigned int v = 0; v < n_nodes_read(element.kind); ++v)
         {
           const long node = next_integer("node");
           const auto it   = index_of_node.find(node);

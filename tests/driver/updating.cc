@@ -10,6 +10,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <random>
+
 using namespace squeal;
 using namespace squeal::testing;
 
@@ -94,23 +96,25 @@ subsection Updating
 
   /** Writes measured.csv from the twin: frequencies of modes whose names stand
    * once in its table and once in that of the scene where the fit starts, with
-   * errors of @p noise in turns. */
+   * independent normal errors of the standard deviation @p noise. */
   void
-  measure_twin(const double noise)
+  measure_twin(const double noise, const unsigned int seed = 0)
   {
     check(run(brake(2.2e11, 2.7e10, 5e8)).code == 0, "the start is solved");
     auto at_start = count_names(read_csv("out/eigenvalues.csv"));
     check(run(brake(true_disc, true_pad, true_contact)).code == 0,
           "the twin is solved");
-    const Table  table = read_csv("out/eigenvalues.csv");
-    auto         count = count_names(table);
-    std::string  text  = "name,frequency_hz,weight\n";
-    unsigned int n     = 0;
+    const Table                      table = read_csv("out/eigenvalues.csv");
+    auto                             count = count_names(table);
+    std::string                      text  = "name,frequency_hz,weight\n";
+    unsigned int                     n     = 0;
+    std::mt19937                     random(seed);
+    std::normal_distribution<double> normal;
     for (std::size_t r = 0; r < table.n_rows() && n < 14; ++r)
       if (const std::string name = table.text(r, "name");
           count[name] == 1 && at_start[name] == 1)
         {
-          const double error = noise * ((n % 3) - 1.) * (n % 2 ? 1. : -1.);
+          const double error = noise * normal(random);
           text += '"' + name + "\"," +
                   shortest_text((1. + error) * table.real(r, "frequency_hz")) +
                   ",1\n";
@@ -179,21 +183,36 @@ subsection Updating
       }
     std::cout << "        evaluations: "
               << read_csv("out/updating_history.csv").n_rows() << std::endl;
+  }
 
-    measure_twin(1e-3);
-    check(run(fit()).code == 0, "the fit to data with errors ends well");
-    const Table noisy = read_csv("out/updated_numbers.csv");
-    for (const auto &[number, exact] : truth)
-      check(value(noisy, number, "interval_lower") < exact &&
-              exact < value(noisy, number, "interval_upper"),
-            "the confidence interval holds the true " + number);
-    for (const auto &[number, ratio] :
-         {std::make_pair("disc", 1.01), {"pad", 1.01}, {"contact", 1.1}})
-      check(value(noisy, number, "interval_upper") <
-              ratio * value(noisy, number, "interval_lower"),
-            std::string("and is narrow for ") + number + ": " +
-              shortest_text(value(noisy, number, "interval_upper") /
-                            value(noisy, number, "interval_lower")));
+  /** Confidence intervals of 95 % hold the truth about so often, over fits to
+   * data with random errors; a single fit would say nothing. */
+  void
+  test_confidence_intervals()
+  {
+    const unsigned int n_fits = 10;
+    unsigned int       held   = 0;
+    for (unsigned int seed = 1; seed <= n_fits; ++seed)
+      {
+        measure_twin(7e-4, seed);
+        check(run(fit()).code == 0, "the fit to data with errors ends well");
+        const Table noisy = read_csv("out/updated_numbers.csv");
+        for (const auto &[number, exact] : truth)
+          {
+            const double lower = value(noisy, number, "interval_lower");
+            const double upper = value(noisy, number, "interval_upper");
+            held += lower < exact && exact < upper;
+            const double widest = number == "contact" ? 1.1 : 1.01;
+            check(upper < widest * lower,
+                  "the interval is narrow for " + number + ": " +
+                    shortest_text(upper / lower));
+          }
+      }
+    // Of 30, 28.5 are expected. The three of a fit hang together: were all
+    // three the same, fewer than 8 of 10 fits would hold with a probability of
+    // 1 %. Intervals of half the width would hold 20.
+    std::cout << "        held " << held << " of " << 3 * n_fits << std::endl;
+    check(held >= 24, "confidence intervals hold the truth");
   }
 
   void
@@ -269,6 +288,7 @@ main(int argc, char **argv)
   program = argv[1];
   test_derivatives();
   test_twin();
+  test_confidence_intervals();
   test_identification();
   test_refusals();
 }

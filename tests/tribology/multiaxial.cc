@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Multiaxial criteria against their closed forms, in phase and out of phase.
+#include <squeal/base/exceptions.h>
 #include <squeal/tribology/criteria/critical_plane.h>
 #include <squeal/tribology/criteria/enclosing_ball.h>
 
@@ -247,6 +248,29 @@ namespace
             std::sqrt(2.),
           "points on a line");
   }
+
+  /** A maximum over time or planes would drop it. */
+  void
+  not_finite_is_refused()
+  {
+    for (const C criterion : {C::dang_van,
+                              C::crossland,
+                              C::sines,
+                              C::findley,
+                              C::swt,
+                              C::fatemi_socie,
+                              C::drucker_prager,
+                              C::rankine})
+      for (const double bad : {std::nan(""), 1. / 0.})
+        {
+          StressHistory history(8, Stress{{1., 2., 3., 0., 0., 0.}});
+          history[3][0] = bad;
+          check_throws<ComputationError>(
+            [&] { evaluate_criterion(criterion, history, steel(), 10.); },
+            "is not finite",
+            "a stress that is not finite is refused");
+        }
+  }
 } // namespace
 
 
@@ -254,6 +278,7 @@ namespace
 int
 main()
 {
+  not_finite_is_refused();
   factors();
   limits_are_met();
   combined_loads();

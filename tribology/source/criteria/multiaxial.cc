@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/tribology/criteria/critical_plane.h>
 #include <squeal/tribology/criteria/enclosing_ball.h>
@@ -311,6 +312,11 @@ namespace squeal::tribology
                      const double                          plane_step)
   {
     using C = SubsurfaceParameters::Criterion;
+    // Maxima over time and planes would drop a NaN.
+    for (const Stress &stress : history)
+      for (const double component : stress)
+        if (!std::isfinite(component))
+          throw ComputationError("a stress below the surface is not finite");
     switch (criterion)
       {
       case C::dang_van:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/tribology/damage/damage_table.h>
@@ -170,9 +171,15 @@ namespace squeal::tribology
     {
       std::array<double, 2> best{{NAN, NAN}};
       for (const SubsurfacePoint &p : points)
-        if (p.node == node && !p.is_near_edge &&
-            !(p.values[criterion].utilisation() <= best[0]))
-          best = {{p.values[criterion].utilisation(), p.depth}};
+        if (p.node == node && !p.is_near_edge)
+          {
+            const double value = p.values[criterion].utilisation();
+            if (std::isnan(value))
+              throw ComputationError("a criterion below the surface has no "
+                                     "finite value");
+            if (!(value <= best[0]))
+              best = {{value, p.depth}};
+          }
       return best;
     }
   } // namespace

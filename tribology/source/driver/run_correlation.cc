@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
 #include <squeal/parameters/checks.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/json_file.h>
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/damage/map_picture.h>
 #include <squeal/tribology/driver/analyses.h>
@@ -411,8 +411,7 @@ namespace squeal::tribology
         report.section("The whole study again");
         study.add_commands(report, context.record);
       }
-    write_atomically(context.output.file("correlation.json"),
-                     [&](std::ostream &out) { out << json.dump(2) << '\n'; });
+    write_json(context.output.file("correlation.json"), json);
     context.finish(context.parameters.output.report ? &report : nullptr, "");
   }
 } // namespace squeal::tribology

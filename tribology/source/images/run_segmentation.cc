@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
@@ -87,9 +86,8 @@ namespace squeal::tribology
         if (pad)
           append(*pad, "pad");
         context.write_table("cells.csv", cells);
-        write_atomically(
-          context.output.file("segmentation.json"),
-          [&](std::ostream &out) { write_segmentation_record(record, out); });
+        write_segmentation_record(record,
+                                  context.output.file("segmentation.json"));
         context.write_table("segmentation.csv", summary_table(record));
         std::ostringstream text;
         summary_table(record).print(text);

@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/results/json_file.h>
 #include <squeal/tribology/images/segmentation_record.h>
 
-#include <ostream>
+#include <nlohmann/json.hpp>
 
 namespace squeal::tribology
 {
   namespace
   {
-    std::string
-    in_quotes(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char c : text)
-        {
-          if (c == '"' || c == '\\')
-            result += '\\';
-          if (static_cast<unsigned char>(c) >= 0x20)
-            result += c;
-        }
-      return result + "\"";
-    }
-
-
-
-    std::string
-    list(const std::vector<double> &values)
-    {
-      std::string result = "[";
-      for (const double v : values)
-        result += (result.size() > 1 ? ", " : "") + shortest_text(v);
-      return result + "]";
-    }
+    using Json = nlohmann::ordered_json;
 
 
 
@@ -55,89 +33,75 @@ namespace squeal::tribology
 
 
 
-    void
-    write_areas(std::ostream              &out,
-                const std::string         &name,
-                const double               fraction,
-                const std::vector<double> &areas)
+    Json
+    areas_json(const double fraction, const std::vector<double> &areas)
     {
       std::vector<double>       lower;
       const std::vector<double> counts = size_classes(areas, lower);
-      out << "      " << in_quotes(name)
-          << ": {\"area_fraction\": " << shortest_text(fraction)
-          << ", \"count\": " << areas.size()
-          << ",\n        \"areas_um2\": " << list(areas)
-          << ",\n        \"size_class_lower_um2\": " << list(lower)
-          << ",\n        \"size_class_count\": " << list(counts) << "}";
+      return {{"area_fraction", fraction},
+              {"count", areas.size()},
+              {"areas_um2", areas},
+              {"size_class_lower_um2", lower},
+              {"size_class_count", counts}};
     }
 
 
 
-    void
-    write_image(std::ostream &out, const SegmentedImage &i)
+    Json
+    image_json(const SegmentedImage &i)
     {
-      const ImageStatistics &s = i.statistics;
-      out << "    {\n      \"image\": " << in_quotes(i.path)
-          << ",\n      \"stem\": " << in_quotes(i.stem)
-          << ",\n      \"width_px\": " << i.size.width
-          << ",\n      \"height_px\": " << i.size.height
-          << ",\n      \"pixel_size_um\": " << shortest_text(i.pixel_size)
-          << ",\n      \"scale_source\": " << in_quotes(i.scale_source)
-          << ",\n      \"synthetic\": " << (i.is_synthetic ? "true" : "false");
+      const ImageStatistics &s    = i.statistics;
+      Json                   json = {{"image", i.path},
+                                     {"stem", i.stem},
+                                     {"width_px", i.size.width},
+                                     {"height_px", i.size.height},
+                                     {"pixel_size_um", i.pixel_size},
+                                     {"scale_source", i.scale_source},
+                                     {"synthetic", i.is_synthetic}};
       if (i.stage)
-        out << ",\n      \"stage_um\": " << list({i.stage->x, i.stage->y});
+        json["stage_um"] = {i.stage->x, i.stage->y};
       if (i.residual)
-        out << ",\n      \"registration_residual_um\": "
-            << shortest_text(*i.residual);
+        json["registration_residual_um"] = *i.residual;
       if (i.layer)
-        out << ",\n      \"third_body_layer_um\": "
-            << list({(*i.layer)[0], (*i.layer)[1], (*i.layer)[2]});
-      out << ",\n      \"observed_area_mm2\": "
-          << shortest_text(s.observed_area)
-          << ",\n      \"cracks\": {\"count\": " << s.n_cracks
-          << ", \"length_mm\": " << shortest_text(s.crack_length)
-          << ", \"length_density_per_mm\": " << shortest_text(s.crack_density)
-          << ", \"area_fraction\": "
-          << shortest_text(s.crack_area / s.observed_area)
-          << ", \"mean_width_um\": " << shortest_text(s.crack_width)
-          << ",\n        \"length_error_mm\": "
-          << shortest_text(s.crack_length_error)
-          << ", \"area_fraction_error\": "
-          << shortest_text(s.crack_area_error / s.observed_area)
-          << ", \"mean_width_error_um\": " << shortest_text(s.crack_width_error)
-          << ",\n        \"orientation_share_15deg\": " << list(s.orientation)
-          << "},\n";
-      write_areas(
-        out, "exfoliation", s.exfoliation_fraction, s.exfoliation_areas);
-      out << ",\n";
-      write_areas(out, "plateaus", s.plateau_fraction, s.plateau_areas);
-      out << "\n    }";
+        json["third_body_layer_um"] = *i.layer;
+      json["observed_area_mm2"] = s.observed_area;
+      json["cracks"]            = {
+                   {"count", s.n_cracks},
+                   {"length_mm", s.crack_length},
+                   {"length_density_per_mm", s.crack_density},
+                   {"area_fraction", s.crack_area / s.observed_area},
+                   {"mean_width_um", s.crack_width},
+                   {"length_error_mm", s.crack_length_error},
+                   {"area_fraction_error", s.crack_area_error / s.observed_area},
+                   {"mean_width_error_um", s.crack_width_error},
+                   {"orientation_share_15deg", s.orientation}};
+      json["exfoliation"] =
+        areas_json(s.exfoliation_fraction, s.exfoliation_areas);
+      json["plateaus"] = areas_json(s.plateau_fraction, s.plateau_areas);
+      return json;
     }
   } // namespace
 
 
 
   void
-  write_segmentation_record(const SegmentationRecord &record, std::ostream &out)
+  write_segmentation_record(const SegmentationRecord &record,
+                            const std::string        &path)
   {
     bool is_synthetic = false;
-    for (const SegmentedImage &i : record.images)
-      is_synthetic = is_synthetic || i.is_synthetic;
-    out << "{\n  \"format_version\": " << SegmentationRecord::format_version
-        << ",\n  \"synthetic\": " << (is_synthetic ? "true" : "false");
-    if (record.mosaic_refined)
-      out << ",\n  \"mosaic\": {\"pairs_refined\": " << *record.mosaic_refined
-          << ", \"largest_correction_um\": "
-          << shortest_text(record.mosaic_correction) << "}";
-    out << ",\n  \"images\": [";
-    const char *separator = "\n";
+    Json images       = Json::array();
     for (const SegmentedImage &i : record.images)
       {
-        out << separator;
-        write_image(out, i);
-        separator = ",\n";
+        is_synthetic = is_synthetic || i.is_synthetic;
+        images.push_back(image_json(i));
       }
-    out << "\n  ]\n}\n";
+    Json json = {{"format_version", SegmentationRecord::format_version},
+                 {"synthetic", is_synthetic}};
+    if (record.mosaic_refined)
+      json["mosaic"] = {{"pairs_refined", *record.mosaic_refined},
+                        {"largest_correction_um", record.mosaic_correction}};
+    json["images"] = images;
+    write_json(path, json);
   }
 
 

@@ -90,6 +90,7 @@ namespace squeal::tribology
    *
    * tau_a is the radius of the smallest circle round the shear path in the
    * plane. Planes are searched @p plane_step degrees apart, then refined.
+   * Throws ComputationError for a stress that is not finite.
    */
   CriterionValue evaluate_criterion(SubsurfaceParameters::Criterion criterion,
                                     const StressHistory            &history,

@@ -5,8 +5,8 @@
 #include <squeal/tribology/images/statistics.h>
 
 #include <array>
-#include <iosfwd>
 #include <optional>
+#include <string>
 
 namespace squeal::tribology
 {
@@ -33,9 +33,10 @@ namespace squeal::tribology
     double                      mosaic_correction = 0.; /**< um, largest */
   };
 
-  /** Writes segmentation.json. */
+  /** Writes segmentation.json. Throws ComputationError naming a figure that is
+   * not finite. */
   void write_segmentation_record(const SegmentationRecord &record,
-                                 std::ostream             &out);
+                                 const std::string        &path);
 
   /** A row of main figures for each image. */
   Table summary_table(const SegmentationRecord &record);
