@@ -99,6 +99,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
 
 set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_faces.cc
+    source/contact/contact_frames.cc
     source/contact/contact_geometry.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc

@@ -16,9 +16,11 @@ namespace squeal
     using Point = dealii::Point<3>;
     using Row   = Functionals::Row;
 
-    /** The rectangle along x and y around a face. m */
+    /** The rectangle around a flat face, along two directions in its plane. m
+     */
     struct FaceBox
     {
+      dealii::Tensor<1, 3> axis[2];
       double lower[2] = {1e300, 1e300}, upper[2] = {-1e300, -1e300};
 
       double
@@ -28,18 +30,54 @@ namespace squeal
       }
     };
 
+    /** The directions of a grid on a face with the unit @p normal: those of the
+     * coordinate axes that lie in it, else those of its first edge, the one
+     * that is nearer to x, then y, in front. */
+    void
+    set_axes(const dealii::Tensor<1, 3> &normal,
+             const dealii::Tensor<1, 3> &edge,
+             FaceBox                    &box)
+    {
+      unsigned int n_axes = 0;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (std::abs(normal[c]) < 1e-12 && n_axes < 2)
+          box.axis[n_axes++][c] = 1.;
+      if (n_axes == 2)
+        return;
+      box.axis[0]      = edge / edge.norm();
+      box.axis[1]      = dealii::cross_product_3d(normal, box.axis[0]);
+      const auto order = [&](const unsigned int k) {
+        return std::make_pair(std::abs(box.axis[k][0]),
+                              std::abs(box.axis[k][1]));
+      };
+      if (order(1) > order(0))
+        std::swap(box.axis[0], box.axis[1]);
+    }
+
     FaceBox
-    box_of_face(const CoarseMesh &mesh, const unsigned int id)
+    box_of_face(const CoarseMesh           &mesh,
+                const unsigned int          id,
+                const dealii::Tensor<1, 3> &normal)
     {
       FaceBox box;
+      bool    has_axes = false;
       for (const auto &quad : mesh.boundary.boundary_quads)
         if (quad.boundary_id == id)
-          for (const unsigned int v : quad.vertices)
-            for (unsigned int c = 0; c < 2; ++c)
-              {
-                box.lower[c] = std::min(box.lower[c], mesh.vertices[v][c]);
-                box.upper[c] = std::max(box.upper[c], mesh.vertices[v][c]);
-              }
+          {
+            if (!has_axes)
+              set_axes(normal,
+                       mesh.vertices[quad.vertices[1]] -
+                         mesh.vertices[quad.vertices[0]],
+                       box);
+            has_axes = true;
+            for (const unsigned int v : quad.vertices)
+              for (unsigned int c = 0; c < 2; ++c)
+                {
+                  const double x = mesh.vertices[v] * box.axis[c];
+                  box.lower[c]   = std::min(box.lower[c], x);
+                  box.upper[c]   = std::max(box.upper[c], x);
+                }
+          }
       return box;
     }
 
@@ -49,7 +87,8 @@ namespace squeal
                 const FaceBox           &box,
                 const ContactParameters &contact)
     {
-      const double       z = face.centre()[2];
+      const auto         normal = face.normal();
+      const Point        origin(normal * (face.centre() * normal));
       std::vector<Point> points;
       const auto coordinate = [&](const unsigned int c, const unsigned int i) {
         const unsigned int n = contact.grid[c];
@@ -59,7 +98,8 @@ namespace squeal
       };
       for (unsigned int i = 0; i < contact.grid[0]; ++i)
         for (unsigned int j = 0; j < contact.grid[1]; ++j)
-          points.emplace_back(coordinate(0, i), coordinate(1, j), z);
+          points.push_back(origin + coordinate(0, i) * box.axis[0] +
+                           coordinate(1, j) * box.axis[1]);
       return points;
     }
 
@@ -85,8 +125,8 @@ namespace squeal
                << found.size() * contact.normal_stiffness / face.total_area();
       throw InputError(
         "Scene/Contact " + contact.name +
-        "/Spring layout: grid needs a rectangular source face with its edges "
-        "along x and y, and '" +
+        "/Spring layout: grid needs a flat rectangular source face, its edges "
+        "along the coordinate axes if the normal is along one, and '" +
         contact.source_face + "' of body '" + contact.source_body +
         "' is none (" + std::to_string(n_found) + " of " +
         std::to_string(found.size()) +
@@ -99,43 +139,11 @@ namespace squeal
 
 
 
-  void
-  slip_directions(const SceneParameters              &scene,
-                  const ContactParameters            &contact,
-                  const std::vector<Point>           &points,
-                  std::vector<std::array<double, 2>> &direction,
-                  std::vector<double>                &speed_ratio)
-  {
-    direction.assign(points.size(), {{0., 1.}});
-    speed_ratio.assign(points.size(), 1.);
-    if (contact.friction_direction !=
-          ContactParameters::FrictionDirection::slip ||
-        contact.target_body == "ground")
-      return;
-    const auto &axis =
-      scene.bodies[body_index(scene, contact.target_body)].position;
-    double mean = 0.;
-    for (const auto &x : points)
-      mean += std::hypot(x[0] - axis[0], x[1] - axis[1]) / points.size();
-    for (std::size_t i = 0; i < points.size(); ++i)
-      {
-        const double dx = points[i][0] - axis[0], dy = points[i][1] - axis[1];
-        const double r = std::hypot(dx, dy);
-        if (r == 0.)
-          throw InputError("Scene/Contact " + contact.name +
-                           ": a contact point lies on the disc axis, where "
-                           "there is no sliding direction");
-        direction[i]   = {{-dy / r, dx / r}};
-        speed_ratio[i] = r / mean;
-      }
-  }
-
-
-
   namespace
   {
-    /** Points, areas and rows of the source side of @p contact. */
-    void
+    /** Points, areas and rows of the source side of @p contact. Returns the
+     * outward normals of the source; a rigid one looks down by definition. */
+    std::vector<dealii::Tensor<1, 3>>
     place_points(const Discretization    &d,
                  const PointEvaluator    &evaluator,
                  const ContactParameters &contact,
@@ -150,13 +158,13 @@ namespace squeal
           g.points      = {Point(x[0] + p[0], x[1] + p[1], x[2] + p[2])};
           g.areas       = {1.};
           g.source_rows = evaluator.displacements(source, g.points, 1e-4).rows;
-          return;
+          return {Point(0., 0., -1.)};
         }
       const unsigned int id = face_id(
         d.coarse_mesh(), scene, contact.source_body, contact.source_face);
       const FaceQuadrature face = face_quadrature(d, id);
-      const FaceBox        box  = box_of_face(d.coarse_mesh(), id);
-      const bool           is_grid =
+      const FaceBox box = box_of_face(d.coarse_mesh(), id, face.normal());
+      const bool    is_grid =
         contact.layout == ContactParameters::SpringLayout::grid;
       g.points = is_grid ? grid_points(face, box, contact) : face.points;
       g.areas  = face.areas;
@@ -170,8 +178,48 @@ namespace squeal
                          ": points of the source face lie outside body '" +
                          contact.source_body + "'");
       g.source_rows = side.rows;
+      if (is_grid)
+        return std::vector<dealii::Tensor<1, 3>>(g.points.size(),
+                                                 face.normal());
+      return face.normals;
     }
   } // namespace
+
+
+
+  void
+  set_frames(const Discretization                    &d,
+             const ContactParameters                 &contact,
+             const std::vector<dealii::Tensor<1, 3>> &source_normals,
+             ContactGeometry                         &g)
+  {
+    const ContactFrames all =
+      contact_frames(d, contact, g.points, source_normals);
+    g.frames      = all.frames;
+    g.speed_ratio = all.speed_ratio;
+    std::vector<Row> normal, tangential, transverse;
+    for (std::size_t i = 0; i < g.points.size(); ++i)
+      {
+        const auto along = [&](const dealii::Tensor<1, 3> &direction) {
+          std::vector<std::pair<double, const Row *>> parts;
+          for (unsigned int c = 0; c < 3; ++c)
+            if (direction[c] != 0.)
+              {
+                parts.emplace_back(direction[c], &g.target_rows[i][c]);
+                parts.emplace_back(-direction[c], &g.source_rows[i][c]);
+              }
+          return combine(parts);
+        };
+        normal.push_back(along(g.frames[i].normal));
+        tangential.push_back(along(g.frames[i].sliding));
+        transverse.push_back(along(g.frames[i].transverse));
+      }
+    g.normal = std::make_shared<Functionals>(d.space(), std::move(normal));
+    g.tangential =
+      std::make_shared<Functionals>(d.space(), std::move(tangential));
+    g.transverse =
+      std::make_shared<Functionals>(d.space(), std::move(transverse));
+  }
 
 
 
@@ -183,7 +231,7 @@ namespace squeal
     const auto       &scene = d.scene();
     const std::string where = "Scene/Contact " + contact.name;
     ContactGeometry   g;
-    place_points(d, evaluator, contact, g);
+    const auto        normals = place_points(d, evaluator, contact, g);
     g.target_rows.resize(g.points.size());
     if (contact.target_body != "ground")
       {
@@ -200,24 +248,7 @@ namespace squeal
         g.target_rows = target.rows;
       }
 
-    slip_directions(scene, contact, g.points, g.slip_direction, g.speed_ratio);
-    std::vector<Row> normal, tangential, transverse;
-    for (std::size_t i = 0; i < g.points.size(); ++i)
-      {
-        const auto &[tx, ty] = g.slip_direction[i];
-        const auto &s        = g.source_rows[i];
-        const auto &t        = g.target_rows[i];
-        normal.push_back(combine({{1., &t[2]}, {-1., &s[2]}}));
-        tangential.push_back(
-          combine({{tx, &t[0]}, {ty, &t[1]}, {-tx, &s[0]}, {-ty, &s[1]}}));
-        transverse.push_back(
-          combine({{ty, &t[0]}, {-tx, &t[1]}, {-ty, &s[0]}, {tx, &s[1]}}));
-      }
-    g.normal = std::make_shared<Functionals>(d.space(), std::move(normal));
-    g.tangential =
-      std::make_shared<Functionals>(d.space(), std::move(tangential));
-    g.transverse =
-      std::make_shared<Functionals>(d.space(), std::move(transverse));
+    set_frames(d, contact, normals, g);
     return g;
   }
 

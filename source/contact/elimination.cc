@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 namespace squeal
 {
@@ -108,31 +109,58 @@ namespace squeal
 
 
   Block
-  Elimination::expand(const Block &v) const
+  Elimination::expanded(const Block           &v,
+                        const Eigen::MatrixXd &of_dependent) const
   {
-    Block                 u(full->n_owned(), v.cols());
-    const Eigen::MatrixXd values = combinations->apply(v);
-    Eigen::Index          next   = 0;
+    Block        u(full->n_owned(), v.cols());
+    Eigen::Index next = 0;
     for (unsigned int i = 0; i < full->n_owned(); ++i)
       {
         const int number = new_number[full->first_owned() + i];
         if (number >= 0)
           u.row(i) = v.row(next++);
         else
-          u.row(i) = values.row(-1 - number);
+          u.row(i) = of_dependent.row(-1 - number);
       }
     return u;
   }
 
   Block
-  Elimination::restrict_forces(const Block &f) const
+  Elimination::expand(const Block &v) const
+  {
+    return expanded(v, combinations->apply(v));
+  }
+
+  Block
+  Elimination::expand_absolute(const Block &v) const
+  {
+    return expanded(v.cwiseAbs(), combinations->apply_absolute(v));
+  }
+
+  Block
+  Elimination::independent_rows(const Block &f) const
   {
     Block        result(reduced->n_owned(), f.cols());
     Eigen::Index next = 0;
     for (unsigned int i = 0; i < full->n_owned(); ++i)
       if (new_number[full->first_owned() + i] >= 0)
         result.row(next++) = f.row(i);
-    return result + combinations->apply_transposed(dependent_rows(f));
+    return result;
+  }
+
+  Block
+  Elimination::restrict_forces(const Block &f) const
+  {
+    return independent_rows(f) +
+           combinations->apply_transposed(dependent_rows(f));
+  }
+
+  Block
+  Elimination::restrict_absolute(const Block &f) const
+  {
+    return independent_rows(f.cwiseAbs()) +
+           combinations->apply_transposed_absolute(
+             dependent_rows(f.cwiseAbs()));
   }
 
   Eigen::MatrixXd
@@ -145,17 +173,6 @@ namespace squeal
         g.row(k) = f.row(i);
     full->sum(g);
     return g;
-  }
-
-  Block
-  Elimination::from_dependent_rows(const Eigen::MatrixXd &g) const
-  {
-    Block f = Block::Zero(full->n_owned(), g.cols());
-    for (std::size_t k = 0; k < dependent.rows.size(); ++k)
-      if (const unsigned int i = dependent.rows[k] - full->first_owned();
-          dependent.rows[k] >= full->first_owned() && i < full->n_owned())
-        f.row(i) = g.row(k);
-    return f;
   }
 
 
@@ -220,24 +237,31 @@ namespace squeal
   void
   Elimination::friction_entries(const Triplets    &entries,
                                 const Functionals &left,
+                                const Functionals &normal,
                                 Triplets          &out) const
   {
-    const int n = reduced->n_global(), n_s = n_dependent();
-    std::vector<Eigen::Triplet<double>> s_n, s_s;
-    for (std::size_t k = 0; k < entries.rows.size(); ++k)
-      if (const int i = new_number[entries.rows[k]]; i < 0)
-        {
-          const int j = new_number[entries.columns[k]];
-          if (j >= 0)
-            s_n.emplace_back(-1 - i, j, entries.values[k]);
-          else
-            s_s.emplace_back(-1 - i, -1 - j, entries.values[k]);
-        }
-    SmallSparse A_sn(n_s, n), A_ss(n_s, n_s);
-    A_sn.setFromTriplets(s_n.begin(), s_n.end());
-    A_ss.setFromTriplets(s_s.begin(), s_s.end());
-    const SmallSparse G =
-      A_sn + SmallSparse(A_ss * as_sparse(*combinations, n));
+    const int n = reduced->n_global(), n_forces = normal.n_rows();
+    std::unordered_map<unsigned int, Functionals::Row> force_of_row;
+    for (int k = 0; k < n_forces; ++k)
+      for (const auto &[row, weight] : normal.rows()[k])
+        force_of_row[row].emplace_back(k, weight);
+    std::vector<Eigen::Triplet<double>> independent, on_dependent;
+    for (std::size_t e = 0; e < entries.rows.size(); ++e)
+      if (const auto it = force_of_row.find(entries.rows[e]);
+          it != force_of_row.end())
+        for (const auto &[k, weight] : it->second)
+          {
+            const int    j     = new_number[entries.columns[e]];
+            const double value = weight * entries.values[e];
+            if (j >= 0)
+              independent.emplace_back(k, j, value);
+            else
+              on_dependent.emplace_back(k, -1 - j, value);
+          }
+    SmallSparse N_n(n_forces, n), N_s(n_forces, n_dependent());
+    N_n.setFromTriplets(independent.begin(), independent.end());
+    N_s.setFromTriplets(on_dependent.begin(), on_dependent.end());
+    const SmallSparse G  = N_n + SmallSparse(N_s * as_sparse(*combinations, n));
     const SmallSparse Lt = as_sparse(left, n).transpose();
     append(SmallSparse(Lt * G), false, out);
   }
@@ -269,8 +293,8 @@ namespace squeal
   Block
   EliminatedOperator::multiply_absolute(const Block &X) const
   {
-    return elimination->restrict_forces(
-      matrix->multiply_absolute(elimination->expand(X)));
+    return elimination->restrict_absolute(
+      matrix->multiply_absolute(elimination->expand_absolute(X)));
   }
 
   bool
@@ -294,12 +318,14 @@ namespace squeal
   MultiplierFriction::MultiplierFriction(
     std::shared_ptr<const LinearOperator> m,
     std::shared_ptr<const Elimination>    e,
-    std::shared_ptr<const Functionals>    tangential)
+    std::shared_ptr<const Functionals>    tangential,
+    std::shared_ptr<const Functionals>    n)
     : matrix(std::move(m))
     , elimination(std::move(e))
-    , left(elimination->reduce(*tangential))
+    , left(std::move(tangential))
+    , normal(std::move(n))
   {
-    AssertDimension(left->n_rows(), elimination->n_dependent());
+    AssertDimension(left->n_rows(), normal->n_rows());
   }
 
   const Functionals &
@@ -311,22 +337,21 @@ namespace squeal
   Eigen::MatrixXd
   MultiplierFriction::forces(const Block &X) const
   {
-    return elimination->dependent_rows(
-      matrix->multiply(elimination->expand(X)));
+    return normal->apply(matrix->multiply(elimination->expand(X)));
   }
 
   Block
   MultiplierFriction::transposed_forces(const Eigen::MatrixXd &g) const
   {
     return elimination->restrict_forces(
-      matrix->multiply_transposed(elimination->from_dependent_rows(g)));
+      matrix->multiply_transposed(normal->apply_transposed(g)));
   }
 
   Block
   MultiplierFriction::multiply_absolute(const Block &X) const
   {
-    return left->apply_transposed_absolute(elimination->dependent_rows(
-      matrix->multiply_absolute(elimination->expand(X.cwiseAbs()))));
+    return left->apply_transposed_absolute(normal->apply_absolute(
+      matrix->multiply_absolute(elimination->expand_absolute(X))));
   }
 
   bool
@@ -342,6 +367,6 @@ namespace squeal
   {
     Triplets full;
     matrix->append_to(full, factor, false);
-    elimination->friction_entries(full, *left, triplets);
+    elimination->friction_entries(full, *left, *normal, triplets);
   }
 } // namespace squeal

@@ -3,11 +3,13 @@
 // Puts the bodies and every contact pair of a scene together.
 
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/contact/contact_faces.h>
 #include <squeal/contact/contact_terms.h>
 #include <squeal/contact/elimination.h>
 #include <squeal/contact/mortar.h>
 
+#include <map>
 #include <numeric>
 
 namespace squeal
@@ -20,19 +22,21 @@ namespace squeal
       return contact.state == ContactParameters::State::full;
     }
 
-    /** Mortar pair of a contact, and which functional of the relative sliding
-     * belongs to each dependent unknown. */
+    /** The nodes of a mortar pair that slip: the sliding there, and what takes
+     * the normal force out of the forces on the source nodes. */
     struct MortarContact
     {
       unsigned int                  number;
-      std::vector<unsigned int>     dependent;   /**< numbers in the list */
       std::vector<Functionals::Row> tangential;  /**< times shares of mu */
+      std::vector<Functionals::Row> normal;      /**< of forces */
       double                        speed_ratio; /**< where mu is largest */
     };
 
     /** All components of every source node follow the target. */
     void
-    append_tie(const MortarCoupling &coupling, DependentUnknowns &dependent)
+    append_tie(const MortarCoupling &coupling,
+               const std::string    &name,
+               DependentUnknowns    &dependent)
     {
       for (std::size_t j = 0; j < coupling.nodes.size(); ++j)
         for (unsigned int c = 0; c < 3; ++c)
@@ -40,39 +44,96 @@ namespace squeal
             {
               dependent.rows.push_back(coupling.source_rows[j][c]);
               dependent.combinations.push_back(coupling.target_rows[j][c]);
+              dependent.owners.push_back(name);
             }
     }
 
-    /** Closed nodes follow the target along z, sticking ones in every
+    /** Free component of a source node that is largest in the normal, or -1u
+     * if the node is held along all of it. */
+    unsigned int
+    component_along(const dealii::Tensor<1, 3>        &normal,
+                    const std::array<unsigned int, 3> &rows)
+    {
+      unsigned int best = -1u;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (rows[c] != -1u && normal[c] != 0. &&
+            (best == -1u || std::abs(normal[c]) > std::abs(normal[best])))
+          best = c;
+      return best;
+    }
+
+    /** The force along the normal on a source node, as a functional of the
+     * forces on it. What the support of a held component takes is unknown. */
+    Functionals::Row
+    normal_force(const ContactParameters           &contact,
+                 const dealii::Point<3>            &node,
+                 const dealii::Tensor<1, 3>        &normal,
+                 const std::array<unsigned int, 3> &rows)
+    {
+      Functionals::Row row;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (normal[c] != 0.)
+          {
+            if (rows[c] == -1u)
+              throw InputError(
+                "contact " + contact.name + ": the source node at (" +
+                rounded_text(node[0], 4) + ", " + rounded_text(node[1], 4) +
+                ", " + rounded_text(node[2], 4) +
+                ") m is held by a support along an axis that is neither along "
+                "the contact normal nor across it: friction there is unknown; "
+                "set 'Formulation = springs'");
+            row.emplace_back(rows[c], normal[c]);
+          }
+      return row;
+    }
+
+    /** Closed nodes follow the target along the normal, sticking ones in every
      * direction; the multipliers of slipping ones make friction. */
     MortarContact
-    append_contact(const MortarCoupling  &coupling,
-                   const ContactGeometry &geometry,
-                   const ContactState    &state,
-                   const NodalShares     &friction,
-                   const unsigned int     number,
-                   DependentUnknowns     &dependent)
+    append_contact(const MortarCoupling    &coupling,
+                   const ContactGeometry   &geometry,
+                   const ContactParameters &contact,
+                   const ContactState      &state,
+                   const NodalShares       &friction,
+                   const unsigned int       number,
+                   DependentUnknowns       &dependent)
     {
-      MortarContact contact{number, {}, {}, friction.speed_ratio};
+      MortarContact result{number, {}, {}, friction.speed_ratio};
       for (std::size_t j = 0; j < coupling.nodes.size(); ++j)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            const bool follows =
-              state.status[j] == ContactStatus::stick ||
-              (state.status[j] == ContactStatus::slip && c == 2);
-            if (!follows || coupling.source_rows[j][c] == -1u)
-              continue;
-            if (state.status[j] == ContactStatus::slip)
+        {
+          const auto &rows = coupling.source_rows[j];
+          if (state.status[j] == ContactStatus::stick)
+            for (unsigned int c = 0; c < 3; ++c)
+              if (rows[c] != -1u)
+                {
+                  dependent.rows.push_back(rows[c]);
+                  dependent.combinations.push_back(coupling.target_rows[j][c]);
+                }
+          if (state.status[j] != ContactStatus::slip)
+            continue;
+          const auto        &n = geometry.frames[j].normal;
+          const unsigned int c = component_along(n, rows);
+          if (c == -1u)
+            continue;
+          // n . (u_target - u_source) = 0, solved for component c.
+          std::vector<std::pair<double, const Functionals::Row *>> parts;
+          for (unsigned int k = 0; k < 3; ++k)
+            if (n[k] != 0.)
               {
-                contact.dependent.push_back(dependent.rows.size());
-                contact.tangential.push_back(geometry.tangential->rows()[j]);
-                for (auto &[column, weight] : contact.tangential.back())
-                  weight *= friction.share[j];
+                parts.emplace_back(n[k] / n[c], &coupling.target_rows[j][k]);
+                if (k != c)
+                  parts.emplace_back(-n[k] / n[c], &geometry.source_rows[j][k]);
               }
-            dependent.rows.push_back(coupling.source_rows[j][c]);
-            dependent.combinations.push_back(coupling.target_rows[j][c]);
-          }
-      return contact;
+          dependent.rows.push_back(rows[c]);
+          dependent.combinations.push_back(combine(parts));
+          result.normal.push_back(
+            normal_force(contact, coupling.nodes[j], n, rows));
+          result.tangential.push_back(geometry.tangential->rows()[j]);
+          for (auto &[column, weight] : result.tangential.back())
+            weight *= friction.share[j];
+        }
+      dependent.owners.resize(dependent.rows.size(), "contact " + contact.name);
+      return result;
     }
 
     /** Contact geometry of a mortar pair: its nodes. */
@@ -82,32 +143,17 @@ namespace squeal
                    const MortarCoupling    &coupling)
     {
       ContactGeometry g;
-      g.points = coupling.nodes;
-      g.areas  = coupling.weights;
-      slip_directions(
-        d.scene(), contact, g.points, g.slip_direction, g.speed_ratio);
-      std::vector<Functionals::Row> normal, tangential, transverse;
-      for (std::size_t j = 0; j < g.points.size(); ++j)
+      g.points      = coupling.nodes;
+      g.areas       = coupling.weights;
+      g.target_rows = coupling.target_rows;
+      for (const auto &rows : coupling.source_rows)
         {
-          std::array<Functionals::Row, 3> source;
+          g.source_rows.emplace_back();
           for (unsigned int c = 0; c < 3; ++c)
-            if (coupling.source_rows[j][c] != -1u)
-              source[c] = {{coupling.source_rows[j][c], 1.}};
-          const auto &t        = coupling.target_rows[j];
-          const auto &[tx, ty] = g.slip_direction[j];
-          normal.push_back(combine({{1., &t[2]}, {-1., &source[2]}}));
-          tangential.push_back(combine(
-            {{tx, &t[0]}, {ty, &t[1]}, {-tx, &source[0]}, {-ty, &source[1]}}));
-          transverse.push_back(combine(
-            {{ty, &t[0]}, {-tx, &t[1]}, {-ty, &source[0]}, {tx, &source[1]}}));
-          g.source_rows.push_back(source);
-          g.target_rows.push_back(t);
+            if (rows[c] != -1u)
+              g.source_rows.back()[c] = {{rows[c], 1.}};
         }
-      g.normal = std::make_shared<Functionals>(d.space(), std::move(normal));
-      g.tangential =
-        std::make_shared<Functionals>(d.space(), std::move(tangential));
-      g.transverse =
-        std::make_shared<Functionals>(d.space(), std::move(transverse));
+      set_frames(d, contact, coupling.normals, g);
       return g;
     }
 
@@ -148,19 +194,16 @@ namespace squeal
            term.coefficients});
       for (const auto &contact : mortar_contacts)
         {
-          // One functional for every dependent unknown: those of other pairs
-          // carry none.
-          std::vector<Functionals::Row> rows(dependent.rows.size());
-          for (std::size_t k = 0; k < contact.dependent.size(); ++k)
-            rows[contact.dependent[k]] = contact.tangential[k];
-          const auto tangential = std::make_shared<const Functionals>(
-            result.system.space, std::move(rows));
+          const auto tangential = elimination->reduce(
+            Functionals(result.system.space, contact.tangential));
+          const auto normal = std::make_shared<const Functionals>(
+            result.system.space, contact.normal);
           const unsigned int number = contact.number;
           for (const auto &term : result.system.terms)
             reduced.terms.push_back(
               {"friction by " + term.name,
                std::make_shared<MultiplierFriction>(
-                 term.matrix, elimination, tangential),
+                 term.matrix, elimination, tangential, normal),
                [number, ratio = contact.speed_ratio, c = term.coefficients](
                  const SceneParameters &s) {
                  const double mu =
@@ -203,6 +246,7 @@ namespace squeal
                                                     tie.source_face),
                                             body_index(scene, tie.target_body),
                                             "Scene/Tie " + tie.name),
+                       "tie " + tie.name,
                        dependent);
           }
       return dependent;
@@ -221,6 +265,33 @@ namespace squeal
                  ContactParameters::Formulation::node_to_surface
                ? make_node_coupling(d, evaluator, face, target, where)
                : make_mortar_coupling(d, evaluator, face, target, where);
+    }
+
+    /** A source node follows one target only, and that target none. */
+    void
+    require_independent(const DependentUnknowns &dependent)
+    {
+      std::map<unsigned int, std::string> owner;
+      const auto                          refuse =
+        [](const std::string &a, const std::string &b, const std::string &how) {
+          throw InputError(
+            "Scene: " + a + " and " + b + " have a node in common, " + how +
+            ": part the faces, exchange source and target of one "
+            "of them, or set 'Formulation = springs'");
+        };
+      for (std::size_t k = 0; k < dependent.rows.size(); ++k)
+        if (const auto [it, is_new] =
+              owner.emplace(dependent.rows[k], dependent.owners[k]);
+            !is_new)
+          refuse(it->second, dependent.owners[k], "on the source face of both");
+      for (std::size_t k = 0; k < dependent.rows.size(); ++k)
+        for (const auto &[row, weight] : dependent.combinations[k])
+          if (const auto it = owner.find(row);
+              it != owner.end() && it->second != dependent.owners[k])
+            refuse(it->second,
+                   dependent.owners[k],
+                   "on the source face of the one and the target face of the "
+                   "other");
     }
 
     LinearizedSystem
@@ -272,14 +343,20 @@ namespace squeal
         ContactState state =
           given.empty() ? even_pressure(g, status) : given[i].front();
         AssertDimension(state.status.size(), g.points.size());
-        const MortarContact pair = append_contact(
-          coupling, g, state, friction_shares(contact, g), i, dependent);
-        if (!pair.dependent.empty())
+        const MortarContact pair = append_contact(coupling,
+                                                  g,
+                                                  contact,
+                                                  state,
+                                                  friction_shares(contact, g),
+                                                  i,
+                                                  dependent);
+        if (!pair.normal.empty())
           mortar_contacts.push_back(pair);
         add_slip_rate_terms(d, i, g, state, result.system);
         result.contacts.push_back(std::move(g));
         result.states.push_back(std::move(state));
       }
+    require_independent(dependent);
     if (!dependent.rows.empty())
       eliminate(result, dependent, mortar_contacts);
     return result;
@@ -299,7 +376,10 @@ namespace squeal
         contact.formulation == ContactParameters::Formulation::springs
           ? make_contact_geometry(d, evaluator, contact)
           : nodal_geometry(d, contact, coupling_of(d, evaluator, contact)));
+    for (std::size_t i = 0; i < result.contacts.size(); ++i)
+      require_upward(d.scene().contacts[i], result.contacts[i]);
     const DependentUnknowns dependent = tied_unknowns(d, evaluator);
+    require_independent(dependent);
     if (!dependent.rows.empty())
       {
         const auto elimination = eliminate(result, dependent, {});

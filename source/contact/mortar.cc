@@ -83,6 +83,27 @@ namespace squeal
 
 
 
+    std::vector<dealii::Tensor<1, 3>>
+    nodal_normals(const FaceBasis                              &basis,
+                  const std::vector<SourceFace>                &sources,
+                  const std::vector<std::vector<unsigned int>> &nodes,
+                  const std::size_t                             n_nodes)
+    {
+      std::vector<dealii::Tensor<1, 3>> result(n_nodes);
+      for (std::size_t e = 0; e < sources.size(); ++e)
+        for (std::size_t a = 0; a < nodes[e].size(); ++a)
+          {
+            const auto area =
+              sources[e].geometry.frame(basis.node(a)).area_vector();
+            result[nodes[e][a]] += area / area.norm();
+          }
+      for (auto &normal : result)
+        normal /= normal.norm();
+      return result;
+    }
+
+
+
     using RowSums = std::vector<std::array<std::map<unsigned int, double>, 3>>;
 
     /** Adds to M what this rank's target faces give to a source face. */
@@ -157,6 +178,7 @@ namespace squeal
     MortarCoupling result;
     const auto nodes = number_nodes(sources, result.nodes, result.source_rows);
     result.weights.resize(result.nodes.size(), 0.);
+    result.normals = nodal_normals(basis, sources, nodes, result.nodes.size());
     result.target_rows.resize(result.nodes.size());
     RowSums sums(result.nodes.size());
     for (std::size_t e = 0; e < sources.size(); ++e)

@@ -96,7 +96,7 @@ namespace squeal
             node_dofs[node][c] = dof(i, c);
           nodes[node] = place ? place(dof(i, 0), position(i)) : position(i);
         });
-        return {SurfaceFace(basis, nodes), node_dofs};
+        return {SurfaceFace(basis, nodes), node_dofs, 0};
       }
 
     private:
@@ -265,7 +265,10 @@ namespace squeal
           nodes.reinit(cell);
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary())
-              faces.push_back(nodes.face(f, place));
+              {
+                faces.push_back(nodes.face(f, place));
+                faces.back().id = cell->face(f)->boundary_id();
+              }
         }
     return faces;
   }

@@ -33,6 +33,13 @@ namespace squeal
     return coordinates.size() * coordinates.size();
   }
 
+  dealii::Point<2>
+  FaceBasis::node(const unsigned int number) const
+  {
+    return {coordinates[number % coordinates.size()],
+            coordinates[number / coordinates.size()]};
+  }
+
   unsigned int
   FaceBasis::column(const double coordinate) const
   {

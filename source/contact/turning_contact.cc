@@ -87,9 +87,10 @@ namespace squeal
     double radius = 0., sense = 0.;
     for (std::size_t j = 0; j < geometry.points.size(); ++j)
       {
-        const double x       = geometry.points[j][0] - axis[0],
-                     y       = geometry.points[j][1] - axis[1];
-        const auto &[tx, ty] = geometry.slip_direction[j];
+        const double x  = geometry.points[j][0] - axis[0],
+                     y  = geometry.points[j][1] - axis[1];
+        const double tx = geometry.frames[j].sliding[0],
+                     ty = geometry.frames[j].sliding[1];
         radius += std::hypot(x, y) / geometry.points.size();
         sense += (x * ty - y * tx) / std::hypot(x, y) / geometry.points.size();
       }
@@ -147,8 +148,9 @@ namespace squeal
       part.resize(n);
     for (std::size_t j = 0; j < n; ++j)
       {
-        const auto &[tx, ty] = start.slip_direction[j];
-        const Row *source    = &u[3 * j];
+        const double tx   = start.frames[j].sliding[0],
+                     ty   = start.frames[j].sliding[1];
+        const Row *source = &u[3 * j];
         Row       &normal = result[0][j], &along = result[1][j],
             &across = result[2][j];
         for (const auto &[b, weight] : M[j])

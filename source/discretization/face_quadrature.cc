@@ -29,6 +29,17 @@ namespace squeal
 
 
 
+  dealii::Tensor<1, 3>
+  FaceQuadrature::normal() const
+  {
+    dealii::Tensor<1, 3> sum;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      sum += areas[i] * normals[i];
+    return sum / sum.norm();
+  }
+
+
+
   std::vector<double>
   all_gather(const std::vector<double> &mine, const MPI_Comm comm)
   {
@@ -63,6 +74,7 @@ namespace squeal
                                    d.dof_handler().get_fe(),
                                    quadrature,
                                    dealii::update_quadrature_points |
+                                     dealii::update_normal_vectors |
                                      dealii::update_JxW_values);
     std::vector<double>     mine;
     for (const auto &cell : d.dof_handler().active_cell_iterators())
@@ -75,15 +87,20 @@ namespace squeal
               for (unsigned int q = 0; q < quadrature.size(); ++q)
                 {
                   const auto &x = values.quadrature_point(q);
-                  mine.insert(mine.end(), {x[0], x[1], x[2], values.JxW(q)});
+                  const auto &n = values.normal_vector(q);
+                  mine.insert(
+                    mine.end(),
+                    {x[0], x[1], x[2], values.JxW(q), n[0], n[1], n[2]});
                 }
             }
     const std::vector<double> all = all_gather(mine, d.space()->communicator());
     FaceQuadrature            result;
-    for (std::size_t k = 0; k < all.size(); k += 4)
+    for (std::size_t k = 0; k < all.size(); k += 7)
       {
         result.points.emplace_back(all[k], all[k + 1], all[k + 2]);
         result.areas.push_back(all[k + 3]);
+        result.normals.push_back(
+          dealii::Point<3>(all[k + 4], all[k + 5], all[k + 6]));
       }
     return result;
   }

@@ -27,10 +27,12 @@ namespace squeal
     std::vector<Functionals::Row> source, target;
     for (std::size_t p = 0; p < g.points.size(); ++p)
       {
-        const auto &[tx, ty] = g.slip_direction[p];
+        const auto &t = g.frames[p].sliding, &n = g.frames[p].normal;
+        const auto &s = g.source_rows[p], &d = g.target_rows[p];
         source.push_back(
-          combine({{tx, &g.source_rows[p][0]}, {ty, &g.source_rows[p][1]}}));
-        target.push_back(g.target_rows[p][2]);
+          combine({{t[0], &s[0]}, {t[1], &s[1]}, {t[2], &s[2]}}));
+        target.push_back(
+          combine({{n[0], &d[0]}, {n[1], &d[1]}, {n[2], &d[2]}}));
       }
     const auto &space = model.discretization()->space();
     return {std::make_shared<Functionals>(space, std::move(source)),

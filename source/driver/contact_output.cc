@@ -47,7 +47,7 @@ namespace squeal
       {
         area += g.areas[j];
         for (unsigned int c = 0; c < 2; ++c)
-          d[c] += g.areas[j] * g.slip_direction[j][c];
+          d[c] += g.areas[j] * g.frames[j].sliding[c];
       }
     const double size = std::hypot(d[0], d[1]);
     if (!(size > least_direction * area))
@@ -132,11 +132,11 @@ namespace squeal
     std::vector<double> result;
     for (std::size_t j = 0; j < g.points.size(); ++j)
       {
-        // The transverse direction of (tx, ty) is (ty, -tx).
-        const auto [tx, ty] = g.slip_direction[j];
-        const double t = forces[3 * j + 1], s = forces[3 * j + 2];
-        result.push_back((tx * t + ty * s) / g.areas[j]);
-        result.push_back((ty * t - tx * s) / g.areas[j]);
+        const auto q = (forces[3 * j + 1] * g.frames[j].sliding +
+                        forces[3 * j + 2] * g.frames[j].transverse) /
+                       g.areas[j];
+        result.push_back(q[0]);
+        result.push_back(q[1]);
       }
     return result;
   }

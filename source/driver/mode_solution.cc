@@ -33,7 +33,7 @@ namespace squeal
   namespace
   {
     /** Forces of the springs of contact pair @p i on its source: three rows a
-     * point. z_d - z_p > 0 pushes the source up. */
+     * point. n . (u_d - u_p) > 0 pushes the source along n. */
     Eigen::MatrixXd
     contact_forces(const Model       &model,
                    const unsigned int i,
@@ -52,15 +52,18 @@ namespace squeal
         Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
       for (std::size_t p = 0; p < g.points.size(); ++p)
         {
-          const auto &[x, y] = g.slip_direction[p];
-          if (status[p] != ContactStatus::open)
-            forces.row(3 * p + 2) = contact.normal_stiffness * normal.row(p);
+          const ContactFrame &frame = g.frames[p];
+          if (status[p] == ContactStatus::open)
+            continue;
+          for (unsigned int c = 0; c < 3; ++c)
+            forces.row(3 * p + c) =
+              contact.normal_stiffness * frame.normal[c] * normal.row(p);
           if (status[p] != ContactStatus::stick)
             continue;
-          forces.row(3 * p) =
-            tangential_stiffness * (x * along.row(p) + y * across.row(p));
-          forces.row(3 * p + 1) =
-            tangential_stiffness * (y * along.row(p) - x * across.row(p));
+          for (unsigned int c = 0; c < 3; ++c)
+            forces.row(3 * p + c) +=
+              tangential_stiffness * (frame.sliding[c] * along.row(p) +
+                                      frame.transverse[c] * across.row(p));
         }
       return forces;
     }

@@ -32,8 +32,11 @@ namespace squeal
       };
       g.tangential = negative(*g.tangential);
       g.transverse = negative(*g.transverse);
-      for (auto &direction : g.slip_direction)
-        direction = {{-direction[0], -direction[1]}};
+      for (auto &frame : g.frames)
+        {
+          frame.sliding *= -1.;
+          frame.transverse *= -1.;
+        }
     }
 
     /** Point springs give way: their compliance adds to that of the bodies. */

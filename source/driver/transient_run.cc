@@ -364,7 +364,7 @@ namespace squeal
     double       x = 0., y = 0.; // of the resultant: fields have global axes
     for (std::size_t j = 0; j < status.size(); ++j)
       {
-        const auto [tx, ty] = g.slip_direction[j];
+        const double tx = g.frames[j].sliding[0], ty = g.frames[j].sliding[1];
         const double way =
           pressed.speed() * pressed.model().speed_ratio[j] *
           (1. + (settings.final_speed_ratio - 1.) * s.time / settings.end_time);

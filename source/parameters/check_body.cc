@@ -3,6 +3,7 @@
 #include <squeal/parameters/numbers.h>
 
 #include <array>
+#include <cmath>
 
 namespace squeal
 {
@@ -83,6 +84,17 @@ namespace squeal
         for (const unsigned int n : body.cells)
           if (n == 0)
             refuse_entry(section, "Cells", "must be at least 1 each");
+        const auto &axis = body.rotation_axis;
+        const bool  is_round =
+          body.shape == Shape::annulus || body.shape == Shape::cylinder;
+        if (!(std::hypot(axis[0], axis[1], axis[2]) > 0.))
+          refuse_entry(section, "Rotation axis", "must not be 0, 0, 0");
+        if ((is_round || body.rotation_speed != 0.) &&
+            (axis[0] != 0. || axis[1] != 0.))
+          refuse_entry(section,
+                       "Rotation axis",
+                       "must be along z for annuli and cylinders, whose axis "
+                       "that is, and where 'Rotation speed' is not 0");
         // a block that turns is not at rest in the fixed frame
         if (body.rotation_speed != 0. && body.shape == Shape::block)
           refuse_entry(section,

@@ -29,31 +29,29 @@ namespace squeal
 
 
 
-      /** Signs of gap, pressure and friction are those of a target under its
-       * source: +z out of the target. What other faces would silently give is
-       * another brake. Faces of mesh files are judged when they are read. */
+      /** Of flat faces of squeal's own shapes; others are judged when the mesh
+       * is there. A sliding direction that is not along them is no sliding. */
       void
-      require_level_face(const ContactParameters &contact,
-                         const BodyParameters    &body,
-                         const std::string       &name,
-                         const std::string       &side)
+      check_sliding_direction(const ContactParameters &contact,
+                              const BodyParameters    &target,
+                              const std::string       &section)
       {
-        if (body.shape == Shape::gmsh || body.shape == Shape::rigid)
-          return;
-        const auto        face   = flat_face(body, name);
-        const int         up     = side == "target" ? 1 : -1;
-        const std::string wanted = up > 0 ? "+z" : "-z";
-        if (face && face->axis == 2 && face->sign == up)
-          return;
-        throw InputError(
-          "contact " + contact.name + ": the " + side + " face " +
-          in_quotes(name) + " of body " + in_quotes(body.name) +
-          (face ? std::string(" looks along ") + (face->sign > 0 ? "+" : "-") +
-                    "xyz"[face->axis]
-                : " is curved") +
-          ", and the signs of contact and friction hold for a " + side +
-          " face that looks along " + wanted +
-          " only: turn the scene until the target lies under its source");
+        using Direction    = ContactParameters::FrictionDirection;
+        const auto &given  = contact.sliding_direction;
+        const bool  is_set = given != ContactParameters().sliding_direction;
+        if (is_set && contact.friction_direction != Direction::given)
+          refuse_entry(section,
+                       "Sliding direction",
+                       "is for 'Friction direction = given'");
+        if (!(std::hypot(given[0], given[1], given[2]) > 0.))
+          refuse_entry(section, "Sliding direction", "must not be 0, 0, 0");
+        const auto face = flat_face(target, contact.target_face);
+        if (face && face->axis == 1 &&
+            contact.friction_direction == Direction::fixed_y)
+          refuse_entry(section,
+                       "Friction direction",
+                       "= fixed y is across the target face, which looks along "
+                       "y: set slip, or given with a 'Sliding direction'");
       }
 
 
@@ -110,8 +108,7 @@ namespace squeal
             if (!fault.empty())
               refuse_pair(contact, fault);
           }
-        require_level_face(contact, target, contact.target_face, "target");
-        require_level_face(contact, source, contact.source_face, "source");
+        check_sliding_direction(contact, target, section);
       }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/parameters/face_geometry.h>
 
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
@@ -18,6 +19,31 @@ namespace squeal
       using Analysis = Parameters::Analysis;
       using Kind     = SupportParameters::Kind;
       using State    = ContactParameters::State;
+
+      /** Steady sliding puts the normal along +z. Faces of mesh files are
+       * judged when they are read. */
+      void
+      require_level_face(const ContactParameters &contact,
+                         const BodyParameters    &target)
+      {
+        if (target.shape == BodyParameters::Shape::gmsh ||
+            target.shape == BodyParameters::Shape::rigid)
+          return;
+        const auto face = flat_face(target, contact.target_face);
+        if (face && face->axis == 2 && face->sign > 0)
+          return;
+        throw InputError(
+          "contact " + contact.name + ": the target face " +
+          in_quotes(contact.target_face) + " of body " +
+          in_quotes(target.name) +
+          (face ? std::string(" looks along ") + (face->sign > 0 ? "+" : "-") +
+                    "xyz"[face->axis]
+                : " is curved") +
+          ": steady sliding and transients are for target faces that look "
+          "along +z; turn the scene until the target lies under its source");
+      }
+
+
 
       /** What steady sliding needs of a scene. */
       void
@@ -38,6 +64,8 @@ namespace squeal
           refuse_entry(section,
                        "Target body",
                        "= ground: steady sliding needs meshed bodies");
+        require_level_face(
+          c, require_body(scene, c.target_body, section, "Target body"));
         if (c.formulation == ContactParameters::Formulation::springs &&
             c.layout == ContactParameters::SpringLayout::quadrature)
           refuse_entry(section,

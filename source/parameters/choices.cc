@@ -136,7 +136,7 @@ namespace squeal
   choices(const ContactParameters::FrictionDirection)
   {
     using D = ContactParameters::FrictionDirection;
-    return {{"fixed y", D::fixed_y}, {"slip", D::slip}};
+    return {{"fixed y", D::fixed_y}, {"slip", D::slip}, {"given", D::given}};
   }
 
 

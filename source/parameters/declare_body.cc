@@ -145,6 +145,14 @@ namespace squeal
                  "terms of a body that turns through the fixed frame; 0 "
                  "leaves them out.",
                  "rad/s");
+      schema.add(
+        "Rotation axis",
+        b.rotation_axis,
+        Allowed::vector(),
+        "Direction, of any length, of the axis through 'Position' that "
+        "the body turns about as the target of a contact with "
+        "'Friction direction = slip'; the sense of turning follows "
+        "the right hand.");
     }
   } // namespace prm
 } // namespace squeal

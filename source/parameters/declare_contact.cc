@@ -127,8 +127,15 @@ namespace squeal
       declare_friction_law(schema, c);
       schema.add("Friction direction",
                  c.friction_direction,
-                 "Friction along +y everywhere, or along the local velocity "
-                 "of the target's surface that turns about z.");
+                 "Friction along +y everywhere, along the local velocity of "
+                 "the target's surface that turns about its 'Rotation axis', "
+                 "or along a given 'Sliding direction'.");
+      schema.add("Sliding direction",
+                 c.sliding_direction,
+                 Allowed::vector(),
+                 "Direction, of any length, in which the target slides along "
+                 "the source everywhere; with 'Friction direction = given' "
+                 "only.");
       schema.add("Transverse slip term",
                  c.transverse_slip_term,
                  "Add the friction force that turns with the slip direction: "

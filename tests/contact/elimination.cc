@@ -37,13 +37,11 @@ namespace
             d.rows.end())
           number[i] = next++;
       P = Eigen::MatrixXd::Zero(n, next);
-      E = Eigen::MatrixXd::Zero(n, d.rows.size());
       for (int i = 0; i < n; ++i)
         if (number[i] >= 0)
           P(i, number[i]) = 1.;
       for (std::size_t k = 0; k < d.rows.size(); ++k)
         {
-          E(d.rows[k], k) = 1.;
           for (const auto &[row, weight] : d.combinations[k])
             P(d.rows[k], number[row]) += weight;
         }
@@ -52,7 +50,7 @@ namespace
     DependentUnknowns                  dependent;
     std::shared_ptr<const RowSpace>    space;
     std::shared_ptr<const Elimination> elimination;
-    Eigen::MatrixXd                    P, E;
+    Eigen::MatrixXd                    P;
   };
 
   void
@@ -138,8 +136,15 @@ namespace
     check_equal(as_dense(*c.elimination->reduce(*tangential), m),
                 L,
                 text + ": functionals");
-    const MultiplierFriction friction(matrix, c.elimination, tangential);
-    const Eigen::MatrixXd    G = c.E.transpose() * A * c.P;
+    // What takes forces out of the rows, dependent or not.
+    std::vector<Functionals::Row> out;
+    for (std::size_t k = 0; k < c.dependent.rows.size(); ++k)
+      out.push_back({{c.dependent.rows[k], .8}, {unsigned((k + 5) % n), -.6}});
+    const auto normal =
+      std::make_shared<const Functionals>(c.space, std::move(out));
+    const MultiplierFriction friction(
+      matrix, c.elimination, c.elimination->reduce(*tangential), normal);
+    const Eigen::MatrixXd G = as_dense(*normal, n) * A * c.P;
     check_equal(
       friction.multiply(X), L.transpose() * G * X, text + ": friction");
     check_equal(friction.multiply_transposed(X),
@@ -163,9 +168,11 @@ namespace
     const Block v = Block::Random(c.P.cols(), 3), f = Block::Random(n, 3);
     check_equal(e.expand(v), c.P * v, text + ": P v");
     check_equal(e.restrict_forces(f), c.P.transpose() * f, text + ": P^T f");
-    check_equal(e.dependent_rows(f), c.E.transpose() * f, text + ": E_s^T f");
-    const Eigen::MatrixXd g = Eigen::MatrixXd::Random(d.rows.size(), 2);
-    check_equal(e.from_dependent_rows(g), c.E * g, text + ": E_s g");
+    const Eigen::MatrixXd size = c.P.cwiseAbs();
+    check_equal(e.expand_absolute(v), size * v.cwiseAbs(), text + ": |P| |v|");
+    check_equal(e.restrict_absolute(f),
+                size.transpose() * f.cwiseAbs(),
+                text + ": |P|^T |f|");
     check_operators(c, text);
   }
 

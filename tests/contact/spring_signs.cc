@@ -173,8 +173,9 @@ namespace
     for (unsigned int i = 0; i < g.points.size(); ++i)
       {
         const double r = std::hypot(g.points[i][0], g.points[i][1]);
-        check(std::abs(g.slip_direction[i][0] + g.points[i][1] / r) < 1e-14 &&
-                std::abs(g.slip_direction[i][1] - g.points[i][0] / r) < 1e-14 &&
+        const auto  &t = g.frames[i].sliding;
+        check(std::abs(t[0] + g.points[i][1] / r) < 1e-14 &&
+                std::abs(t[1] - g.points[i][0] / r) < 1e-14 &&
                 std::abs(g.speed_ratio[i] - r / .1075) < 1e-3,
               "slip along Omega x r, point " + std::to_string(i));
       }

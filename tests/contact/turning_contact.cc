@@ -260,8 +260,11 @@ namespace
       check_below(errors[i], errors[i - 1] / 3., "falls with their number");
 
     ContactGeometry backwards = pair.separated.contacts[0];
-    for (auto &direction : backwards.slip_direction)
-      direction = {{-direction[0], -direction[1]}};
+    for (auto &frame : backwards.frames)
+      {
+        frame.sliding *= -1.;
+        frame.transverse *= -1.;
+      }
     check_close(exact->angle(.1075), 1., 2e-3, "it turns the way it slides");
     check_close(
       TurningContact(

@@ -111,15 +111,42 @@ namespace
   void
   faces()
   {
-    refuses(changed(small_brake,
-                    {{"set Position      = 0.1, 0, 0",
-                      "set Position      = 0.1, 0, -0.02"},
-                     {"set Source face          = z_min",
-                      "set Source face          = z_max"},
-                     {"set Target face          = top",
-                      "set Target face          = bottom"}}),
-            {"pad_disc", "'bottom'", "'disc'", "-z"},
-            "a pad under the disc is refused");
+    const std::string below = changed(
+      small_brake,
+      {{"set Position      = 0.1, 0, 0", "set Position      = 0.1, 0, -0.02"},
+       {"set Source face          = z_min", "set Source face          = z_max"},
+       {"set Target face          = top", "set Target face          = bottom"},
+       {"    set Face       = z_max", "    set Face       = z_min"}});
+    accepts(small_brake, "a pad on the disc is taken");
+    const Table above = read_csv("out/eigenvalues.csv");
+    accepts(below, "a pad under the disc is taken");
+    const Table under = read_csv("out/eigenvalues.csv");
+    check(above.n_rows() == under.n_rows(), "with as many pairs");
+    for (std::size_t i = 0; i < above.n_rows(); ++i)
+      {
+        check_close(under.real(i, "frequency_hz"),
+                    above.real(i, "frequency_hz"),
+                    1e-8,
+                    "the frequency below is that above");
+        check_close(under.real(i, "sigma_per_s"),
+                    above.real(i, "sigma_per_s"),
+                    1e-8,
+                    "and so is the growth rate",
+                    above.real(i, "frequency_hz"));
+      }
+    refuses(
+      changed(
+        below,
+        {{"set Analysis         = cea", "set Analysis         = preload"},
+         {"set Contacts = pad_disc",
+          "set Contacts = pad_disc\n  set Loads = up"},
+         {"  subsection Contact pad_disc",
+          "  subsection Load up\n    set Body = pad\n    set Face = "
+          "z_min\n    set Force = 0, 0, 100\n  end\n  subsection "
+          "Contact pad_disc"},
+         {"set Grid                 = 2, 2", "set Formulation = mortar"}}),
+      {"pad_disc", "'bottom'", "'disc'", "looks along -z"},
+      "steady sliding of a pad under the disc is refused");
     const BodyParameters plate =
       make_block("plate", {{.1, 0., 0.}}, {{.05, .05, .01}}, {{2, 2, 1}});
     const auto at = [](const double x, const double y, const double z) {
@@ -141,13 +168,13 @@ namespace
       return at(x, y, z + (z > 0. ? .02 * y : 0.));
     });
     refuses(brake_with_plate("plate.msh"),
-            {"pad_disc", "'z_max'", "'disc'", "(0, -0.02, 1)"},
-            "a tilted plate is refused");
+            {"pad_disc", "is not along the face", "(0, -0.02000, 0.9998)"},
+            "sliding that is not along a tilted plate is refused");
     write_block(plate, [&](const double x, const double y, const double z) {
       return at(x, y, z + (z > 0. ? 10. * x * x : 0.));
     });
     refuses(brake_with_plate("plate.msh"),
-            {"pad_disc", "'z_max'"},
+            {"pad_disc", "do not look at each other", "(0.2425, 0, 0.9701)"},
             "a bent plate is refused");
   }
 

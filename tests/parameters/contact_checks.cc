@@ -117,30 +117,56 @@ namespace
     check_change_accepted({block, face, size});
     check_change_refused({block, face, size, pad + "Position = 0.1, 0.006, 0"},
                          {"faces do not meet", "y = 0.001 to 0.011 m"});
+    // A pad beside the plate: friction along y is along the face.
+    check_change_accepted({block,
+                           size,
+                           contact + "Target face = x_max",
+                           contact + "Source face = x_min",
+                           pad + "Position = 0.155, 0, -0.01"});
     check_change_refused({block,
                           size,
-                          contact + "Target face = x_max",
-                          contact + "Source face = x_min",
-                          pad + "Position = 0.155, 0, -0.01"},
-                         {"contact pad_disc",
-                          "target face 'x_max' of body 'disc' looks along +x",
-                          "+z only"});
+                          contact + "Target face = y_max",
+                          contact + "Source face = y_min",
+                          pad + "Position = 0, 0.015, -0.01"},
+                         {"Friction direction", "looks along y"});
   }
 
 
 
-  /** Signs of friction are those of a target under its source. */
+  /** Of steady sliding. */
   void
   faces_look_up()
   {
-    check_change_refused({pad + "Position = 0.1075, 0, -0.02",
-                          contact + "Source face = z_max",
-                          contact + "Target face = bottom"},
+    const std::vector<std::string> below = {pad + "Position = 0.1075, 0, -0.02",
+                                            contact + "Source face = z_max",
+                                            contact + "Target face = bottom"};
+    check_change_accepted(below);
+    std::vector<std::string> all = below;
+    all.push_back(contact + "Contact state = preload");
+    check_change_refused(all,
                          {"contact pad_disc",
                           "target face 'bottom' of body 'disc' looks along -z",
                           "turn the scene"});
-    check_change_refused({contact + "Target face = outer"},
-                         {"target face 'outer' of body 'disc' is curved"});
+  }
+
+  void
+  sliding_directions()
+  {
+    check_change_refused({contact + "Sliding direction = 1, 1, 0"},
+                         {"'Scene/Contact pad_disc/Sliding direction'",
+                          "Friction direction = given"});
+    check_change_refused(
+      {contact + "Friction direction = given",
+       contact + "Sliding direction = 0, 0, 0"},
+      {"'Scene/Contact pad_disc/Sliding direction'", "must not be"});
+    check_change_accepted({contact + "Friction direction = given",
+                           contact + "Sliding direction = 1, 1, 0"});
+    const std::string disc = "Scene/Body disc/";
+    check_change_refused({disc + "Rotation axis = 0, 1, 0"},
+                         {"'Scene/Body disc/Rotation axis'", "along z"});
+    check_change_refused({disc + "Rotation axis = 0, 0, 0"},
+                         {"'Scene/Body disc/Rotation axis'", "must not be"});
+    check_change_accepted({disc + "Rotation axis = 0, 0, -2"});
   }
 
 
@@ -235,6 +261,7 @@ main()
   pads_beside_the_disc();
   blocks_on_blocks();
   faces_look_up();
+  sliding_directions();
   grids_need_rectangles();
   bodies_of_a_pair();
   laws();

@@ -78,6 +78,7 @@ namespace squeal
       SQUEAL_DESCRIBE(body, stiffness_damping);
       SQUEAL_DESCRIBE(body, structural_damping);
       SQUEAL_DESCRIBE(body, rotation_speed);
+      SQUEAL_DESCRIBE(body, rotation_axis);
     }
 
     inline void
@@ -155,6 +156,7 @@ namespace squeal
       SQUEAL_DESCRIBE(contact, friction_speeds);
       SQUEAL_DESCRIBE(contact, friction_coefficients);
       SQUEAL_DESCRIBE(contact, friction_direction);
+      SQUEAL_DESCRIBE(contact, sliding_direction);
       SQUEAL_DESCRIBE(contact, transverse_slip_term);
       SQUEAL_DESCRIBE(contact, sliding_speed);
       SQUEAL_DESCRIBE(contact, normal_force);

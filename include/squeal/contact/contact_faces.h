@@ -2,24 +2,26 @@
 #ifndef squeal_contact_contact_faces_h
 #define squeal_contact_contact_faces_h
 
-#include <squeal/discretization/discretization.h>
+#include <squeal/contact/contact_geometry.h>
 
 namespace squeal
 {
   /**
-   * Signs of gap, pressure and friction are those of a target that lies under
-   * its source: the outward normal of the target face is +z, that of the source
-   * face -z. Looks at the normals of the mesh faces of every contact pair, so
-   * that curved, tilted and turned faces of mesh files are found too; of the
-   * target face those parts count that lie under the source face.
-   *
-   * Throws InputError that names contact, face and normal where one is off by
-   * more than 1e-3 (which would shift the coefficient of friction by as much),
-   * where the bodies have no faces of these names, and where the named target
-   * face is not where the source face is. Pairs of rigid bodies have no faces:
-   * their normal is +z by definition.
+   * Looks at the mesh faces of every contact pair of meshed bodies before
+   * anything is assembled: at all Gauss points of the source face there must be
+   * the named target face, its normal against that of the source, and a sliding
+   * direction along it. Throws InputError that names contact and place, as
+   * contact_frames(), and where the source body has no faces of that name.
    */
   void check_contact_faces(const Discretization &discretization);
+
+  /**
+   * Steady sliding and transients put the normal along +z: throws InputError
+   * that names contact and normal where a target face looks elsewhere by more
+   * than 1e-3.
+   */
+  void require_upward(const ContactParameters &contact,
+                      const ContactGeometry   &geometry);
 } // namespace squeal
 
 #endif

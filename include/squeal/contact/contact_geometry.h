@@ -4,6 +4,7 @@
 
 #include <squeal/base/contact_status.h>
 #include <squeal/base/low_rank_matrix.h>
+#include <squeal/contact/contact_frames.h>
 #include <squeal/discretization/discretization.h>
 #include <squeal/discretization/point_evaluator.h>
 
@@ -29,21 +30,30 @@ namespace squeal
 
   /**
    * Where a contact pair touches: points on the source face, their tributary
-   * areas, and the functionals of the relative motion there, target minus
-   * source (disc minus pad): normal B_n u = z_d - z_p, along the sliding of
-   * the target surface B_t u, and across it.
+   * areas and frames, and the functionals of the relative motion there, target
+   * minus source (disc minus pad): normal B_n u = n . (u_d - u_p), which is
+   * z_d - z_p above the disc and z_p - z_d below it, along the sliding of the
+   * target surface B_t u, and across it.
    */
   struct ContactGeometry
   {
-    std::vector<dealii::Point<3>>      points;
-    std::vector<double>                areas;          /**< m^2 */
-    std::vector<std::array<double, 2>> slip_direction; /**< unit, x and y */
+    std::vector<dealii::Point<3>> points;
+    std::vector<double>           areas; /**< m^2 */
+    std::vector<ContactFrame>     frames;
     /** |V| at the point over |V| at the centre of the source face. */
     std::vector<double>                speed_ratio;
     std::shared_ptr<const Functionals> normal, tangential, transverse;
     /** Displacements (x, y, z) of the two sides at every point. */
     std::vector<std::array<Functionals::Row, 3>> source_rows, target_rows;
   };
+
+  /** Sets frames, speed ratios and the three functionals of @p geometry, whose
+   * points and rows of both sides are there. @p source_normals: outward, of
+   * the source face at every point. Throws as contact_frames(). */
+  void set_frames(const Discretization                    &discretization,
+                  const ContactParameters                 &contact,
+                  const std::vector<dealii::Tensor<1, 3>> &source_normals,
+                  ContactGeometry                         &geometry);
 
   /**
    * Contact points of @p contact: the grid or the Gauss points of the source
@@ -57,14 +67,6 @@ namespace squeal
   /** Full slip or full stick with an even pressure. */
   ContactState uniform_state(const ContactGeometry &geometry,
                              const ContactStatus    status);
-
-  /** Unit slip directions and speed ratios of points, by the friction
-   * direction of the pair: fixed y, or Omega x r about the target's axis. */
-  void slip_directions(const SceneParameters               &scene,
-                       const ContactParameters             &contact,
-                       const std::vector<dealii::Point<3>> &points,
-                       std::vector<std::array<double, 2>>  &direction,
-                       std::vector<double>                 &speed_ratio);
 } // namespace squeal
 
 #endif

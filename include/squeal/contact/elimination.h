@@ -6,6 +6,7 @@
 #include <squeal/discretization/affine_system.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace squeal
@@ -19,6 +20,8 @@ namespace squeal
   {
     std::vector<unsigned int>     rows;
     std::vector<Functionals::Row> combinations;
+    /** What makes each follow, such as "Tie pad_support": for messages. */
+    std::vector<std::string> owners;
   };
 
   /**
@@ -39,10 +42,9 @@ namespace squeal
     Block expand(const Block &v) const;
     /** P^T f. */
     Block restrict_forces(const Block &f) const;
-    /** The dependent rows of f, the same on every rank. */
-    Eigen::MatrixXd dependent_rows(const Block &f) const;
-    /** E_s g: values on the dependent rows, zero elsewhere. */
-    Block from_dependent_rows(const Eigen::MatrixXd &g) const;
+    /** |P| |v| and |P|^T |f|, entry by entry: bounds of rounding. */
+    Block expand_absolute(const Block &v) const;
+    Block restrict_absolute(const Block &f) const;
 
     /** Functionals of all unknowns as functionals of the independent ones. */
     std::shared_ptr<const Functionals> reduce(
@@ -54,13 +56,18 @@ namespace squeal
                         const bool      lower_only,
                         Triplets       &reduced) const;
 
-    /** L^T (E_s^T A) P for functionals L (one a dependent row), entries. */
+    /** L^T N A P for functionals L of the independent unknowns and as many N
+     * of all unknowns, entries. */
     void friction_entries(const Triplets    &full,
                           const Functionals &left,
+                          const Functionals &normal,
                           Triplets          &reduced) const;
 
   private:
-    int dependent_index(const unsigned int row) const;
+    /** The dependent rows of f, the same on every rank. */
+    Eigen::MatrixXd dependent_rows(const Block &f) const;
+    Block           independent_rows(const Block &f) const;
+    Block expanded(const Block &v, const Eigen::MatrixXd &of_dependent) const;
 
     std::shared_ptr<const RowSpace> full, reduced;
     DependentUnknowns               dependent;
@@ -90,15 +97,20 @@ namespace squeal
 
   /**
    * What part A of the pencil adds to the friction of an eliminated contact:
-   * B_t^T lambda_n with the recovered multipliers lambda_n = D^-1 E_s^T A P v.
+   * B_t^T lambda_n with the recovered multipliers. The forces A P v on a source
+   * node are n lambda_n + t mu lambda_n, and t is across n: lambda_n = N A P v,
+   * where N takes the component along n of the three rows of each node.
    */
   class MultiplierFriction : public LowRankOperator
   {
   public:
-    /** @p tangential: one functional a dependent row, in full numbering. */
+    /** @p tangential: B_t of the nodes that slip as functionals of the
+     * independent unknowns, one object for all parts (which are then one
+     * low-rank change). @p normal: N, in full numbering. */
     MultiplierFriction(std::shared_ptr<const LinearOperator> matrix,
                        std::shared_ptr<const Elimination>    elimination,
-                       std::shared_ptr<const Functionals>    tangential);
+                       std::shared_ptr<const Functionals>    tangential,
+                       std::shared_ptr<const Functionals>    normal);
     const Functionals &left_rows() const override;
     Eigen::MatrixXd    forces(const Block &X) const override;
     Block transposed_forces(const Eigen::MatrixXd &g) const override;
@@ -111,7 +123,7 @@ namespace squeal
   private:
     std::shared_ptr<const LinearOperator> matrix;
     std::shared_ptr<const Elimination>    elimination;
-    std::shared_ptr<const Functionals>    left; /**< in reduced rows */
+    std::shared_ptr<const Functionals>    left, normal;
   };
 } // namespace squeal
 

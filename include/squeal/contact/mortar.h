@@ -20,6 +20,9 @@ namespace squeal
   {
     std::vector<dealii::Point<3>> nodes;   /**< source nodes, m */
     std::vector<double>           weights; /**< D_j, m^2 */
+    /** Outward unit normals of the source face at its nodes, averaged over the
+     * faces round each. */
+    std::vector<dealii::Tensor<1, 3>> normals;
     /** Row of each source node's displacement (x, y, z); -1u where held. */
     std::vector<std::array<unsigned int, 3>> source_rows;
     /** D_j^-1 M_j for the three components; empty on the ground. */

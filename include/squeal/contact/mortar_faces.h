@@ -36,6 +36,8 @@ namespace squeal
     SurfaceFace geometry;
     /** Degrees of freedom of each node, x, y, z; hanging ones too. */
     std::vector<std::array<dealii::types::global_dof_index, 3>> dofs;
+    /** Which face of the scene it belongs to. */
+    dealii::types::boundary_id id = 0;
   };
 
   /** Faces on the boundary of a body, of owned cells that reach @p box. Hanging

@@ -22,6 +22,8 @@ namespace squeal
 
     unsigned int degree() const;
     unsigned int n_nodes() const;
+    /** Unit coordinates of a node. */
+    dealii::Point<2> node(const unsigned int number) const;
     /** Number of the column (or row) of nodes at this unit coordinate. */
     unsigned int column(const double coordinate) const;
 

@@ -14,9 +14,13 @@ namespace squeal
   {
     std::vector<dealii::Point<3>> points;
     std::vector<double>           areas; /**< m^2 */
+    /** Outward unit normals of the body. */
+    std::vector<dealii::Tensor<1, 3>> normals;
 
     double           total_area() const;
     dealii::Point<3> centre() const;
+    /** Unit vector along the mean of the normals. */
+    dealii::Tensor<1, 3> normal() const;
   };
 
   /** @p n_points Gauss points in each direction; 0: degree + 1. */

@@ -67,6 +67,8 @@ namespace squeal
     /** Turning speed about z for gyroscopic and convective terms in the fixed
      * frame, rad/s; 0 leaves them out. */
     double rotation_speed = 0.;
+    /** Axis, through `position`, that the body turns about as a target. */
+    Vector3 rotation_axis{{0., 0., 1.}};
   };
 
   /** Two faces that move as one, section "Scene/Tie <name>". */
@@ -170,7 +172,8 @@ namespace squeal
     enum class FrictionDirection
     {
       fixed_y, /**< friction along +y everywhere */
-      slip     /**< along the local slip Omega x r of the target surface */
+      slip,    /**< along the local slip Omega x r of the target surface */
+      given    /**< along `sliding_direction` everywhere */
     };
     enum class FrictionLaw
     {
@@ -201,6 +204,7 @@ namespace squeal
     /** Law by a table: slip rates from 0 upwards, m/s, and coefficients. */
     std::vector<double> friction_speeds, friction_coefficients;
     FrictionDirection   friction_direction = FrictionDirection::fixed_y;
+    Vector3 sliding_direction{{0., 1., 0.}}; /**< of the target, any length */
     /** Add mu p0/|V| times the slip rate across the sliding direction. */
     bool   transverse_slip_term = false;
     double sliding_speed        = 0.1126; /**< |V| at the pad centre, m/s */

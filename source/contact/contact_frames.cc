@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/contact/contact_frames.h>
+#include <squeal/contact/mortar_faces.h>
+#include <squeal/discretization/face_quadrature.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    using Point  = dealii::Point<3>;
+    using Vector = dealii::Tensor<1, 3>;
+
+    /** Components below this part of a unit vector are rounding: they must not
+     * mix friction into the normal force. */
+    constexpr double rounding = 1e-12;
+    /** Largest |V . n| over |V|: it would shift mu by as much. */
+    constexpr double normal_speed = 1e-3;
+    /** How far, rad, the normals of two faces that touch may be from opposite:
+     * of arcs beside facets. */
+    constexpr double largest_angle = 0.1;
+    /** Of the unit square, by which a point may lie beside a target face. */
+    constexpr double margin = 1e-4;
+    /** Distance over which the other face is looked for, of the box round the
+     * contact points. */
+    constexpr double reach = 0.1;
+
+    Vector
+    unit(Vector v)
+    {
+      v /= v.norm();
+      for (unsigned int c = 0; c < 3; ++c)
+        if (std::abs(v[c]) < rounding)
+          v[c] = 0.;
+      return v / v.norm();
+    }
+
+    Vector
+    vector_of(const Vector3 &v)
+    {
+      return Point(v[0], v[1], v[2]);
+    }
+
+    std::string
+    text_of(const Vector &v)
+    {
+      return "(" + rounded_text(v[0], 4) + ", " + rounded_text(v[1], 4) + ", " +
+             rounded_text(v[2], 4) + ")";
+    }
+
+    bool
+    is_meshed(const SceneParameters &scene, const std::string &body)
+    {
+      return body != "ground" && scene.bodies[body_index(scene, body)].shape !=
+                                   BodyParameters::Shape::rigid;
+    }
+
+
+
+    /** What a line through a point meets: distance, normal; far if nothing. */
+    struct Hit
+    {
+      static constexpr double far = 1e300;
+
+      double distance = far;
+      Vector normal;
+    };
+
+    /** The nearest of the faces of this rank, with the id @p id, that the line
+     * through @p x along @p direction meets and that looks against it. */
+    Hit
+    nearest(const std::vector<TargetFace>  &targets,
+            const std::vector<std::size_t> &candidates,
+            const unsigned int              id,
+            const Point                    &x,
+            const Vector                   &direction)
+    {
+      Hit hit;
+      for (const std::size_t k : candidates)
+        {
+          const SurfaceFace &face = targets[k].geometry;
+          if (targets[k].id != id || !(face.normal() * direction < -0.5))
+            continue;
+          const auto place = face.project(x, direction);
+          if (!place || !(std::abs(place->distance) < hit.distance))
+            continue;
+          bool inside = true;
+          for (unsigned int c = 0; c < 2; ++c)
+            inside = inside && place->unit[c] > -margin &&
+                     place->unit[c] < 1. + margin;
+          if (!inside)
+            continue;
+          const Vector area = face.frame(place->unit).area_vector();
+          hit               = {std::abs(place->distance), area / area.norm()};
+        }
+      return hit;
+    }
+
+    /** The nearest over all ranks. */
+    std::vector<Hit>
+    nearest_of_all(const std::vector<Hit> &mine, const MPI_Comm comm)
+    {
+      std::vector<double> packed;
+      for (const Hit &hit : mine)
+        packed.insert(
+          packed.end(),
+          {hit.distance, hit.normal[0], hit.normal[1], hit.normal[2]});
+      const std::vector<double> all = all_gather(packed, comm);
+      std::vector<Hit>          result(mine.size());
+      for (std::size_t k = 0; k < all.size(); k += 4)
+        if (Hit &best = result[k / 4 % mine.size()]; all[k] < best.distance)
+          best = {all[k], Point(all[k + 1], all[k + 2], all[k + 3])};
+      return result;
+    }
+
+    std::vector<Vector>
+    target_normals(const Discretization      &d,
+                   const ContactParameters   &contact,
+                   const std::vector<Point>  &points,
+                   const std::vector<Vector> &source_normals)
+    {
+      const auto                  &scene = d.scene();
+      const FaceBasis              basis(d.degree());
+      const dealii::BoundingBox<3> all(points);
+      const double size = reach * all.get_boundary_points().first.distance(
+                                    all.get_boundary_points().second);
+      auto around = all;
+      around.extend(size);
+      const unsigned int id = face_id(
+        d.coarse_mesh(), scene, contact.target_body, contact.target_face);
+      const auto targets =
+        target_faces(d, basis, body_index(scene, contact.target_body), around);
+      std::vector<dealii::BoundingBox<3>> boxes;
+      for (const auto &target : targets)
+        boxes.push_back(bounding_box(target.geometry));
+      const auto tree = dealii::pack_rtree_of_indices(boxes);
+
+      std::vector<Hit> hits;
+      for (std::size_t j = 0; j < points.size(); ++j)
+        {
+          dealii::BoundingBox<3> box({points[j], points[j]});
+          box.extend(size);
+          std::vector<std::size_t> near;
+          tree.query(boost::geometry::index::intersects(box),
+                     std::back_inserter(near));
+          std::sort(near.begin(), near.end());
+          hits.push_back(
+            nearest(targets, near, id, points[j], source_normals[j]));
+        }
+      std::vector<Vector> result;
+      for (const Hit &hit : nearest_of_all(hits, d.space()->communicator()))
+        {
+          if (hit.distance == Hit::far)
+            throw InputError(
+              "contact " + contact.name + ": the target face '" +
+              contact.target_face + "' of body '" + contact.target_body +
+              "' is not where the source face '" + contact.source_face +
+              "' of body '" + contact.source_body +
+              "' looks: the faces do not meet at " +
+              text_of(points[result.size()]) + " m");
+          result.push_back(unit(hit.normal));
+        }
+      return result;
+    }
+
+
+
+    void
+    require_opposite(const ContactParameters &contact,
+                     const Point             &x,
+                     const Vector            &source,
+                     const Vector            &target)
+    {
+      if (!(-(source * target) >= std::cos(largest_angle)))
+        throw InputError("contact " + contact.name +
+                         ": the faces do not look at each other at " +
+                         text_of(x) + " m: the outward normals are " +
+                         text_of(source) + " of the source and " +
+                         text_of(target) + " of the target");
+    }
+
+    /** V of the target at @p x, of any length if it is the same everywhere. */
+    Vector
+    velocity(const SceneParameters   &scene,
+             const ContactParameters &contact,
+             const Point             &x)
+    {
+      using Direction = ContactParameters::FrictionDirection;
+      switch (contact.friction_direction)
+        {
+        case Direction::fixed_y:
+          return Point(0., 1., 0.);
+        case Direction::given:
+          return vector_of(contact.sliding_direction);
+        case Direction::slip:
+          {
+            if (contact.target_body == "ground")
+              return Point(0., 1., 0.);
+            const auto &body =
+              scene.bodies[body_index(scene, contact.target_body)];
+            const Vector axis = unit(vector_of(body.rotation_axis)),
+                         arm  = x - vector_of(body.position);
+            const Vector V    = dealii::cross_product_3d(axis, arm);
+            if (!(V.norm() > rounding * arm.norm()))
+              throw InputError("Scene/Contact " + contact.name +
+                               ": a contact point lies on the disc axis, where "
+                               "there is no sliding direction");
+            return V;
+          }
+        }
+      unknown_choice("friction direction");
+    }
+
+    ContactFrame
+    frame_of(const ContactParameters &contact,
+             const Point             &x,
+             const Vector            &normal,
+             const Vector            &V)
+    {
+      const double across = V * normal / V.norm();
+      if (!(std::abs(across) <= normal_speed))
+        throw InputError(
+          "contact " + contact.name + ": the sliding direction " +
+          text_of(V / V.norm()) + " at " + text_of(x) +
+          " m is not along the face, whose normal is " + text_of(normal) +
+          ": set 'Scene/Contact " + contact.name +
+          "/Friction direction' to slip, or to given with a 'Sliding "
+          "direction' "
+          "along the face");
+      ContactFrame frame;
+      frame.normal  = normal;
+      frame.sliding = unit(V - (V * normal) * normal);
+      frame.transverse =
+        unit(dealii::cross_product_3d(frame.sliding, frame.normal));
+      return frame;
+    }
+  } // namespace
+
+
+
+  ContactFrames
+  contact_frames(const Discretization      &d,
+                 const ContactParameters   &contact,
+                 const std::vector<Point>  &points,
+                 const std::vector<Vector> &source_normals)
+  {
+    AssertDimension(points.size(), source_normals.size());
+    const auto         &scene = d.scene();
+    std::vector<Vector> normals;
+    if (is_meshed(scene, contact.target_body) &&
+        is_meshed(scene, contact.source_body))
+      normals = target_normals(d, contact, points, source_normals);
+    else
+      for (const Vector &n : source_normals)
+        normals.push_back(unit(-n));
+
+    ContactFrames result;
+    double        mean = 0.;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      {
+        require_opposite(contact, points[j], source_normals[j], normals[j]);
+        const Vector V = velocity(scene, contact, points[j]);
+        result.frames.push_back(frame_of(contact, points[j], normals[j], V));
+        result.speed_ratio.push_back(V.norm());
+        mean += V.norm() / points.size();
+      }
+    for (double &ratio : result.speed_ratio)
+      ratio /= mean;
+    return result;
+  }
+} // namespace squeal
