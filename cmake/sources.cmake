@@ -138,6 +138,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/basis_builder.cc
     source/sweep/basis_cells.cc
     source/sweep/branch_tracker.cc
+    source/sweep/first_order_index.cc
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc
     source/sweep/reduced_model.cc

@@ -3,6 +3,7 @@
 // How likely a brake squeals whose numbers scatter.
 
 #include <squeal/driver/sweep_solution.h>
+#include <squeal/sweep/first_order_index.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -17,9 +18,6 @@ namespace squeal
   {
     using Type         = Table::Type;
     using Distribution = SweepAxisParameters::Distribution;
-
-    /** Classes of equal probability that an axis is divided into. */
-    constexpr unsigned int n_classes = 20;
 
     /** Standard deviations of the 95 per cent interval. */
     constexpr double z = 1.959963984540054;
@@ -142,55 +140,6 @@ namespace squeal
       return groups;
     }
 
-    /** Means of @p values in classes of equal counts of @p x. */
-    std::vector<std::pair<double, double>>
-    class_means(const std::vector<double> &x, const std::vector<double> &values)
-    {
-      std::vector<std::size_t> order(x.size());
-      for (std::size_t i = 0; i < x.size(); ++i)
-        order[i] = i;
-      std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
-        return x[a] < x[b];
-      });
-      std::vector<std::pair<double, double>> result;
-      for (unsigned int c = 0; c < n_classes; ++c)
-        {
-          const std::size_t first = c * x.size() / n_classes,
-                            last  = (c + 1) * x.size() / n_classes;
-          double sum_x = 0., sum = 0.;
-          for (std::size_t i = first; i < last; ++i)
-            {
-              sum_x += x[order[i]];
-              sum += values[order[i]];
-            }
-          const double n = std::max<double>(1., last - first);
-          result.emplace_back(sum_x / n, sum / n);
-        }
-      return result;
-    }
-
-    /** Share of the variance of @p values that x alone explains (Sobol's first
-     * index), less what classes of so few samples show of pure chance. */
-    double
-    first_order_index(const std::vector<double> &x,
-                      const std::vector<double> &values)
-    {
-      const double n    = values.size();
-      double       mean = 0., variance = 0.;
-      for (const double v : values)
-        mean += v / n;
-      for (const double v : values)
-        variance += (v - mean) * (v - mean) / n;
-      if (variance == 0.)
-        return 0.;
-      double between = 0.;
-      for (const auto &[at, m] : class_means(x, values))
-        between += (m - mean) * (m - mean) / n_classes;
-      const double share  = between / variance;
-      const double chance = (n_classes - 1.) / n;
-      return std::max(0., (share - chance) / (1. - chance));
-    }
-
     std::vector<double>
     coordinates(const std::vector<SweepPoint> &points, const unsigned int a)
     {
@@ -209,11 +158,11 @@ namespace squeal
       Chart       chart;
       ChartSeries series;
       series.style = ChartSeries::Style::lines_points;
-      for (const auto &[x, share] :
-           class_means(coordinates(points, a), unstable))
+      for (const SampleClass &found :
+           classes_of(coordinates(points, a), unstable))
         {
-          series.x.push_back(x);
-          series.y.push_back(share);
+          series.x.push_back(found.x);
+          series.y.push_back(found.mean);
         }
       chart.title = "probability of squeal";
       chart.x.label =
@@ -294,10 +243,12 @@ namespace squeal
         const auto x = coordinates(points, a);
         drivers.push_back(
           {a, first_order_index(x, unstable), first_order_index(x, sigma)});
-        result.charts.push_back(probability_chart(grid, a, points, unstable));
+        if (!classes_of(x, unstable).empty())
+          result.charts.push_back(probability_chart(grid, a, points, unstable));
       }
     std::stable_sort(
       drivers.begin(), drivers.end(), [](const auto &a, const auto &b) {
+        // Without an index the order is that of the axes.
         return a.squeal > b.squeal;
       });
     result.drivers = Table(
@@ -314,8 +265,8 @@ namespace squeal
       result.drivers.add_row({i + 1,
                               grid.axis(drivers[i].axis).name,
                               grid.axis(drivers[i].axis).entries[0],
-                              drivers[i].squeal,
-                              drivers[i].sigma});
+                              or_missing(drivers[i].squeal),
+                              or_missing(drivers[i].sigma)});
     return result;
   }
 } // namespace squeal
