@@ -290,8 +290,16 @@ namespace squeal
             held.push_back(held_content(coordinates, m, sine));
             contents.push_back(held.back().content);
           }
+    std::vector<unsigned int> chosen =
+      naming::near_largest(contents, naming::content_margin);
     for (const unsigned int i :
-         naming::near_largest(contents, naming::content_margin))
+         naming::near_largest(contents, naming::parity_margin))
+      if (candidates[i].nodal_diameters ==
+            candidates[chosen.front()].nodal_diameters &&
+          std::find(chosen.begin(), chosen.end(), i) == chosen.end())
+        chosen.push_back(i);
+    std::sort(chosen.begin(), chosen.end());
+    for (const unsigned int i : chosen)
       for (const unsigned int n : numbers_of_circles(held[i].profile))
         {
           shapes.push_back(candidates[i]);
@@ -317,7 +325,7 @@ namespace squeal
                                 naming::family_margin))
         for (const unsigned int sine :
              naming::near_largest({parts[radial](m, 0), parts[radial](m, 1)},
-                                  naming::content_margin))
+                                  naming::parity_margin))
           for (const unsigned int n :
                numbers_of_circles(profile(coordinates, 1 + radial, m, sine)))
             {

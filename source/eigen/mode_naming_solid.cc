@@ -149,6 +149,45 @@ namespace squeal
       rows.push_back(combine({{-s, &xyz[0]}, {c, &xyz[1]}}));
       rows.push_back(scaled(factor, xyz[2]));
     }
+
+
+
+    using Parts = std::vector<std::pair<double, const Functionals::Row *>>;
+
+    /** Rows of a slice's rotation about the @p axis and, orthogonal to it, of
+     * its five changes of shape, from the means of x_a u and x_b u (for the
+     * three components of u) and of x_a^2 and x_b^2, where a and b follow the
+     * axis. The coordinate of a rotation omega is r omega, with r the radius of
+     * gyration. */
+    void
+    add_linear_rows(const std::array<std::array<Parts, 3>, 2> &means,
+                    const std::array<double, 2>               &squares,
+                    const unsigned int                         axis,
+                    const double                               factor,
+                    std::vector<Functionals::Row>             &rows)
+    {
+      const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
+      std::array<std::array<Functionals::Row, 3>, 2> sums;
+      for (unsigned int d = 0; d < 2; ++d)
+        for (unsigned int c = 0; c < 3; ++c)
+          sums[d][c] = combine(means[d][c]);
+      const auto add = [&](const double square, const Parts &parts) {
+        rows.push_back(square > 0.
+                         ? scaled(factor / std::sqrt(square), combine(parts))
+                         : Functionals::Row());
+      };
+      const double both = squares[0] + squares[1];
+      add(both, {{1., &sums[0][b]}, {-1., &sums[1][a]}});
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          add(squares[d], {{1., &sums[d][d == 0 ? a : b]}});
+          add(squares[d], {{1., &sums[d][axis]}});
+        }
+      const bool   is_plane = squares[0] > 0. && squares[1] > 0.;
+      const double ratio = is_plane ? std::sqrt(squares[1] / squares[0]) : 1.;
+      add(is_plane ? both : 0.,
+          {{ratio, &sums[0][b]}, {1. / ratio, &sums[1][a]}});
+    }
   } // namespace
 
 
@@ -217,7 +256,8 @@ namespace squeal
     const bool         free = parameters.shape == Shape::gmsh;
     const Slices       slices =
       free ? cell_slices(d, body, box, axis, n) : regular_slices(box, axis, n);
-    n_slices = slices.size();
+    n_slices        = slices.size();
+    n_shape_changes = 5;
     families.push_back("torsion");
     mirror.push_back(rotation_mirror(axis, angle));
     add_slice_rows(
@@ -265,19 +305,21 @@ namespace squeal
         Point        centre;
         for (const auto &p : slice)
           centre += p / n;
-        using Parts = std::vector<std::pair<double, const Functionals::Row *>>;
-        std::array<Parts, 3> mean;
-        Parts                rotation;
-        double               radius_squared = 0.; /* of gyration */
+        std::array<Parts, 3>                mean;
+        std::array<std::array<Parts, 3>, 2> linear;
+        std::array<double, 2>               squares{{0., 0.}};
         for (unsigned int i = 0; i < slice.size(); ++i)
           {
             const auto &u = result.rows[first + i];
             const auto  x = slice[i] - centre;
             for (unsigned int c = 0; c < 3; ++c)
-              mean[c].emplace_back(1. / n, &u[c]);
-            rotation.emplace_back(x[a] / n, &u[b]);
-            rotation.emplace_back(-x[b] / n, &u[a]);
-            radius_squared += (x[a] * x[a] + x[b] * x[b]) / n;
+              {
+                mean[c].emplace_back(1. / n, &u[c]);
+                linear[0][c].emplace_back(x[a] / n, &u[c]);
+                linear[1][c].emplace_back(x[b] / n, &u[c]);
+              }
+            squares[0] += x[a] * x[a] / n;
+            squares[1] += x[b] * x[b] / n;
           }
         first += slice.size();
 
@@ -286,20 +328,22 @@ namespace squeal
           angle,
           factor,
           rows);
-        // sum x_a u_b - x_b u_a = n r^2 omega; the coordinate is r omega.
-        rows.push_back(
-          radius_squared > 0.
-            ? scaled(factor / std::sqrt(radius_squared), combine(rotation))
-            : Functionals::Row());
+        add_linear_rows(linear, squares, axis, factor, rows);
       }
   }
 
 
 
   unsigned int
+  SolidShapes::n_rows() const
+  {
+    return families.size() + n_shape_changes;
+  }
+
+  unsigned int
   SolidShapes::n_coordinates() const
   {
-    return n_slices * families.size();
+    return n_slices * n_rows();
   }
 
 
@@ -312,9 +356,15 @@ namespace squeal
     if (coordinates.isZero(0.))
       return {SolidShape()};
     const Eigen::Map<const Eigen::MatrixXcd> motions(
-      coordinates.data(), families.size(), n_slices);
-    const Eigen::VectorXd   energies = motions.rowwise().squaredNorm();
+      coordinates.data(), n_rows(), n_slices);
+    const Eigen::VectorXd   all      = motions.rowwise().squaredNorm();
+    const Eigen::VectorXd   energies = all.head(families.size());
+    const double            share    = energies.sum() / all.sum();
     std::vector<SolidShape> shapes;
+    if (naming::may_fall_short(share, naming::moving_share))
+      shapes.emplace_back();
+    if (!naming::may_exceed(share, naming::moving_share))
+      return shapes;
     for (const unsigned int f : naming::near_largest(
            {energies.data(), energies.data() + energies.size()},
            naming::family_margin))
@@ -333,7 +383,8 @@ namespace squeal
   Eigen::VectorXd
   SolidShapes::mirror_weights() const
   {
-    return Eigen::Map<const Eigen::VectorXd>(mirror.data(), mirror.size())
-      .replicate(n_slices, 1);
+    Eigen::VectorXd slice = Eigen::VectorXd::Zero(n_rows());
+    std::copy(mirror.begin(), mirror.end(), slice.data());
+    return slice.replicate(n_slices, 1);
   }
 } // namespace squeal

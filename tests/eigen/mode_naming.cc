@@ -392,6 +392,43 @@ namespace
           "no disc, no nodal diameters");
   }
 
+  /** Of a pad that is sheared or stretched in its plane the mean motions are
+   * rounding: no such chance may name it. */
+  void
+  changes_of_shape_are_not_named_by_rounding()
+  {
+    SceneParameters scene;
+    scene.bodies = {
+      block("pad", {{0., 0., 0.}}, {{0.03, 0.03, 0.01}}, {{2, 2, 1}})};
+    clamp(scene, "pad", "z_min");
+    const Model  model(scene, 3);
+    const Modes  modes     = modes_of(model, 250e3);
+    const auto   names     = names_of(model, modes.shapes);
+    unsigned int n_changes = 0;
+    for (const double sign : {-1., 1.})
+      {
+        // Every mode with a trace of every other.
+        const Eigen::Index n   = modes.shapes.cols();
+        Eigen::MatrixXd    mix = sign * 1e-7 * Eigen::MatrixXd::Ones(n, n) +
+                              Eigen::MatrixXd::Identity(n, n);
+        const auto mixed = names_of(model, Block(modes.shapes * mix));
+        for (Eigen::Index i = 0; i < n; ++i)
+          {
+            const double gap = std::min(
+              i > 0 ? modes.frequencies[i] - modes.frequencies[i - 1] : 1e300,
+              i + 1 < n ? modes.frequencies[i + 1] - modes.frequencies[i]
+                        : 1e300);
+            // Members of a multiple frequency have no shape of their own.
+            if (gap < 1e-3 * modes.frequencies[i])
+              continue;
+            check(names[i].text == mixed[i].text,
+                  names[i].text + " stays " + mixed[i].text);
+            n_changes += names[i].text == "pad motion 1";
+          }
+      }
+    check(n_changes >= 2, "a mode that only changes its shape is a motion");
+  }
+
   /** The same beam as a file: 2 x 2 x 10 hexahedra. */
   void
   write_gmsh_beam(const std::string &file)
@@ -476,6 +513,7 @@ main(int argc, char **argv)
 
   directions_of_a_square_beam_come_apart(
     block("beam", {{0., 0., 0.}}, {{0.01, 0.01, 0.1}}, {{1, 1, 5}}));
+  changes_of_shape_are_not_named_by_rounding();
   BodyParameters from_file;
   from_file.name            = "bar";
   from_file.shape           = BodyParameters::Shape::gmsh;

@@ -72,9 +72,11 @@ namespace
       Eigen::VectorXcd       result =
         Eigen::VectorXcd::Zero(model.namer.n_coordinates());
       result.head(on_disc.size()) = on_disc;
-      const unsigned int n        = (result.size() - on_disc.size()) / 4;
+      // A slice: three displacements, a rotation, five changes of shape.
+      const unsigned int n_rows = 9,
+                         n      = (result.size() - on_disc.size()) / n_rows;
       for (unsigned int s = 0; s < n; ++s)
-        result[on_disc.size() + 4 * s + 1] = motion((s + 0.5) / n);
+        result[on_disc.size() + n_rows * s + 1] = motion((s + 0.5) / n);
       return result;
     }
 

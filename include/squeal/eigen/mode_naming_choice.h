@@ -20,8 +20,12 @@ namespace squeal
     /** Contents of Fourier coefficients: see near_largest(). A mixture of two
      * shapes that are told apart by it turns by 2 degrees within the band. */
     constexpr double content_margin = 0.03;
+    /** Of the two parities of one number of nodal diameters, which are
+     * orthogonal: shapes with a MAC above 0.95 differ by an angle a with sin a
+     * < sqrt(0.05), and contents by at most that on either side of a tie. */
+    constexpr double parity_margin = 0.2236;
     /** Energies of directions and of bodies. */
-    constexpr double family_margin = 0.1;
+    constexpr double family_margin = 0.2236;
 
     /** A limit and the factor by which a value may lie on either side of it
      * and still be undecided. */
@@ -34,9 +38,13 @@ namespace squeal
     /** Energy share from which a disc is part of a name. It is small: in the
      * squealing modes of a brake with a heavy support the disc has some 1 % of
      * the energy, in the support's own modes 0.1 %. */
-    constexpr Limit disc_share{0.0035, 1.4};
+    constexpr Limit disc_share{0.005, 1.75};
     /** Energy share from which another body is part of a name. */
     constexpr Limit solid_share{0.3, 1.3};
+    /** Share of its motions that slices of a body must move as a whole for it
+     * to be named by that. Of a body that is only sheared or breathes the means
+     * are rounding: they would name it by chance. */
+    constexpr Limit moving_share{1e-3, 3.};
     /** Lobes below this part of the largest one make no node. */
     constexpr Limit lobe{0.1, 1.5};
 

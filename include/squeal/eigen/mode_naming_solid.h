@@ -17,7 +17,8 @@ namespace squeal
     /** Nodes of the dominant motion along the body's long axis. */
     unsigned int n_nodes = 0;
 
-    /** The family, "motion" for a body at rest. */
+    /** The family, "motion" for a body at rest or one whose slices only change
+     * their shape. */
     std::string name() const;
     /** The name and the number of nodes + 1, such as "tangential 2". */
     std::string text() const;
@@ -26,15 +27,17 @@ namespace squeal
   /**
    * Motions of one body that is no annulus. A meshed body is cut into slices
    * along its longest side (z if none is twice as long as the others); each
-   * slice has a mean displacement and a rotation about that axis. A rigid body
-   * is one slice with three displacements and three rotations.
+   * slice has a mean displacement and a rotation about that axis, by which it
+   * is named, and five linear changes of shape: strains and shear in its plane,
+   * rotations out of it. A rigid body is one slice with three displacements and
+   * three rotations.
    *
    * Displacements are radial, tangential and normal with respect to the disc
    * axis as seen from the centre of the body; without a disc x, y and z.
    *
    * The coordinates of a vector are these motions, slice by slice, scaled such
-   * that their sum of squares is the integral of density |u|^2 (rotation about
-   * other axes left out).
+   * that their sum of squares is the integral of density |u|^2 as far as u is
+   * linear in each slice.
    */
   class SolidShapes
   {
@@ -55,25 +58,29 @@ namespace squeal
       const Eigen::Ref<const Eigen::VectorXcd> &coordinates) const;
 
     /** As DiscShapes::mirror_weights(): +1 for motions that the mirror plane
-     * through disc axis and body keeps, -1 for the others. */
+     * through disc axis and body keeps, -1 for the others, 0 for changes of
+     * shape. */
     Eigen::VectorXd mirror_weights() const;
 
   private:
-    void add_rigid_rows(const Discretization          &discretization,
-                        const unsigned int             body,
-                        std::vector<Functionals::Row> &rows) const;
-    void add_slice_rows(
-      const PointEvaluator                             &evaluator,
-      const unsigned int                                body,
-      const std::vector<std::vector<dealii::Point<3>>> &slices,
-      const double                                      mass,
-      std::vector<Functionals::Row>                    &rows) const;
+    /** Coordinates of one slice. */
+    unsigned int n_rows() const;
+    void         add_rigid_rows(const Discretization          &discretization,
+                                const unsigned int             body,
+                                std::vector<Functionals::Row> &rows) const;
+    void         add_slice_rows(
+              const PointEvaluator                             &evaluator,
+              const unsigned int                                body,
+              const std::vector<std::vector<dealii::Point<3>>> &slices,
+              const double                                      mass,
+              std::vector<Functionals::Row>                    &rows) const;
 
     std::vector<std::string> families;
     std::vector<double>      mirror; /**< sign of each family */
-    unsigned int             n_slices = 0;
-    unsigned int             axis     = 2;  /**< long axis, 0 to 2 */
-    double                   angle    = 0.; /**< of the radial direction, rad */
+    unsigned int             n_slices        = 0;
+    unsigned int             n_shape_changes = 0; /**< of a slice */
+    unsigned int             axis            = 2; /**< long axis, 0 to 2 */
+    double                   angle = 0.; /**< of the radial direction, rad */
   };
 
   /** Centre of a body: of its bounding box if meshed, of gravity if rigid. */
