@@ -55,7 +55,7 @@ namespace squeal
 
   /** Whether the name @p text is @p wanted or has it in front: "(0,3+)" is in
    * "(0,3+) support tangential 2" and, as one of the alternatives, in
-   * "(0,3+)|(0,4+)". */
+   * "(0,3+)|(0,4+)". A near tie that is wanted is any of its names. */
   bool is_called(const std::string &text, const std::string &wanted);
 
   /** The annulus that names refer to: that of the first contact pair, else the
