@@ -14,6 +14,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/subsurface.cc
     source/damage/surface.cc
     source/driver/context.cc
+    source/driver/correlation_tables.cc
     source/driver/damage_pictures.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
@@ -62,9 +63,13 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_history.cc
     source/setup/tribology_parameters.cc
     source/statistics/association.cc
+    source/statistics/conditional_link.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
     source/statistics/quantity_text.cc
+    source/statistics/self_test.cc
+    source/statistics/shared_causes.cc
     source/statistics/spatial.cc
+    source/statistics/spatial_covariance.cc
     source/subsurface/half_space.cc
     source/subsurface/pad_block.cc)

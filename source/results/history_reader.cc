@@ -33,10 +33,26 @@ namespace squeal
                "has format version " + shortest_text(version) +
                  "; this program reads " +
                  std::to_string(HistoryWriter::format_version));
-      if (!file.has_attribute("complete"))
+      if (!file.has_attribute("complete") ||
+          file.number_attribute("complete") != 1.)
         refuse(file.path(),
                "is incomplete: the run that wrote it has not "
                "ended; make it again");
+    }
+
+
+
+    void
+    check_states(const std::string         &file,
+                 const std::vector<double> &states,
+                 const HistorySamples      &s)
+    {
+      for (std::size_t i = 0; i < states.size(); ++i)
+        if (states[i] != 0. && states[i] != 1. && states[i] != 2.)
+          refuse(file,
+                 "has the status " + shortest_text(states[i]) + " at " +
+                   shortest_text(s.time[i / (states.size() / s.n_samples())]) +
+                   " s: known are 0 open, 1 stick and 2 slip");
     }
 
 
@@ -240,6 +256,7 @@ namespace squeal
     get("samples/slip_rate", what.has_slip_rate, s.slip_rate);
     get("samples/gap", what.has_gap, s.gap);
     get("samples/status", what.has_status, s.status);
+    check_states(file.path(), s.status, s);
     get("samples/resultants", what.has_resultants, s.resultants);
     get("probes/values", !what.probe_names.empty(), s.probes);
     get("energies/values", !what.energy_names.empty(), s.energies);
@@ -260,7 +277,8 @@ namespace squeal
     std::vector<StatusChange> changes(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
       {
-        if (!(nodes[i] >= 0. && nodes[i] < what.n_nodes()) || states[i] > 2.)
+        if (!(nodes[i] >= 0. && nodes[i] < what.n_nodes()) ||
+            (states[i] != 0. && states[i] != 1. && states[i] != 2.))
           refuse(file.path(),
                  "has a status change of an unknown node or state");
         changes[i] = {times[i],

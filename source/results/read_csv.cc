@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/inputs_read.h>
 #include <squeal/parameters/text.h>
+#include <squeal/results/csv_dialect.h>
 #include <squeal/results/table.h>
 
 #include <algorithm>
@@ -70,12 +71,12 @@ namespace squeal
 
     /** Cuts the content of a file into records; blank lines are none. */
     std::vector<Record>
-    split(const std::string &path, const std::string &content)
+    split(const std::string &path,
+          const std::string &content,
+          CsvDialect        &dialect)
     {
       std::vector<Record> records;
-      std::size_t         line = 1;
-      // skip the mark that some spreadsheets put first
-      std::size_t i = content.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+      std::size_t         line = 1, i = 0;
       while (i < content.size())
         {
           Record      record{line, {}};
@@ -84,7 +85,11 @@ namespace squeal
           bool        inside     = false;
           bool        has_text   = false;
           const auto  finish     = [&]() {
-            record.cells.push_back(was_quoted ? cell : trimmed(cell));
+            record.cells.push_back(
+              was_quoted
+                ? cell
+                : dialect.number(trimmed(cell),
+                                 path + ":" + std::to_string(record.line)));
             cell.clear();
             was_quoted = false;
           };
@@ -104,7 +109,7 @@ namespace squeal
                   inside = was_quoted = true;
                   cell.clear();
                 }
-              else if (c == ',')
+              else if (c == dialect.separator())
                 finish();
               else if (c != '\r' && !was_quoted)
                 cell += c;
@@ -208,8 +213,9 @@ namespace squeal
   Table
   read_csv(const std::string &path, const std::vector<Table::Column> &required)
   {
-    const std::string content   = read_input_file(path);
-    const auto        is_binary = [](const char c) {
+    const std::string content =
+      without_byte_order_mark(read_input_file(path), path);
+    const auto is_binary = [](const char c) {
       return static_cast<unsigned char>(c) < 32 && !std::isspace(c);
     };
     const auto bad = std::find_if(content.begin(), content.end(), is_binary);
@@ -218,7 +224,11 @@ namespace squeal
            1 + std::count(content.begin(), bad, '\n'),
            "bytes that are no text: not a CSV file");
 
-    const std::vector<Record> records = split(path, content);
+    const std::size_t header =
+      std::min(content.find_first_not_of(" \r\n\t"), content.size());
+    CsvDialect dialect(
+      content.substr(header, content.find('\n', header) - header));
+    const std::vector<Record> records = split(path, content, dialect);
     if (records.empty())
       throw InputError("'" + path +
                        "' is empty: a CSV file with a header row "
@@ -232,7 +242,8 @@ namespace squeal
              std::to_string(record.cells.size()) +
                " cells where the header "
                "names " +
-               std::to_string(columns.size()));
+               std::to_string(columns.size()) +
+               dialect.hint(record.cells.size(), columns.size()));
 
     for (std::size_t c = 0; c < columns.size(); ++c)
       {

@@ -104,4 +104,31 @@ main()
   check(accepted("name\nnan\nother\n").text(0, "name") == "nan",
         "a mode may be called nan");
   std::filesystem::remove(path);
+
+  // what spreadsheets of other countries write
+  const std::string mark  = "\xEF\xBB\xBF";
+  const Table       comma = accepted("a,b,name\n1.5,-2e-3,x\n,4,\"y,z\"\n");
+  for (const std::string &other :
+       {mark + "a;b;name\r\n1,5;-2e-3;x\r\n;4;y,z\r\n",
+        std::string("\n\"a\";\"b\";\"name\"\n1.5;-0.002;x\n;4;\"y,z\"\n"),
+        mark + "a\tb\tname\n1,5\t-2e-3\tx\n\t4\ty,z\n"})
+    {
+      const Table table = accepted(other);
+      check(table.n_rows() == 2 && table.real(0, "a") == comma.real(0, "a") &&
+              table.real(0, "b") == comma.real(0, "b") &&
+              table.is_missing(1, "a") && table.text(1, "name") == "y,z",
+            "semicolons or tabs, decimal commas or points, a byte-order mark");
+    }
+  refused("a;b\n1,5;2.5\n",
+          path + ":2: '2.5': decimal commas and decimal points in one table",
+          "both decimal marks");
+  refused("a;b\n1.234,5;2\n",
+          path + ":2: '1.234,5': decimal commas and decimal points",
+          "points between thousands");
+  refused("a,b\n1,5,2,5\n",
+          "decimal commas, put semicolons between",
+          "decimal commas between commas");
+  refused("\xFF\xFE\x61",
+          "is UTF-16 text: save it as UTF-8",
+          "a spreadsheet's Unicode text");
 }

@@ -224,15 +224,19 @@ namespace
     made.image.convertTo(grey, CV_32F);
     const Segmentation    found = segment(grey);
     const ImageStatistics s     = measure(found, 1., 0.);
-    CellGrid              grid(cv::Size2d(grey.size()), 5, 4);
-    const Placement       placement{
+    // cells of whole pixels from a corner of the image on; the last ones reach
+    // beyond it
+    const cv::Size2d size(5. * std::ceil(grey.cols / 5.),
+                          4. * std::ceil(grey.rows / 4.));
+    CellGrid         grid(size, 5, 4);
+    const Placement  placement{
       cv::Matx33d(
-        1., 0., -0.5 * grey.cols, 0., 1., -0.5 * grey.rows, 0., 0., 1.),
+        1., 0., -0.5 * size.width, 0., 1., -0.5 * size.height, 0., 0., 1.),
       0.};
     grid.add(found, placement, 0.);
     Table table(grid.columns());
     grid.append_rows(table, "image");
-    const double cell   = 1e-12 * grey.total() / 20.; // m^2
+    const double cell   = 1e-12 * size.area() / 20.; // m^2
     double       length = 0., area = 0.;
     for (std::size_t i = 0; i < table.n_rows(); ++i)
       {
@@ -241,8 +245,25 @@ namespace
         length += l;
         area += l > 0. ? l * table.real(i, "crack_width_m") : 0.;
       }
+    Worst coverage;
+    for (const double part : table.reals("coverage"))
+      coverage.add(part);
+    check(coverage.largest() == 1. && coverage.smallest() > .9,
+          "cells within the image are covered, none more than that");
     check_close(1e3 * length, s.crack_length, 1e-5, "length of all cells");
     check_close(1e6 * area, s.crack_area, 1e-5, "area of all cells");
+    grid.add(found, placement, 0.);
+    Table twice(grid.columns());
+    grid.append_rows(twice, "image");
+    Worst again, change;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      {
+        again.add(twice.real(i, "coverage"));
+        change.add(std::abs(twice.real(i, "crack_density_per_m") -
+                            table.real(i, "crack_density_per_m")));
+      }
+    check(again.largest() == 1. && change.is_within(1e-6),
+          "an image that is seen twice covers a cell once");
     check(std::abs(s.crack_length - 1e-3 * made.crack_length) <
             2. * s.crack_length_error,
           "length within two deviations of the true one");

@@ -11,6 +11,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -219,6 +220,21 @@ namespace
     refuses([] { remove_link("complete", true); },
             "incomplete",
             "a run that was killed");
+    refuses(
+      [] {
+        const hid_t  file    = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+        const hid_t  a       = H5Aopen(file, "complete", H5P_DEFAULT);
+        const double not_yet = 0.;
+        check(H5Awrite(a, H5T_NATIVE_DOUBLE, &not_yet) >= 0,
+              "the test says that the run has not ended");
+        H5Aclose(a);
+        H5Fclose(file);
+      },
+      "incomplete",
+      "complete = 0");
+    refuses([] { poke("samples/status", 400, 3.); },
+            "the status 3 at 400 s",
+            "an unknown status");
     refuses([] { remove_link("samples/pressure", false); },
             "no dataset 'samples/pressure'",
             "a missing dataset");
@@ -372,6 +388,30 @@ namespace
            "samples.csv:2: the pressure is negative",
            "tension");
     refuse("5e5,2", "5e5,3", "samples.csv:2: the status", "an unknown status");
+    refuse("1e6,0,5e5,2",
+           "1,5e6,0,5e5,2",
+           "has 7 cells, the header 6; if its numbers have decimal commas",
+           "decimal commas between commas");
+    // as a spreadsheet writes it that has commas for decimals
+    const auto with_semicolons = [](std::string text) {
+      std::replace(text.begin(), text.end(), ',', ';');
+      std::replace(text.begin(), text.end(), '.', ',');
+      return "\xEF\xBB\xBF" + text;
+    };
+    write_text("nodes.csv", with_semicolons(node_table));
+    std::string other = with_semicolons(sample_table);
+    other.replace(other.find("1e6"), 3, "1000000,0");
+    write_text("samples.csv", other);
+    fs::remove("table.h5");
+    import_csv_history("nodes.csv", "samples.csv", "table.h5");
+    HistoryReader("table.h5").read(0, 2, s);
+    check(s.pressure == std::vector<double>({1e6, 0., 2e6, 0.}),
+          "semicolons, decimal commas and a byte-order mark");
+    write_text("samples.csv", other.replace(other.find("5e5"), 3, "5.0e5"));
+    check_throws<InputError>(
+      [] { import_csv_history("nodes.csv", "samples.csv", "refused.h5"); },
+      "samples.csv:2: '5.0e5': decimal commas and decimal points",
+      "both decimal marks");
     write_text("samples.csv", sample_table);
     write_text("nodes.csv", "node,x_m,y_m,area_m2\n0,0,0,0\n");
     check_throws<InputError>(

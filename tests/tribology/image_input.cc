@@ -188,6 +188,27 @@ namespace
         check(n_files == 0, "nothing is left half written");
       }
   }
+
+  /** Images that a wildcard does not reach are named. */
+  void
+  check_missed_images()
+  {
+    fs::create_directories("slides");
+    for (const char *name : {"a.tif", "b.TIF", "c.png", "notes.txt"})
+      write(std::string("slides/") + name, "");
+    const auto missed = [](const std::vector<std::string> &names) {
+      return missed_images(names, expand_wildcards(names));
+    };
+    const std::vector<std::string> lines = missed({"slides/*.tif"});
+    check(lines.size() == 1 &&
+            lines[0].find("miss 2 images of 'slides': b.TIF, c.png") !=
+              std::string::npos,
+          "what *.tif misses: " + (lines.empty() ? "nothing" : lines[0]));
+    check(missed({"slides/*.tif", "slides/*.TIF", "slides/c.png"}).empty() &&
+            missed({"slides/[ab].*"}).size() == 1 &&
+            missed({"slides/a.tif"}).empty(),
+          "nothing is missed where all are named or no wildcard is");
+  }
 } // namespace
 
 
@@ -196,6 +217,7 @@ int
 main(int argc, char **argv)
 {
   check_metadata();
+  check_missed_images();
   if (argc > 1)
     check_refusals(argv[1]);
   return 0;

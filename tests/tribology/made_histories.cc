@@ -159,6 +159,44 @@ namespace
                              "an empty window");
   }
 
+  /** A contact that pulls is counted, and said. */
+  void
+  tension()
+  {
+    HistoryLayout layout;
+    layout.points        = {{{0., 0., 0.}}, {{1e-3, 0., 0.}}};
+    layout.areas         = {1e-6, 1e-6};
+    layout.has_slip_rate = layout.has_gap = layout.has_status = false;
+    layout.has_resultants                                     = false;
+    FatigueParameters f;
+    f.spectral = false;
+    for (const double lowest : {-2e5, -1e-5, 0.})
+      {
+        HistorySamples s;
+        for (unsigned int t = 0; t < 8; ++t)
+          {
+            s.time.push_back(t);
+            s.pressure.insert(s.pressure.end(),
+                              {1e6 * (t % 2), t == 5 ? lowest : 1e6});
+          }
+        s.traction.assign(2 * s.pressure.size(), 0.);
+        HistoryWriter writer("tension.h5", layout);
+        writer.append(s);
+        writer.finish();
+        const HistoryReader            reader("tension.h5");
+        const std::vector<std::string> notes =
+          count_history(reader, {}, f, {}, ContactGrid(reader.layout())).notes;
+        check(lowest < -1.
+                ? notes.size() == 1 &&
+                    notes[0].find("negative in 1 values, down to ") !=
+                      std::string::npos &&
+                    notes[0].find("at node 1") != std::string::npos
+                : notes.empty(),
+              "pressure down to " + std::to_string(lowest) +
+                " Pa: " + (notes.empty() ? "no word" : notes[0]));
+      }
+  }
+
   /** A flat punch: its pressure is singular at the edges. */
   void
   edges()
@@ -231,5 +269,6 @@ main()
 {
   closed_forms();
   generator();
+  tension();
   edges();
 }

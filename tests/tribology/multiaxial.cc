@@ -271,6 +271,100 @@ namespace
             "a stress that is not finite is refused");
         }
   }
+
+  /** Findley's value in one plane, from its definition. */
+  double
+  findley_in_plane(const StressHistory &history,
+                   const double         inclination,
+                   const double         azimuth)
+  {
+    const double ct = std::cos(inclination), st = std::sin(inclination),
+                 cp = std::cos(azimuth), sp = std::sin(azimuth);
+    const Eigen::Vector3d n(st * cp, st * sp, ct), a(ct * cp, ct * sp, -st),
+      b(-sp, cp, 0.);
+    std::vector<double> x, y;
+    double              normal = -1e300;
+    for (const Stress &s : history)
+      {
+        Eigen::Matrix3d t;
+        t << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+        const Eigen::Vector3d traction = t * n;
+        if (!(traction.dot(n) <= normal))
+          normal = traction.dot(n);
+        x.push_back(traction.dot(a));
+        y.push_back(traction.dot(b));
+      }
+    return smallest_enclosing_circle(x, y) + steel().findley_k() * normal;
+  }
+
+  /** No plane is worse than the one that is found: paths of all six stresses
+   * with up to three harmonics have many maxima of similar height. */
+  void
+  no_plane_is_worse()
+  {
+    std::mt19937_64                        generator(2);
+    std::uniform_real_distribution<double> number(-100., 100.);
+    Worst                                  lowest;
+    for (unsigned int k = 0; k < 8; ++k)
+      {
+        double waves[6][7];
+        for (auto &component : waves)
+          for (double &v : component)
+            v = number(generator);
+        const StressHistory history = period([&](const double t) {
+          Stress s;
+          for (unsigned int c = 0; c < 6; ++c)
+            {
+              s[c] = waves[c][6];
+              for (unsigned int h = 0; h < 3; ++h)
+                s[c] += (waves[c][2 * h] * std::cos((h + 1) * t) +
+                         waves[c][2 * h + 1] * std::sin((h + 1) * t)) /
+                        (h + 1.);
+            }
+          return s;
+        });
+        Worst               of_grid;
+        const double        step = M_PI / 180.;
+        for (double t = 0.; t < M_PI / 2.; t += step)
+          for (double p = 0.; p < 2. * M_PI;
+               p += step / std::max(.02, std::sin(t)))
+            of_grid.add(findley_in_plane(history, t, p));
+        const CriterionValue found = evaluate(C::findley, history);
+        lowest.add(found.value / of_grid.largest(),
+                   "path " + std::to_string(k));
+        // what is said to be reached is reached in that plane
+        const auto &n = found.normal;
+        check_close(
+          findley_in_plane(history, std::acos(n[2]), std::atan2(n[1], n[0])),
+          found.value,
+          1e-9,
+          "Findley's value is that of its plane");
+      }
+    check_above(lowest, 1., "no plane of a grid of 1 degree is worse");
+  }
+
+  /** A grid of planes four times finer finds nothing better: where two maxima
+   * of similar height compete the coarse grid alone cannot tell which is the
+   * higher one. */
+  void
+  grid_does_not_matter()
+  {
+    std::mt19937_64                  generator(5);
+    std::normal_distribution<double> normal(0., 100.);
+    Worst                            lowest;
+    for (unsigned int k = 0; k < 400; ++k)
+      {
+        StressHistory history(10);
+        for (Stress &s : history)
+          for (double &component : s)
+            component = normal(generator);
+        lowest.add(
+          evaluate_criterion(C::findley, history, steel(), 5.).value /
+            evaluate_criterion(C::findley, history, steel(), 1.25).value,
+          "path " + std::to_string(k));
+      }
+    check_above(lowest, 1. - 1e-9, "planes 5 degrees apart do, of 400 paths");
+  }
 } // namespace
 
 
@@ -284,4 +378,6 @@ main()
   combined_loads();
   turned_frames();
   balls();
+  no_plane_is_worse();
+  grid_does_not_matter();
 }

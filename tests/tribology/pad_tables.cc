@@ -115,11 +115,83 @@ namespace
   rows_of_a_cell()
   {
     write_damage(0., 0.);
-    // value 1 with coverage 1, then 5 with coverage 3, in the first cell
-    write_features(0., 0., "-0.0038,-0.0036,3,5\n0.004,0.004,0,1e9\n");
+    // value 1 with coverage 1, then 5 with coverage 0.25, in the first cell
+    write_features(0., 0., "-0.0038,-0.0036,0.25,5\n0.004,0.004,0,1e9\n");
     const auto values = read().features.at("feature").values;
-    check_close(values.front(), 4., 1e-12, "rows count with their coverage");
+    check_close(values.front(), 1.8, 1e-12, "rows count with their coverage");
     check(values.back() == value(n - 1, n - 1), "not at all without coverage");
+    for (const std::string wrong : {"3", "-0.1", "1.02"})
+      {
+        write_features(0., 0., "0.004,0.004," + wrong + ",5\n");
+        check_throws<InputError>([] { read(); },
+                                 "features.csv:27: coverage is " + wrong,
+                                 "no part of a cell: " + wrong);
+      }
+    // pixels of a border
+    write_features(0., 0., "0.004,0.004,1.004,5\n");
+    check_close(read().features.at("feature").values.back(),
+                .5 * (value(n - 1, n - 1) + 5.),
+                1e-12,
+                "a little more than a cell is a cell");
+  }
+
+
+
+  /** Tables with measured maps beside an index and a feature. */
+  void
+  write_measured()
+  {
+    std::ofstream damage("damage.csv"), features("features.csv");
+    damage << "node,x_m,y_m,area_m2,damage_m3_per_s,mean_pressure_pa\n";
+    features << "x_m,y_m,crack_density_per_m,plateau_fraction\n";
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          damage << i + n * j << "," << place(i) << "," << place(j) << ",4e-6,"
+                 << (7 * i + 3 * j) % 5 << "," << i * j << "\n";
+          features << place(i) << "," << place(j) << "," << (3 * i + j) % 4
+                   << "," << (i * i + j) % 2 << "\n";
+        }
+  }
+
+
+
+  /** Measured maps of either table are shared causes and no longer indices or
+   * features; few cells beside many causes are warned of. */
+  void
+  covariates()
+  {
+    write_measured();
+    CorrelationParameters p;
+    p.damage_tables     = {"damage.csv"};
+    p.feature_tables    = {"features.csv"};
+    const PadMaps plain = std::move(read_pads(p)[0]);
+    p.covariates        = {"plateau_fraction", "mean_pressure_pa"};
+    const PadMaps pad   = std::move(read_pads(p)[0]);
+    check(plain.features.size() == 2 && pad.features.size() == 1 &&
+            pad.features.count("crack_density_per_m") == 1,
+          "a covariate is no feature");
+    check(pad.causes.values.cols() == plain.causes.values.cols() + 4 &&
+            pad.causes.names.back() == "mean_pressure_pa",
+          "but a cause, with its square");
+    p.covariates = {"hardness"};
+    check_throws<InputError>(
+      [&p] { read_pads(p); },
+      "neither 'damage.csv' nor 'features.csv' has a column 'hardness'",
+      "a covariate that is in neither table");
+    p.covariates.clear();
+    const std::vector<std::string> lines =
+      warnings_of_few_cells(link_pads(read_pads(p), p));
+    check(lines.size() == 2 &&
+            lines[0].find("'crack_density_per_m': 25 cells are known, ") !=
+              std::string::npos,
+          "few cells are warned of: " + (lines.empty() ? "" : lines[0]));
+    p.shared_causes = {};
+    const std::vector<std::string> none =
+      warnings_of_few_cells(link_pads(read_pads(p), p));
+    check(none.empty(),
+          "25 cells without causes are enough" +
+            (none.empty() ? "" : ": " + none[0]));
   }
 
 
@@ -158,6 +230,7 @@ main()
 {
   shifts();
   rows_of_a_cell();
+  covariates();
   nowhere();
   names();
 }

@@ -137,7 +137,9 @@ namespace squeal
   };
 
   /**
-   * Reads a CSV with a header row (comma, optional quotes, \n or \r\n). The
+   * Reads a CSV with a header row (separated by commas, or by semicolons or
+   * tabs with decimal points or commas; optional quotes, \n or \r\n, with or
+   * without a byte-order mark). The
    * type of a column is the narrowest that fits all of its cells, unless it is
    * named in @p required. Throws InputError "file:line: ..." for a required
    * column that is missing or holds something else, NaN, a row of another

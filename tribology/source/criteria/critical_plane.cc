@@ -109,6 +109,95 @@ namespace squeal::tribology
       const PlaneCriterion &criterion;
       std::vector<double>   x, y;
     };
+
+
+
+    /** A plane and the criterion in it. */
+    struct Candidate
+    {
+      double value, inclination, azimuth;
+
+      /** Cosine of the angle between the two planes. */
+      double
+      likeness(const Candidate &other) const
+      {
+        const Vector a = direction(inclination, azimuth),
+                     b = direction(other.inclination, other.azimuth);
+        return std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+      }
+    };
+
+
+
+    /** Planes @p step apart over the half sphere that are within @p margin of
+     * the best one, the best first. */
+    std::vector<Candidate>
+    good_planes(Planes &planes, const double step, const double margin)
+    {
+      const unsigned int n =
+        static_cast<unsigned int>(std::ceil(M_PI / 2. / step));
+      double                 best = -1e300;
+      std::vector<Candidate> found;
+      const auto             limit = [&best, margin]() {
+        return best - margin * std::abs(best);
+      };
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double       t = M_PI / 2. * i / n;
+          const unsigned int m =
+            std::max(1., std::ceil(2. * M_PI * std::sin(t) / step));
+          for (unsigned int j = 0; j < m; ++j)
+            {
+              const double p = 2. * M_PI * j / m;
+              const double v =
+                planes.value(t, p, found.empty() ? best : limit());
+              best = std::max(best, v);
+              if (found.empty() || v > limit())
+                found.push_back({v, t, p});
+            }
+        }
+      found.erase(
+        std::remove_if(found.begin(),
+                       found.end(),
+                       [&](const Candidate &c) { return c.value < limit(); }),
+        found.end());
+      std::sort(
+        found.begin(), found.end(), [](const Candidate &a, const Candidate &b) {
+          return a.value > b.value;
+        });
+      return found;
+    }
+
+
+
+    /** Compass search in sixteen directions, steps of equal length on the
+     * sphere, down to 1e-7 rad: a ridge, where another sample becomes the
+     * largest, may lead in any of them. */
+    Candidate
+    polished(Planes &planes, Candidate plane, const double step)
+    {
+      for (double h = step; h > 1e-7; h *= .5)
+        for (bool moved = true; moved;)
+          {
+            moved = false;
+            const double across =
+              h / std::max(std::sin(plane.inclination), 1e-3);
+            const Candidate from = plane;
+            for (unsigned int k = 0; k < 16; ++k)
+              {
+                const double t = from.inclination + h * std::cos(M_PI * k / 8.);
+                const double p =
+                  from.azimuth + across * std::sin(M_PI * k / 8.);
+                const double v = planes.value(t, p, plane.value);
+                if (v > plane.value)
+                  {
+                    plane = {v, t, p};
+                    moved = true;
+                  }
+              }
+          }
+      return plane;
+    }
   } // namespace
 
 
@@ -119,51 +208,29 @@ namespace squeal::tribology
                 const PlaneCriterion &criterion,
                 const double          step_in_degrees)
   {
-    Planes             planes(history, limits, criterion);
-    const double       step = step_in_degrees * M_PI / 180.;
-    const unsigned int n =
-      static_cast<unsigned int>(std::ceil(M_PI / 2. / step));
-    double best = -1e300, inclination = 0., azimuth = 0.;
-    for (unsigned int i = 0; i <= n; ++i)
+    constexpr std::size_t n_polished = 16;
+    Planes                planes(history, limits, criterion);
+    const double          step = step_in_degrees * M_PI / 180.;
+    // The nearest plane of the grid is up to 0.7 steps away from a maximum;
+    // with the curvature of stresses, a few, it is lower by that part.
+    const double           margin = std::min(.7, 3. * step * step);
+    std::vector<Candidate> starts;
+    for (const Candidate &plane : good_planes(planes, step, margin))
+      if (starts.size() < n_polished &&
+          std::none_of(starts.begin(), starts.end(), [&](const Candidate &c) {
+            return plane.likeness(c) > std::cos(1.6 * step);
+          }))
+        starts.push_back(plane);
+    Candidate best = starts.at(0);
+    for (const Candidate &start : starts)
       {
-        const double       t = M_PI / 2. * i / n;
-        const unsigned int m =
-          std::max(1., std::ceil(2. * M_PI * std::sin(t) / step));
-        for (unsigned int j = 0; j < m; ++j)
-          {
-            const double p = 2. * M_PI * j / m;
-            const double v = planes.value(t, p, best);
-            if (v > best)
-              {
-                best        = v;
-                inclination = t;
-                azimuth     = p;
-              }
-          }
+        const Candidate plane = polished(planes, start, .5 * step);
+        if (plane.value > best.value)
+          best = plane;
       }
-    for (double h = step; h > 1e-7; h *= .5)
-      for (bool moved = true; moved;)
-        {
-          moved = false;
-          // steps of equal length on the sphere
-          const double across = h / std::max(std::sin(inclination), 1e-3);
-          for (const auto &[dt, dp] :
-               {std::pair{h, 0.}, {-h, 0.}, {0., across}, {0., -across}})
-            {
-              const double v =
-                planes.value(inclination + dt, azimuth + dp, best);
-              if (v > best)
-                {
-                  best = v;
-                  inclination += dt;
-                  azimuth += dp;
-                  moved = true;
-                }
-            }
-        }
     CriterionValue result;
-    result.value  = best;
-    result.normal = direction(inclination, azimuth);
+    result.value  = best.value;
+    result.normal = direction(best.inclination, best.azimuth);
     if (result.normal[2] < 0.)
       for (double &component : result.normal)
         component = -component;

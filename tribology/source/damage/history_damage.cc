@@ -77,6 +77,43 @@ namespace squeal::tribology
 
 
 
+    /** Tension that a history holds: a contact cannot pull. */
+    struct Tension
+    {
+      std::size_t n_values = 0, node = 0;
+      double      lowest = 0., highest = 0.; /**< pressure, Pa */
+
+      void
+      add(const HistorySamples &s, const std::size_t n_nodes)
+      {
+        for (std::size_t i = 0; i < s.pressure.size(); ++i)
+          {
+            n_values += s.pressure[i] < 0.;
+            highest = std::max(highest, s.pressure[i]);
+            if (s.pressure[i] < lowest)
+              {
+                lowest = s.pressure[i];
+                node   = i % n_nodes;
+              }
+          }
+      }
+
+      /** A line for a run; "" where rounding says it all. */
+      std::string
+      note() const
+      {
+        if (!(lowest < -1e-9 * highest))
+          return "";
+        return "the pressure is negative in " + std::to_string(n_values) +
+               " values, down to " + rounded_text(lowest, 3) + " Pa at node " +
+               std::to_string(node) +
+               ": compression is positive and a contact cannot pull; they are "
+               "counted as they stand";
+      }
+    };
+
+
+
     void
     require_finite(const HistoryDamage &result)
     {
@@ -170,11 +207,13 @@ namespace squeal::tribology
         "no spectral estimate: it needs evenly spaced times and at least " +
         std::to_string(n_window) + " samples");
 
-    double first = 0., last = 0.;
+    Tension tension;
+    double  first = 0., last = 0.;
     for_each_chunk(reader, window, history.chunk, [&](const HistorySamples &s) {
       if (result.samples == 0)
         first = s.time[0];
       last = s.time.back();
+      tension.add(s, n);
       result.samples += s.n_samples();
       const RowMajor stress = stresses(s, n, fatigue);
       for (std::size_t k = 0; k < n; ++k)
@@ -197,6 +236,8 @@ namespace squeal::tribology
         progress(s.n_samples());
     });
     result.duration = last - first;
+    if (const std::string note = tension.note(); !note.empty())
+      result.notes.push_back(note);
 
     result.nodes.resize(n);
     for (std::size_t k = 0; k < n; ++k)

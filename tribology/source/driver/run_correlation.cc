@@ -6,6 +6,7 @@
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/damage/map_picture.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/correlation_tables.h>
 #include <squeal/tribology/driver/study_report.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
@@ -23,142 +24,6 @@ namespace squeal::tribology
   {
     using Json = nlohmann::ordered_json;
 
-    Json
-    number(const double value)
-    {
-      return std::isfinite(value) ? Json(value) : Json(nullptr);
-    }
-
-
-
-    Table::Column
-    real(const std::string &name, const std::string &description)
-    {
-      return {name, Table::Type::real, "", description, 3};
-    }
-
-
-
-    Table
-    link_table(const std::vector<PadLink> &links, const bool is_synthetic)
-    {
-      Table table(
-        {{"pad", Table::Type::integer, "", "pad, from 1"},
-         {"index", Table::Type::text, "", "column of the damage table"},
-         {"feature", Table::Type::text, "", "column of the features"},
-         {"verdict", Table::Type::text, "", "what follows"},
-         {"cells", Table::Type::integer, "", "cells with both"},
-         real("pearson", "correlation"),
-         real("spearman", "correlation of the ranks"),
-         real("roc_auc",
-              "index finds cells with the feature; 0.5 is "
-              "chance"),
-         real("top_decile_overlap", "0.1 is chance"),
-         real("effective_cells", "independent cells (Dutilleul)"),
-         real("p_effective", "p-value with these"),
-         real("p_surrogate", "p-value among phase-randomised maps"),
-         real("p_adjusted", "larger of the two, Holm over all rows"),
-         real("r_lower", "interval with the effective cells"),
-         real("r_upper", "interval with the effective cells"),
-         real("bootstrap_lower", "interval from 3 x 3 blocks"),
-         real("bootstrap_upper", "interval from 3 x 3 blocks"),
-         real("power", "of finding the relevant link")});
-      for (const PadLink &l : links)
-        table.add_row({l.pad + 1,
-                       l.index,
-                       l.feature,
-                       verdict_text(l.test.verdict, is_synthetic),
-                       l.test.n_cells,
-                       or_missing(l.test.r),
-                       or_missing(l.test.rho),
-                       or_missing(l.test.auc),
-                       or_missing(l.test.overlap),
-                       l.test.n_effective,
-                       l.test.p_effective,
-                       l.test.p_surrogate,
-                       l.test.p_adjusted,
-                       l.test.interval[0],
-                       l.test.interval[1],
-                       l.test.bootstrap[0],
-                       l.test.bootstrap[1],
-                       l.test.power});
-      return table;
-    }
-
-
-
-    Json
-    json_of(const std::vector<PadLink> &links, const bool is_synthetic)
-    {
-      Json list = Json::array();
-      for (const PadLink &l : links)
-        list.push_back(
-          {{"pad", l.pad + 1},
-           {"index", l.index},
-           {"feature", l.feature},
-           {"cells", l.test.n_cells},
-           {"pearson", number(l.test.r)},
-           {"spearman", number(l.test.rho)},
-           {"roc_auc", number(l.test.auc)},
-           {"top_decile_overlap", number(l.test.overlap)},
-           {"effective_cells", number(l.test.n_effective)},
-           {"p_effective", number(l.test.p_effective)},
-           {"p_surrogate", number(l.test.p_surrogate)},
-           {"p_adjusted", number(l.test.p_adjusted)},
-           {"interval", {l.test.interval[0], l.test.interval[1]}},
-           {"bootstrap_interval", {l.test.bootstrap[0], l.test.bootstrap[1]}},
-           {"power", number(l.test.power)},
-           {"verdict", verdict_text(l.test.verdict, is_synthetic)}});
-      return list;
-    }
-
-
-
-    Table
-    self_test_table(Context &context)
-    {
-      const CorrelationParameters &p = context.parameters.correlation;
-      Timers::Section              section(context.timers, "Test: the tester");
-      const std::vector<double>    links = {.2, .4, .6, .8};
-      Progress                     progress(
-        context.log, "self test", p.test_lengths.size() * (1 + links.size()));
-      Table table(
-        {{"length_nodes", Table::Type::real, "", "correlation length", 3},
-         {"link", Table::Type::real, "", "true correlation; 0: none", 3},
-         {"pairs", Table::Type::integer, "", "pairs of maps"},
-         real("rate_plain", "found by the plain test, dishonest"),
-         real("rate_effective", "found with the effective cells"),
-         real("rate_surrogate", "found among surrogates"),
-         real("rate_both", "found by both, as verdicts ask"),
-         real("both_lower", "its 95 % interval"),
-         real("both_upper", "its 95 % interval")});
-      const auto add =
-        [&](const double length, const double link, const unsigned int n) {
-          const SelfTestRow row = self_test(length, link, n, 199, p);
-          const double      m   = n;
-          const auto [a, b]     = rate_interval(row.n_both, n);
-          table.add_row({length,
-                         link,
-                         n,
-                         row.n_plain / m,
-                         row.n_effective / m,
-                         row.n_surrogate / m,
-                         row.n_both / m,
-                         a,
-                         b});
-          progress.advance();
-        };
-      for (const double length : p.test_lengths)
-        {
-          add(length, 0., p.n_test_pairs);
-          for (const double link : links)
-            add(length, link, std::max(100u, p.n_test_pairs / 5));
-        }
-      return table;
-    }
-
-
-
     void
     draw(Context &context, const Drawing &drawing, const std::string &name)
     {
@@ -172,7 +37,8 @@ namespace squeal::tribology
     draw_power(Context &context, const Table &test)
     {
       Chart chart;
-      chart.title    = "How often a link is found, by its strength";
+      chart.title = "How often a link is found, shared: " +
+                    (test.n_rows() > 0 ? test.text(0, "shared") : "");
       chart.x.label  = "true correlation";
       chart.y.label  = "rate";
       chart.y.lower  = 0.;
@@ -185,10 +51,11 @@ namespace squeal::tribology
           series.style = ChartSeries::Style::lines_points;
           series.ink   = static_cast<Ink>(n++ % 8);
           for (std::size_t i = 0; i < test.n_rows(); ++i)
-            if (test.real(i, "length_nodes") == length)
+            if (test.real(i, "length_nodes") == length &&
+                test.text(i, "shared") == test.text(0, "shared"))
               {
                 series.x.push_back(test.real(i, "link"));
-                series.y.push_back(test.real(i, "rate_both"));
+                series.y.push_back(test.real(i, "rate_conditional"));
               }
           chart.series.push_back(series);
         }
@@ -208,8 +75,7 @@ namespace squeal::tribology
     {
       const auto best = std::min_element(
         links.begin(), links.end(), [](const PadLink &a, const PadLink &b) {
-          return std::max(a.test.p_effective, a.test.p_surrogate) <
-                 std::max(b.test.p_effective, b.test.p_surrogate);
+          return a.test.conditional.p < b.test.conditional.p;
         });
       const PadMaps &pad     = pads[best->pad];
       const GridMap &index   = pad.indices.at(best->index);
@@ -217,8 +83,8 @@ namespace squeal::tribology
       Chart          chart;
       chart.title = "Pad " + std::to_string(best->pad + 1) +
                     ": r = " + rounded_text(best->test.r, 2) + ", " +
-                    rounded_text(best->test.n_effective, 2) +
-                    " independent cells";
+                    rounded_text(best->test.conditional.r, 2) +
+                    " with shared causes taken out";
       chart.x.label = QuantityText(best->index).with_unit();
       chart.y.label = QuantityText(best->feature).with_unit();
       ChartSeries series;
@@ -285,7 +151,9 @@ namespace squeal::tribology
           link.feature = QuantityText(link.feature).name;
         }
       report.table(link_table(links, p.is_synthetic),
-                   "All links (correlation.csv)");
+                   "All links (correlation.csv has more columns)",
+                   columns_of_report());
+      report.list(shared_cause_sentences(links, p));
       report.figure(
         plots + "scatter.png", "The link with the smallest p-value.", true);
       report.figure(plots + "maps.png", "Its two maps.");
@@ -301,20 +169,24 @@ namespace squeal::tribology
           verdict_text(g.verdict, p.is_synthetic) + ". " + g.reason);
       report.section("How sure");
       report.list(
-        {"Neighbouring cells are alike and count less than one each: the "
-         "column "
-         "effective_cells says how many independent ones remain.",
+        {"The verdict rests on what is left of both maps once shared causes "
+         "are taken out; verdict_without is what would follow otherwise.",
+         "Neighbouring cells are alike and count less than one each: "
+         "effective_cells says how many independent ones the pair of maps has, "
+         "conditional_cells how many once causes are taken out.",
          "A link is supported (or, with a negative sign, contradicted) only if "
-         "both p-values, adjusted by Holm for the number of rows, are at "
-         "most " +
+         "the p-value of the partial correlation, adjusted by Holm for the "
+         "number of rows, is at most " +
            rounded_text(p.level, 3) + ".",
-         "It is contradicted too if a correlation of " +
+         "It is contradicted too if a partial correlation of " +
            rounded_text(p.relevant_link, 3) +
-           " would have been found with a "
-           "probability of " +
+           " would have been found with a probability of " +
            rounded_text(p.wanted_power, 3) +
-           " and the interval of r excludes it.",
-         "Anything else is undecided. One pad for a group is one sample."});
+           " at the level that the verdict uses, and its interval at that "
+           "level excludes it.",
+         "Anything else is undecided. One pad for a group is one sample.",
+         "A cause that both maps share and nobody measured cannot be taken "
+         "out: name maps of it in 'Covariates'."});
     }
   } // namespace
 
@@ -343,17 +215,12 @@ namespace squeal::tribology
                  {"relevant_link", p.relevant_link},
                  {"wanted_power", p.wanted_power},
                  {"links", json_of(links, p.is_synthetic)},
-                 {"groups", Json::array()}};
-    for (const GroupResult &g : groups)
-      json["groups"].push_back(
-        {{"feature", g.feature},
-         {"silent_pads", g.n_silent},
-         {"squealing_pads", g.n_squealing},
-         {"mean_silent", number(g.mean_silent)},
-         {"mean_squealing", number(g.mean_squealing)},
-         {"p", number(g.p_value)},
-         {"verdict", verdict_text(g.verdict, p.is_synthetic)},
-         {"reason", g.reason}});
+                 {"shared_causes", Json::array()},
+                 {"groups", json_of(groups, p.is_synthetic)}};
+    if (!pads.empty())
+      json["shared_causes"] = pads[0].causes.names;
+    for (const std::string &line : warnings_of_few_cells(links))
+      context.log.warning(line);
     context.write_table("correlation.csv", link_table(links, p.is_synthetic));
     HtmlReport report("Correlation" + (context.parameters.name.empty()
                                          ? ""
@@ -392,7 +259,9 @@ namespace squeal::tribology
           {
             Json row;
             for (const Table::Column &column : test.columns())
-              row[column.name] = test.real(i, column.name);
+              row[column.name] = column.type == Table::Type::text
+                                   ? Json(test.text(i, column.name))
+                                   : Json(test.real(i, column.name));
             rows.push_back(row);
           }
         json["self_test"] = rows;
@@ -400,8 +269,8 @@ namespace squeal::tribology
           draw_power(context, test);
         report.section("Test of the tester");
         report.paragraph(
-          "Pairs of random maps of 11 x 11 cells: with a link of "
-          "0 every find is a false positive.");
+          "Pairs of random maps of 11 x 11 cells, to which a pattern is added "
+          "that both share: with a link of 0 every find is a false positive.");
         report.table(test, "Rates (self_test.csv)");
         report.figure(context.output.path() + "/plots/power.png",
                       "Power against the strength of the link.");

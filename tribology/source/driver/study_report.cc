@@ -56,9 +56,13 @@ namespace squeal::tribology
     {
       if (!std::isfinite(test.r))
         return "one of the maps is the same everywhere";
-      return "r = " + rounded_text(test.r, 2) + ", between " +
-             rounded_text(test.interval[0], 2) + " and " +
-             rounded_text(test.interval[1], 2);
+      const std::string plain = "r = " + rounded_text(test.r, 2);
+      if (!test.conditional.is_known)
+        return plain + "; too few cells to take shared causes out";
+      return plain + ", with shared causes taken out " +
+             rounded_text(test.conditional.r, 2) + ", between " +
+             rounded_text(test.conditional_interval[0], 2) + " and " +
+             rounded_text(test.conditional_interval[1], 2);
     }
 
 
@@ -239,6 +243,43 @@ namespace squeal::tribology
       sentences.push_back(
         "Squealing against silent pads, " + QuantityText(g.feature).name +
         ": " + verdict_text(g.verdict, p.is_synthetic) + ". " + g.reason);
+    return sentences;
+  }
+
+
+
+  std::vector<std::string>
+  shared_cause_sentences(const std::vector<PadLink>  &links,
+                         const CorrelationParameters &p)
+  {
+    // the index with the largest correlation stands for all of a feature
+    std::map<std::pair<std::size_t, std::string>, const PadLink *> best;
+    for (const PadLink &l : links)
+      if (std::isfinite(l.test.r))
+        {
+          const PadLink *&other = best[{l.pad, l.feature}];
+          if (other == nullptr || std::abs(l.test.r) > std::abs(other->test.r))
+            other = &l;
+        }
+    std::vector<std::string> sentences;
+    for (const auto &[key, link] : best)
+      {
+        const LinkTest &t = link->test;
+        sentences.push_back(
+          "Pad " + std::to_string(link->pad + 1) + ", " +
+          QuantityText(link->feature).name +
+          ": any map that concentrates at the leading edge would reach r = " +
+          rounded_text(t.reference.leading_edge, 2) +
+          ", any that concentrates at the rim r = " +
+          rounded_text(t.reference.rim, 2) + "; the best index, " +
+          QuantityText(link->index).name + ", reaches " + rounded_text(t.r, 2) +
+          (t.conditional.is_known
+             ? ", and " + rounded_text(t.conditional.r, 2) +
+                 " once shared causes are taken out"
+             : "") +
+          ": " + verdict_text(t.verdict, p.is_synthetic) + " (without: " +
+          verdict_text(t.verdict_without, p.is_synthetic) + ").");
+      }
     return sentences;
   }
 } // namespace squeal::tribology

@@ -4,6 +4,7 @@
 #include <squeal/parameters/names.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
+#include <squeal/results/csv_dialect.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/history/csv_import.h>
 
@@ -29,7 +30,9 @@ namespace squeal::tribology
         if (!std::getline(in, line))
           throw InputError("'" + path + "' is empty");
         trim(line);
-        names = prm::split(line, ',');
+        line    = without_byte_order_mark(line, path);
+        dialect = CsvDialect(line);
+        names   = prm::split(line, dialect.separator());
       }
 
       /** Position of a column, or -1 where it may be absent. */
@@ -58,14 +61,17 @@ namespace squeal::tribology
             trim(line);
           }
         while (line.empty());
-        const std::vector<std::string> cells = prm::split(line, ',');
+        const std::vector<std::string> cells =
+          prm::split(line, dialect.separator());
         if (cells.size() != names.size())
           refuse("has " + std::to_string(cells.size()) + " cells, the header " +
-                 std::to_string(names.size()));
+                 std::to_string(names.size()) +
+                 dialect.hint(cells.size(), names.size()));
         values.clear();
         for (std::size_t i = 0; i < cells.size(); ++i)
           {
-            const std::optional<double> value = prm::parse_number(cells[i]);
+            const std::optional<double> value = prm::parse_number(
+              dialect.number(cells[i], path + ":" + std::to_string(number)));
             if (!value)
               refuse("column '" + names[i] + "': " + prm::in_quotes(cells[i]) +
                      " is not a number");
@@ -90,6 +96,7 @@ namespace squeal::tribology
 
       std::string              path;
       std::ifstream            in;
+      CsvDialect               dialect;
       std::vector<std::string> names;
       unsigned long            number = 1;
     };

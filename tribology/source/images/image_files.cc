@@ -7,10 +7,13 @@
 
 #include <glob.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <ostream>
+#include <set>
 
 namespace squeal::tribology
 {
@@ -38,6 +41,40 @@ namespace squeal::tribology
             c = c & 1U ? 0xedb88320U ^ (c >> 1) : c >> 1;
         }
       return ~c;
+    }
+
+
+
+    bool
+    is_image_name(const std::filesystem::path &path)
+    {
+      std::string ending = path.extension().string();
+      std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      });
+      for (const char *known :
+           {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".bmp"})
+        if (ending == known)
+          return true;
+      return false;
+    }
+
+
+
+    /** The first five of some names and how many more there are. */
+    std::string
+    first_of(const std::set<std::string> &names)
+    {
+      constexpr std::size_t n_shown = 5;
+      std::string           list;
+      std::size_t           n = 0;
+      for (const std::string &name : names)
+        if (++n <= n_shown)
+          list += (n == 1 ? "" : ", ") + name;
+      return names.size() <= n_shown
+               ? list
+               : list + " and " + std::to_string(names.size() - n_shown) +
+                   " more";
     }
   } // namespace
 
@@ -77,6 +114,41 @@ namespace squeal::tribology
           }
       }
     return files;
+  }
+
+
+
+  std::vector<std::string>
+  missed_images(const std::vector<std::string> &names,
+                const std::vector<std::string> &files)
+  {
+    namespace fs = std::filesystem;
+    std::set<fs::path>                        taken;
+    std::map<fs::path, std::set<std::string>> missed;
+    for (const std::string &file : files)
+      taken.insert(fs::absolute(file).lexically_normal());
+    for (const std::string &name : names)
+      {
+        const fs::path    path(name);
+        const std::string folder = path.parent_path().string();
+        if (path.filename().string().find_first_of("*?[") ==
+              std::string::npos ||
+            folder.find_first_of("*?[") != std::string::npos)
+          continue;
+        std::error_code none;
+        for (const auto &entry : fs::directory_iterator(
+               folder.empty() ? fs::path(".") : fs::path(folder), none))
+          if (entry.is_regular_file(none) && is_image_name(entry.path()) &&
+              taken.count(fs::absolute(entry.path()).lexically_normal()) == 0)
+            missed[folder].insert(entry.path().filename().string());
+      }
+    std::vector<std::string> lines;
+    for (const auto &[folder, images] : missed)
+      lines.push_back("'Images': the wildcards miss " +
+                      std::to_string(images.size()) + " images of '" +
+                      (folder.empty() ? "." : folder.string()) +
+                      "': " + first_of(images));
+    return lines;
   }
 
 

@@ -116,8 +116,12 @@ namespace squeal::tribology
                      p.scale_bar_box[1],
                      p.scale_bar_box[2],
                      p.scale_bar_box[3]};
-        for (const std::string &file :
-             expand_wildcards(context.parameters.images.images))
+        const std::vector<std::string> &names =
+          context.parameters.images.images;
+        const std::vector<std::string> files = expand_wildcards(names);
+        for (const std::string &line : missed_images(names, files))
+          context.log.warning(line);
+        for (const std::string &file : files)
           images.push_back(
             read_micrograph(file,
                             context.parameters.images.pixel_size,

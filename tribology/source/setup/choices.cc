@@ -99,4 +99,35 @@ namespace squeal::tribology
             {"rankine", C::rankine},
             {"drucker prager", C::drucker_prager}};
   }
+
+
+
+  Choices<SharedCause>
+  choices(const SharedCause)
+  {
+    return {{"position", SharedCause::position},
+            {"rim", SharedCause::rim},
+            {"edges", SharedCause::edges}};
+  }
+
+
+
+  Choices<LeadingEdge>
+  choices(const LeadingEdge)
+  {
+    return {{"lowest y", LeadingEdge::lowest_y},
+            {"highest y", LeadingEdge::highest_y}};
+  }
+
+
+
+  Choices<SharedPattern>
+  choices(const SharedPattern)
+  {
+    return {{"none", SharedPattern::none},
+            {"trend", SharedPattern::trend},
+            {"rim", SharedPattern::rim},
+            {"leading edge", SharedPattern::leading_edge},
+            {"mask", SharedPattern::mask}};
+  }
 } // namespace squeal::tribology

@@ -3,6 +3,8 @@
 #include <squeal/parameters/schema.h>
 #include <squeal/tribology/setup/damage_parameters.h>
 
+#include <algorithm>
+
 namespace squeal::tribology
 {
   using prm::Allowed;
@@ -45,11 +47,33 @@ namespace squeal::tribology
     schema.add("Surrogates",
                c.n_surrogates,
                Allowed::integer(99, 1000000),
-               "Phase-randomised maps behind each p-value.");
+               "Phase-randomised maps behind each p-value, at least; more are "
+               "drawn where many links are tested, so that the corrected level "
+               "can be reached.");
     schema.add("Bootstraps",
                c.n_bootstraps,
                Allowed::integer(0, 1000000),
-               "Resampled block sets behind each interval.");
+               "Resamplings behind each bootstrap interval, of what cells have "
+               "of their own once causes and neighbours are taken out; 0: no "
+               "such interval.");
+    schema.add(
+      "Shared causes",
+      c.shared_causes,
+      Allowed::list(prm::Schema::allowed_choices(SharedCause::position)),
+      "What is taken out of both maps before the test that decides: "
+      "place along and across the sliding direction, distance to the "
+      "rim, nearness to the edges. Empty: nothing, and maps that both "
+      "concentrate at a rim look linked.");
+    schema.add("Leading edge",
+               c.leading_edge,
+               "Where the disc enters under the pad, which lies along y.");
+    schema.add("Covariates",
+               c.covariates,
+               Allowed::list(Allowed::text()),
+               "Columns of the damage or feature tables that are taken out of "
+               "both maps as well: mean pressure, plateaus, place of the "
+               "stage, anything measured. They are no longer indices or "
+               "features.");
     schema.add(
       "Seed", c.seed, Allowed::integer(0), "Start of the random numbers.");
     schema.add("Wanted power",
@@ -77,6 +101,11 @@ namespace squeal::tribology
                Allowed::list(Allowed::number(0., 100.)),
                "Correlation lengths of these maps.",
                "nodes");
+    schema.add(
+      "Test patterns",
+      c.test_patterns,
+      Allowed::list(prm::Schema::allowed_choices(SharedPattern::none), 1),
+      "What both maps share without a link.");
     schema.leave_section();
   }
 
@@ -94,6 +123,14 @@ namespace squeal::tribology
       prm::refuse_entry(section,
                         "Feature tables",
                         "has not one table for each of 'Damage tables'");
+    for (const std::string &name : c.covariates)
+      for (const auto *list : {&c.indices, &c.features})
+        if (std::find(list->begin(), list->end(), name) != list->end())
+          prm::refuse_entry(section,
+                            "Covariates",
+                            "names '" + name +
+                              "', which is among 'Indices' or 'Features': "
+                              "remove it from one of them");
     if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
       prm::refuse_entry(
         section, "Groups", "has not one group for each of 'Damage tables'");

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace squeal::tribology
 {
@@ -35,16 +37,57 @@ namespace squeal::tribology
 
 
 
-    std::vector<std::string>
-    feature_columns(const Table &table, const std::vector<std::string> &asked)
+    bool
+    is_among(const std::vector<std::string> &names, const std::string &name)
     {
-      if (!asked.empty())
-        return asked;
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+
+
+    std::vector<std::string>
+    feature_columns(const Table &table, const CorrelationParameters &p)
+    {
+      if (!p.features.empty())
+        return p.features;
       std::vector<std::string> names;
       for (const Table::Column &column : table.columns())
-        if (column.type != Table::Type::text && !is_place(column.name))
+        if (column.type != Table::Type::text && !is_place(column.name) &&
+            !is_among(p.covariates, column.name))
           names.push_back(column.name);
       return names;
+    }
+
+
+
+    std::vector<std::string>
+    index_columns(const Table &table, const CorrelationParameters &p)
+    {
+      if (!p.indices.empty())
+        return p.indices;
+      std::vector<std::string> names;
+      for (const std::string &name : damage_indices(table))
+        if (!is_among(p.covariates, name))
+          names.push_back(name);
+      return names;
+    }
+
+
+
+    /** The part of its cell that a row tells about, 1 where the table does not
+     * say. Pixels at a border may add up to a little more than the cell. */
+    double
+    coverage(const Table &table, const std::size_t row, const std::string &file)
+    {
+      if (!table.has_column("coverage") || table.is_missing(row, "coverage"))
+        return 1.;
+      const double value = table.real(row, "coverage");
+      if (!(value >= 0. && value <= 1.01))
+        throw InputError(file + ":" + std::to_string(row + 2) +
+                         ": coverage is " + shortest_text(value) +
+                         ": it is the part of a cell that was seen, from 0 to "
+                         "1");
+      return std::min(1., value);
     }
 
 
@@ -138,14 +181,13 @@ namespace squeal::tribology
                 const Table                    &table,
                 const std::vector<std::size_t> &rows,
                 const std::vector<std::size_t> &nodes,
+                const std::vector<double>      &coverages,
                 const std::string              &name)
     {
       std::vector<double> sums(grid.n_nodes(), 0.), weights(grid.n_nodes(), 0.);
       for (std::size_t i = 0; i < rows.size(); ++i)
         {
-          const double value = table.real(rows[i], name);
-          const double weight =
-            table.has_column("coverage") ? table.real(rows[i], "coverage") : 1.;
+          const double value = table.real(rows[i], name), weight = coverages[i];
           if (std::isfinite(value) && weight > 0.)
             {
               sums[nodes[i]] += weight * value;
@@ -184,8 +226,7 @@ namespace squeal::tribology
       if (!pad.grid->is_grid())
         throw InputError("'" + damage_file +
                          "': its cells form no rectangular grid");
-      for (const std::string &name :
-           p.indices.empty() ? damage_indices(damage) : p.indices)
+      for (const std::string &name : index_columns(damage, p))
         {
           damage.column_index(name);
           const GridMap map = on_grid(*pad.grid, damage.reals(name));
@@ -199,23 +240,46 @@ namespace squeal::tribology
         }
       const std::vector<std::size_t> rows = rows_of_pad(features);
       std::vector<std::size_t>       nodes;
+      std::vector<double>            coverages;
       const auto centre = pad_centre(points, features, rows);
       for (const std::size_t row : rows)
-        nodes.push_back(
-          node_at(*pad.grid,
-                  features.real(row, "x_m") + centre[0],
-                  features.real(row, "y_m") + centre[1],
-                  feature_file + ":" + std::to_string(row + 2) + ": "));
-      for (const std::string &name : feature_columns(features, p.features))
+        {
+          nodes.push_back(
+            node_at(*pad.grid,
+                    features.real(row, "x_m") + centre[0],
+                    features.real(row, "y_m") + centre[1],
+                    feature_file + ":" + std::to_string(row + 2) + ": "));
+          coverages.push_back(coverage(features, row, feature_file));
+        }
+      const auto map_of_feature = [&](const std::string &name) {
+        return feature_map(*pad.grid, features, rows, nodes, coverages, name);
+      };
+      for (const std::string &name : feature_columns(features, p))
         {
           features.column_index(name);
-          pad.features[name] =
-            feature_map(*pad.grid, features, rows, nodes, name);
+          pad.features[name] = map_of_feature(name);
         }
       if (pad.features.empty() || pad.indices.empty())
         throw InputError("'" +
                          (pad.features.empty() ? feature_file : damage_file) +
                          "' has no columns to correlate");
+      std::vector<MeasuredCause> measured;
+      for (const std::string &name : p.covariates)
+        {
+          if (!damage.has_column(name) && !features.has_column(name))
+            throw InputError("'Covariates': neither '" + damage_file +
+                             "' nor '" + feature_file + "' has a column '" +
+                             name + "'");
+          measured.push_back({name,
+                              damage.has_column(name)
+                                ? on_grid(*pad.grid, damage.reals(name))
+                                : map_of_feature(name)});
+        }
+      pad.causes = shared_causes(pad.grid->n_x(),
+                                 pad.grid->n_y(),
+                                 p.shared_causes,
+                                 p.leading_edge,
+                                 measured);
       return pad;
     }
 
@@ -284,11 +348,27 @@ namespace squeal::tribology
   {
     std::vector<PadLink> links;
     std::mt19937_64      generator(p.seed);
+    std::size_t          n_links = 0;
+    for (const PadMaps &pad : pads)
+      n_links += pad.indices.size() * pad.features.size();
+    const unsigned int n_surrogates = surrogates_needed(p, n_links);
     for (std::size_t pad = 0; pad < pads.size(); ++pad)
-      for (const auto &[index, x] : pads[pad].indices)
+      {
+        ConditionalTests conditional(pads[pad].causes);
+        // all indices of a feature in turn: its covariance is fitted once
         for (const auto &[feature, y] : pads[pad].features)
-          links.push_back(
-            {pad, index, feature, measure_link(x, y, p, generator)});
+          for (const auto &[index, x] : pads[pad].indices)
+            links.push_back(
+              {pad,
+               index,
+               feature,
+               measure_link(x, y, conditional, p, n_surrogates, generator)});
+      }
+    std::sort(
+      links.begin(), links.end(), [](const PadLink &a, const PadLink &b) {
+        return std::tie(a.pad, a.index, a.feature) <
+               std::tie(b.pad, b.index, b.feature);
+      });
     std::vector<LinkTest> tests;
     for (const PadLink &link : links)
       tests.push_back(link.test);
@@ -296,6 +376,36 @@ namespace squeal::tribology
     for (std::size_t i = 0; i < links.size(); ++i)
       links[i].test = tests[i];
     return links;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_few_cells(const std::vector<PadLink> &links)
+  {
+    constexpr double                                           few = 20.;
+    std::map<std::pair<std::size_t, std::string>, std::string> lines;
+    for (const PadLink &l : links)
+      {
+        const ConditionalLink &c = l.test.conditional;
+        const std::string      start =
+          "pad " + std::to_string(l.pad + 1) + ", feature '" + l.feature +
+          "': " + std::to_string(l.test.n_cells) + " cells are known";
+        std::string text;
+        if (!c.is_known && std::isfinite(l.test.r))
+          text = start + ", too few beside " + std::to_string(c.n_taken) +
+                 " terms of 'Shared causes' and 'Covariates': nothing can be "
+                 "decided; show more of the pad or take out less";
+        else if (c.is_known && c.n_effective < few)
+          text = start + ", worth " + rounded_text(c.n_effective, 2) +
+                 " independent ones: only strong links can be found";
+        if (!text.empty())
+          lines.emplace(std::pair(l.pad, l.feature), text);
+      }
+    std::vector<std::string> warnings;
+    for (const auto &[key, text] : lines)
+      warnings.push_back(text);
+    return warnings;
   }
 
 

@@ -14,19 +14,6 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Cells where both maps are known. */
-    std::vector<std::size_t>
-    common_cells(const GridMap &x, const GridMap &y)
-    {
-      std::vector<std::size_t> cells;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        if (std::isfinite(x.values[i]) && std::isfinite(y.values[i]))
-          cells.push_back(i);
-      return cells;
-    }
-
-
-
     /** Class of the distance of two cells: whole cells, rounded. */
     Eigen::MatrixXi
     distance_classes(const GridMap &map, const std::vector<std::size_t> &cells)
@@ -80,6 +67,18 @@ namespace squeal::tribology
       return s;
     }
   } // namespace
+
+
+
+  std::vector<std::size_t>
+  common_cells(const GridMap &x, const GridMap &y)
+  {
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (std::isfinite(x.values[i]) && std::isfinite(y.values[i]))
+        cells.push_back(i);
+    return cells;
+  }
 
 
 
@@ -206,66 +205,17 @@ namespace squeal::tribology
     const double r        = std::abs(pearson(observed[0], observed[1]));
     if (std::isnan(r))
       return 1.;
-    const PhaseSurrogates surrogates(x);
-    unsigned int          n_larger = 0;
-    for (unsigned int i = 0; i < n; ++i)
+    const PhaseSurrogates  surrogates(x);
+    constexpr unsigned int enough   = 100;
+    unsigned int           n_larger = 0;
+    for (unsigned int i = 1; i <= n; ++i)
       {
         const auto   values = common_values(surrogates.draw(generator), y);
         const double other  = pearson(values[0], values[1]);
-        if (!(std::abs(other) < r))
-          ++n_larger;
+        if (!(std::abs(other) < r) && ++n_larger == enough)
+          return static_cast<double>(enough) / i;
       }
     return (1. + n_larger) / (1. + n);
-  }
-
-
-
-  std::array<double, 2>
-  block_bootstrap_interval(const GridMap     &x,
-                           const GridMap     &y,
-                           const unsigned int n,
-                           const double       level,
-                           std::mt19937_64   &generator)
-  {
-    std::vector<std::vector<std::size_t>> blocks;
-    for (std::size_t j = 0; j < x.n_y; j += 3)
-      for (std::size_t i = 0; i < x.n_x; i += 3)
-        {
-          std::vector<std::size_t> block;
-          for (std::size_t b = j; b < std::min(j + 3, x.n_y); ++b)
-            for (std::size_t a = i; a < std::min(i + 3, x.n_x); ++a)
-              {
-                const std::size_t cell = a + x.n_x * b;
-                if (std::isfinite(x.values[cell]) &&
-                    std::isfinite(y.values[cell]))
-                  block.push_back(cell);
-              }
-          if (!block.empty())
-            blocks.push_back(block);
-        }
-    std::vector<double> found;
-    if (blocks.size() >= 4)
-      for (unsigned int k = 0; k < n; ++k)
-        {
-          std::uniform_int_distribution<std::size_t> pick(0, blocks.size() - 1);
-          std::vector<double>                        a, b;
-          for (std::size_t i = 0; i < blocks.size(); ++i)
-            for (const std::size_t cell : blocks[pick(generator)])
-              {
-                a.push_back(x.values[cell]);
-                b.push_back(y.values[cell]);
-              }
-          const double r = pearson(a, b);
-          if (std::isfinite(r))
-            found.push_back(r);
-        }
-    if (found.size() < 20)
-      return {{-1., 1.}};
-    std::sort(found.begin(), found.end());
-    const auto at = [&found](const double part) {
-      return found[static_cast<std::size_t>(part * (found.size() - 1))];
-    };
-    return {{at(level / 2.), at(1. - level / 2.)}};
   }
 
 

@@ -21,9 +21,10 @@ namespace squeal::tribology
 
   /**
    * The plane in which @p criterion is largest: planes @p step degrees apart
-   * over the half sphere, then a compass search about the best one down to
-   * 1e-7 rad. Planes whose upper bound is lower than the best so far are left
-   * out.
+   * over the half sphere, then a compass search down to 1e-7 rad about each of
+   * the up to sixteen best ones that stand apart, as maxima of a similar height
+   * are told from each other only there. Planes whose upper bound is too low
+   * are left out.
    */
   CriterionValue search_planes(const StressHistory  &history,
                                const MaterialLimits &limits,

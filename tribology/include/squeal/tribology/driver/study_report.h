@@ -58,6 +58,12 @@ namespace squeal::tribology
     const std::vector<PadLink>     &links,
     const std::vector<GroupResult> &groups,
     const CorrelationParameters    &parameters);
+
+  /** What any map that concentrates at the leading edge or at the rim would
+   * reach with each feature, beside what the indices reach. */
+  std::vector<std::string> shared_cause_sentences(
+    const std::vector<PadLink>  &links,
+    const CorrelationParameters &parameters);
 } // namespace squeal::tribology
 
 #endif

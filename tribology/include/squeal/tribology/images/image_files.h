@@ -15,6 +15,15 @@ namespace squeal::tribology
   std::vector<std::string> expand_wildcards(
     const std::vector<std::string> &names);
 
+  /**
+   * What wildcards miss: for each folder in which one of @p names has a
+   * wildcard, a line with the images there that are not among @p files, as
+   * SLIDE.TIF beside *.tif. Images are what ends in .tif, .tiff, .png, .jpg,
+   * .jpeg or .bmp, in any case.
+   */
+  std::vector<std::string> missed_images(const std::vector<std::string> &names,
+                                         const std::vector<std::string> &files);
+
   /** Writes a PNG, complete or not at all; @p text goes into a text chunk
    * with the key "squeal". Throws InputError when it cannot be written. */
   void write_png(const std::string &path,

@@ -158,6 +158,32 @@ namespace squeal
       double plane_step           = 5.; /**< degrees */
     };
 
+    /** What both maps of a pad follow without a link between them. */
+    enum class SharedCause
+    {
+      position, /**< along and across the sliding direction */
+      rim,      /**< distance to the rim */
+      edges     /**< leading, trailing and side edges */
+    };
+
+    /** Where the disc enters under the pad. */
+    enum class LeadingEdge
+    {
+      lowest_y,
+      highest_y
+    };
+
+    /** What the maps of the self test share although there is no link. */
+    enum class SharedPattern
+    {
+      none,
+      trend,        /**< along the sliding direction, 4 deviations in all */
+      rim,          /**< the outermost cells are 2 deviations higher */
+      leading_edge, /**< 2 deviations, decaying over 1.5 cells */
+      mask /**< plateaus, which are measured, are 2 deviations lower; part of
+              the pad was not looked at */
+    };
+
     /** Maps against maps, section "Correlation". */
     struct CorrelationParameters
     {
@@ -173,10 +199,21 @@ namespace squeal
       unsigned int             seed          = 1;
       double                   wanted_power  = 0.8;
       double                   relevant_link = 0.3; /**< |r| worth finding */
-      bool                     is_synthetic  = false;
-      bool                     self_test     = false;
-      unsigned int             n_test_pairs  = 1000;
-      std::vector<double>      test_lengths  = {0., 1.5, 3., 5.};
+      std::vector<SharedCause> shared_causes = {SharedCause::position,
+                                                SharedCause::rim,
+                                                SharedCause::edges};
+      LeadingEdge              leading_edge  = LeadingEdge::lowest_y;
+      std::vector<std::string> covariates; /**< columns of either table */
+      bool                     is_synthetic = false;
+      bool                     self_test    = false;
+      unsigned int             n_test_pairs = 1000;
+      std::vector<double>      test_lengths = {0., 1.5, 3., 5., 8.};
+
+      std::vector<SharedPattern> test_patterns = {SharedPattern::none,
+                                                  SharedPattern::trend,
+                                                  SharedPattern::rim,
+                                                  SharedPattern::leading_edge,
+                                                  SharedPattern::mask};
     };
 
     /** @name Choices in parameter files */
@@ -194,6 +231,9 @@ namespace squeal
       FatigueParameters::Accumulation);
     Choices<SubsurfaceParameters::Criterion> choices(
       SubsurfaceParameters::Criterion);
+    Choices<SharedCause>   choices(SharedCause);
+    Choices<LeadingEdge>   choices(LeadingEdge);
+    Choices<SharedPattern> choices(SharedPattern);
     //@}
 
     /** @name Declarations of the sections */

@@ -18,6 +18,7 @@ namespace squeal::tribology
     std::unique_ptr<ContactGrid>   grid;
     std::map<std::string, GridMap> indices;
     std::map<std::string, GridMap> features; /**< NaN where not looked at */
+    SharedCauses                   causes;   /**< taken out of both */
     bool                           is_silent = false;
   };
 
@@ -26,8 +27,9 @@ namespace squeal::tribology
    * belong to the nodal cell in which their place (x_m, y_m) lies; several rows
    * in a cell count with their coverage. Of a table with a column "image" only
    * the rows "pad" count if there are any. The damage table must cover a
-   * rectangular grid. Throws InputError for a missing column and for a place
-   * that lies in no cell.
+   * rectangular grid. Columns that are covariates are shared causes, and
+   * neither indices nor features. Throws InputError for a missing column, for a
+   * place that lies in no cell and for a coverage that is no part of a cell.
    */
   std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
 
@@ -39,9 +41,14 @@ namespace squeal::tribology
     LinkTest    test;
   };
 
-  /** All links with their verdicts. */
+  /** All links with their verdicts: Holm's adjustment and the number of
+   * surrogates take all of them together. */
   std::vector<PadLink> link_pads(const std::vector<PadMaps>  &pads,
                                  const CorrelationParameters &parameters);
+
+  /** Links that few cells bear: one line for each feature of a pad. */
+  std::vector<std::string> warnings_of_few_cells(
+    const std::vector<PadLink> &links);
 
   /** A feature's mean on squealing against silent pads. */
   struct GroupResult

@@ -24,6 +24,9 @@ namespace squeal::tribology
     }
   };
 
+  /** Cells where both maps are known. */
+  std::vector<std::size_t> common_cells(const GridMap &x, const GridMap &y);
+
   /** The values of two maps where both are known. */
   std::array<std::vector<double>, 2> common_values(const GridMap &x,
                                                    const GridMap &y);
@@ -61,20 +64,16 @@ namespace squeal::tribology
     std::unique_ptr<Spectrum> spectrum;
   };
 
-  /** Two-sided p-value of the correlation of two maps among @p n surrogates of
-   * @p x, which must be complete. */
+  /**
+   * Two-sided p-value of the correlation of two maps among surrogates of @p x,
+   * which must be complete. At most @p n are drawn: fewer where a hundred of
+   * them correlate at least as well as the maps (Besag and Clifford 1991), so
+   * that many cost time only where a small p-value needs them.
+   */
   double surrogate_p_value(const GridMap   &x,
                            const GridMap   &y,
                            unsigned int     n,
                            std::mt19937_64 &generator);
-
-  /** Interval of the correlation at @p level from resampled blocks of 3 x 3
-   * cells; (-1, 1) for fewer than four blocks or no resampling. */
-  std::array<double, 2> block_bootstrap_interval(const GridMap   &x,
-                                                 const GridMap   &y,
-                                                 unsigned int     n,
-                                                 double           level,
-                                                 std::mt19937_64 &generator);
 
   /**
    * A Gaussian map whose covariance at distance d (cells) is

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_statistics_shared_causes_h
+#define squeal_tribology_statistics_shared_causes_h
+
+#include <squeal/tribology/setup/damage_parameters.h>
+#include <squeal/tribology/statistics/spatial.h>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** What both maps of a pad follow without a link between them. */
+  struct SharedCauses
+  {
+    /** A row for each cell of the grid, x fastest; the first column is 1. NaN
+     * where a measured map is not known. */
+    Eigen::MatrixXd values;
+
+    /** Names of the causes, for people. */
+    std::vector<std::string> names;
+  };
+
+  /** A map that is measured and taken out of both. */
+  struct MeasuredCause
+  {
+    std::string name;
+    GridMap     map;
+  };
+
+  /**
+   * The causes that @p choice names, as columns of a regression on a grid of
+   * @p n_x cells across and @p n_y along the sliding direction:
+   *
+   * position  u, u^2, v, v^2, u v, u along the sliding direction, v across it
+   * rim       the outermost cells, the next ones, and a decay from the rim on
+   *           over 15 % of the shorter edge
+   * edges     first and second row of cells at the leading edge and a decay
+   *           over 15 % of the length; last row; both outermost columns
+   *
+   * Each measured map enters with its square.
+   */
+  SharedCauses shared_causes(std::size_t                       n_x,
+                             std::size_t                       n_y,
+                             const std::vector<SharedCause>   &choice,
+                             LeadingEdge                       leading_edge,
+                             const std::vector<MeasuredCause> &measured = {});
+
+  /** How much a map that knows nothing but a place resembles another one. */
+  struct ReferenceLinks
+  {
+    double leading_edge = 0.; /**< of a map that decays from that edge on */
+    double rim          = 0.; /**< of one that decays from the rim on */
+  };
+
+  /** Correlations of @p map with a map that concentrates at the leading edge
+   * and with one that concentrates at the rim, each decaying over 15 % of the
+   * pad; NaN for a constant map. */
+  ReferenceLinks reference_links(const GridMap &map, LeadingEdge leading_edge);
+} // namespace squeal::tribology
+
+#endif
