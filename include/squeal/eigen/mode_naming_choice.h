@@ -38,7 +38,7 @@ namespace squeal
     /** Energy share from which a disc is part of a name. It is small: in the
      * squealing modes of a brake with a heavy support the disc has some 1 % of
      * the energy, in the support's own modes 0.1 %. */
-    constexpr Limit disc_share{0.005, 1.75};
+    constexpr Limit disc_share{0.005, 1.6};
     /** Energy share from which another body is part of a name. */
     constexpr Limit solid_share{0.3, 1.3};
     /** Share of its motions that slices of a body must move as a whole for it
