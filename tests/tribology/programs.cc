@@ -203,6 +203,16 @@ end
     check(json.at("links").size() == 2 &&
             json.at("links")[0].at("pearson").get<double>() > .999,
           "a feature that is the index itself");
+    check(json.at("links")[0].at("verdict") == "synthetic: supported" &&
+            json.at("links")[0].at("verdict_without") ==
+              "synthetic: supported" &&
+            json.at("links")[0].at("p_conditional").get<double>() < 1e-6 &&
+            json.at("links")[0].at("conditional_cells").get<double>() < 20. &&
+            json.at("shared_causes").size() == 3,
+          "it is supported with and without shared causes, on few cells");
+    check(text_of("correlation/run.json").find("25 cells are known, worth") !=
+            std::string::npos,
+          "which is warned of");
     for (const auto &link : json.at("links"))
       check(link.at("verdict").get<std::string>().rfind("synthetic: ", 0) == 0,
             "synthetic verdicts say so");

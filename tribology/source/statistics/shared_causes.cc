@@ -13,6 +13,9 @@ namespace squeal::tribology
     /** Part of the pad over which a concentration decays. */
     constexpr double decay_part = .15;
 
+    /** Rings of cells from the rim on that have a term each. */
+    constexpr std::size_t n_rings = 6;
+
     /** Where a cell lies. */
     struct Place
     {
@@ -82,13 +85,24 @@ namespace squeal::tribology
                   [](const Place &p) { return p.across() * p.across(); },
                   [](const Place &p) { return p.along() * p.across(); }};
         case SharedCause::rim:
-          return {[](const Place &p) { return p.rim() == 0; },
-                  [](const Place &p) { return p.rim() == 1; },
-                  [](const Place &p) { return p.rim_decay(); }};
+          {
+            // any function of the distance near the rim, a decay deeper in
+            std::vector<Term> rings;
+            for (std::size_t ring = 0; ring < n_rings; ++ring)
+              rings.emplace_back(
+                [ring](const Place &p) { return p.rim() == ring; });
+            rings.emplace_back([](const Place &p) { return p.rim_decay(); });
+            return rings;
+          }
         case SharedCause::edges:
           return {[](const Place &p) { return p.j == 0; },
                   [](const Place &p) { return p.j == 1; },
+                  [](const Place &p) { return p.j == 2; },
                   [](const Place &p) { return p.leading_decay(); },
+                  [](const Place &p) { return p.leading_decay() * p.across(); },
+                  [](const Place &p) {
+                    return p.leading_decay() * p.across() * p.across();
+                  },
                   [](const Place &p) { return p.j == p.n_y - 1; },
                   [](const Place &p) { return p.i == 0; },
                   [](const Place &p) { return p.i == p.n_x - 1; }};

@@ -35,10 +35,11 @@ namespace squeal::tribology
    * @p n_x cells across and @p n_y along the sliding direction:
    *
    * position  u, u^2, v, v^2, u v, u along the sliding direction, v across it
-   * rim       the outermost cells, the next ones, and a decay from the rim on
-   *           over 15 % of the shorter edge
-   * edges     first and second row of cells at the leading edge and a decay
-   *           over 15 % of the length; last row; both outermost columns
+   * rim       each of the six outermost rings of cells, and a decay from the
+   *           rim on over 15 % of the shorter edge
+   * edges     the first three rows of cells at the leading edge, a decay over
+   *           15 % of the length, even, sloping and bent across; last row;
+   *           both outermost columns
    *
    * Each measured map enters with its square.
    */
