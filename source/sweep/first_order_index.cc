@@ -58,7 +58,10 @@ namespace squeal
       mean += v / n;
     for (const double v : values)
       variance += (v - mean) * (v - mean) / n;
-    if (variance == 0.)
+    // What is left of equal values is rounding.
+    if (std::all_of(values.begin(), values.end(), [&](const double v) {
+          return v == values.front();
+        }))
       return 0.;
     for (const SampleClass &c : classes)
       between += c.n / n * (c.mean - mean) * (c.mean - mean);

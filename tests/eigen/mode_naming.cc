@@ -136,8 +136,8 @@ namespace
     ComplexBlock           X(c.size(), 5);
     X.col(0)         = phase * c;
     X.col(1)         = phase * s;
-    X.col(2)         = phase * (c + 0.9 * i * s); // travelling waves
-    X.col(3)         = phase * (0.9 * c - i * s);
+    X.col(2)         = phase * (c + 0.7 * i * s); // travelling waves
+    X.col(3)         = phase * (0.7 * c - i * s);
     X.col(4)         = c + i * 0.3 * modes.shapes.col(0).cast<Complex>();
     const auto found = names_of(model, X);
     check(found[0].text == "(0,3+)" && found[1].text == "(0,3-)",

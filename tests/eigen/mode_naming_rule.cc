@@ -321,11 +321,11 @@ namespace
         disc_share)[0];
     };
     expect(named(0.001), "beam tangential 1", "a still disc");
-    expect(named(0.0034),
+    expect(named(0.0049),
            "(0,3+) beam tangential 1|beam tangential 1",
            "a disc at the limit");
-    expect(named(0.0036), named(0.0034), "and beyond it");
-    expect(named(0.006), "(0,3+) beam tangential 1", "a disc with 0.6 %");
+    expect(named(0.0051), named(0.0049), "and beyond it");
+    expect(named(0.01), "(0,3+) beam tangential 1", "a disc with 1 %");
     expect(named(0.55), "(0,3+) beam tangential 1", "both");
     expect(named(0.69), "(0,3+)|(0,3+) beam tangential 1", "a beam of 31 %");
     expect(named(0.71), named(0.69), "and of 29 %");

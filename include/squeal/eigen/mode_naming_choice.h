@@ -12,8 +12,8 @@ namespace squeal
    * Decisions behind a name. Each has a band in which it is left open: what
    * lies on either side of a limit would be told apart by rounding, the mesh
    * or the least change of a parameter. The widths are such that no name of the
-   * TriboBrake turned into another one over steps of 2 % of the pad's stiffness
-   * and that less than 5 % of the names are left open.
+   * TriboBrake turned into another one over 1000 small steps
+   * (driver.mode_names) and that less than 5 % of the names are left open.
    */
   namespace naming
   {
