@@ -139,7 +139,8 @@ namespace squeal::tribology
     // n resampled pairs scatter by 1/n, n new ones by Fisher's 1/(n - 3)
     const double deviation =
       std::sqrt(std::max(0., squares - sum * sum / m) / (m - 1.) *
-                link.n_effective / (link.n_effective - 3.));
+                  link.n_effective / (link.n_effective - 3.) +
+                link.between);
     const double half =
       deviation *
       quantile(boost::math::students_t(link.n_effective - 2.), 1. - level / 2.);
@@ -221,8 +222,8 @@ namespace squeal::tribology
                           dy = covariance->residual(y);
     if (!(dx.squaredNorm() > 1e-20 * x.squaredNorm()))
       return link;
-    double weight = 0., upper = 0., lower = 0., z = 0., cells = 0.,
-           heaviest = 0.;
+    double weight = 0., upper = 0., lower = 0., sum = 0., squares = 0.,
+           within = 0., heaviest = 0.;
     for (const SpatialCovariance::Fit &fit : fits(y))
       {
         const Slope s = slope(*covariance, fit, dx, dy);
@@ -234,21 +235,29 @@ namespace squeal::tribology
         // each tail by itself: the difference to 1 would lose small ones
         lower += fit.weight * tail(student, t);
         upper += fit.weight * tail(student, -t);
-        z += fit.weight * std::asinh(s.t / std::sqrt(s.dof));
+        const double z = std::asinh(s.t / std::sqrt(s.dof));
+        sum += fit.weight * z;
+        squares += fit.weight * z * z;
+        within += fit.weight * s.scatter / (s.dof - 1.);
         if (fit.weight > heaviest)
           {
             heaviest   = fit.weight;
             link.pairs = {{s.x, s.y}};
           }
-        cells += fit.weight * (3. + (s.dof - 1.) / s.scatter);
       }
     // most of the posterior must be able to speak
     if (!(weight > .5))
       return link;
-    link.is_known    = true;
-    link.p           = std::min(1., 2. * std::min(lower, upper) / weight);
-    link.r           = std::tanh(z / weight);
-    link.n_effective = cells / weight;
+    link.is_known = true;
+    link.p        = std::min(1., 2. * std::min(lower, upper) / weight);
+    link.r        = std::tanh(sum / weight);
+    // z scatters within each member, and from one to another
+    const double between =
+      std::isfinite(squares)
+        ? std::max(0., squares / weight - std::pow(sum / weight, 2))
+        : 0.;
+    link.between     = between;
+    link.n_effective = 3. + 1. / (within / weight + between);
     return link;
   }
 

@@ -18,6 +18,7 @@ namespace squeal::tribology
   {
     double      r           = 0.; /**< partial correlation */
     double      n_effective = 0.; /**< independent cells behind it */
+    double      between     = 0.; /**< variance of z between covariances */
     double      p           = 1.; /**< two-sided */
     std::size_t n_cells     = 0;  /**< cells, or merged blocks of them */
     std::size_t n_taken     = 0;  /**< degrees of freedom of shared causes */
@@ -39,7 +40,8 @@ namespace squeal::tribology
    * The same from @p n bootstraps of the pairs along the principal axes, which
    * unlike cells or blocks of cells are independent: z plus and minus Student's
    * quantile, with the independent cells, times the standard deviation of the
-   * resampled z. (-1, 1) for fewer than 20 resamplings.
+   * resampled z and of z between covariances. (-1, 1) for fewer than 20
+   * resamplings.
    */
   std::array<double, 2> bootstrap_interval(const ConditionalLink &link,
                                            unsigned int           n,
@@ -54,7 +56,9 @@ namespace squeal::tribology
    * posterior weights; its degrees of freedom are Satterthwaite's, of the
    * variances that the map holds above the resolution. Where index and
    * residuals scatter more at the same cells, the variance of the slope grows
-   * by as much (White 1980). r is the partial correlation, t / sqrt(t^2 + dof).
+   * by as much (White 1980). r is the partial correlation, t / sqrt(t^2 + dof);
+   * the independent cells are those with which Fisher's z scatters as it does
+   * within the members and between them.
    *
    * Maps of more than 300 cells are merged to blocks of 2 x 2, again until
    * they are fewer; shared causes likewise.
