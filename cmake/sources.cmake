@@ -54,6 +54,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/declare_scene.cc
     source/parameters/declare_sweep.cc
     source/parameters/declare_transient.cc
+    source/parameters/entry_traits.cc
     source/parameters/face_geometry.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
@@ -206,7 +207,6 @@ set(SQUEAL_SOURCES_RESULTS
 set(SQUEAL_SOURCES_RUN
     source/run/checkpoints.cc
     source/run/command_line.cc
-    source/run/entry_units.cc
     source/run/fingerprint.cc
     source/run/finished_runs.cc
     source/run/run_context.cc

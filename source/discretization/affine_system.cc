@@ -81,46 +81,64 @@ namespace squeal
 
 
 
-    /** u . direction at evenly spaced points of a body. */
-    std::vector<Row>
-    point_rows(const PointEvaluator   &evaluator,
-               const SceneParameters  &scene,
-               const SpringParameters &spring,
-               const std::string      &body)
+    using Displacements = std::vector<std::array<Row, 3>>;
+
+    Displacements
+    displacements_at(const PointEvaluator                &evaluator,
+                     const SceneParameters               &scene,
+                     const SpringParameters              &spring,
+                     const std::string                   &body,
+                     const std::vector<dealii::Point<3>> &points)
     {
-      std::vector<dealii::Point<3>> points;
-      for (unsigned int i = 0; i < spring.number; ++i)
-        {
-          const double s =
-            spring.number > 1 ? double(i) / (spring.number - 1) : 0.;
-          dealii::Point<3> x;
-          for (unsigned int c = 0; c < 3; ++c)
-            x[c] = (1. - s) * spring.first_point[c] + s * spring.last_point[c];
-          points.push_back(x);
-        }
+      // A bed lies between two faces, whose facets may differ a little.
+      const bool is_bed = spring.kind == SpringParameters::Kind::area;
       const auto found =
-        evaluator.displacements(body_index(scene, body), points);
-      std::vector<Row> rows;
-      for (unsigned int i = 0; i < points.size(); ++i)
-        {
-          if (!found.found[i])
-            throw InputError("Scene/Spring " + spring.name +
-                             ": a point of it lies outside body '" + body +
-                             "': change First point or Last point");
-          rows.push_back(combine({{spring.direction[0], &found.rows[i][0]},
-                                  {spring.direction[1], &found.rows[i][1]},
-                                  {spring.direction[2], &found.rows[i][2]}}));
-        }
-      return rows;
+        is_bed ? evaluator.displacements(body_index(scene, body), points, 1e-4)
+               : evaluator.displacements(body_index(scene, body), points);
+      for (const bool inside : found.found)
+        if (!inside)
+          throw InputError(
+            "Scene/Spring " + spring.name +
+            (is_bed ? "/Other body: a part of the face does not lie on body '"
+                    : ": a point of it lies outside body '") +
+            body + (is_bed ? "'" : "': change First point or Last point"));
+      return found.rows;
     }
 
 
 
+    /** Adds equal springs at points with @p weights along @p direction.
+     * @p values: stiffness and dashpot of a scene. */
     void
-    subtract(std::vector<Row> &rows, const std::vector<Row> &other)
+    add_springs_along(
+      const Discretization  &d,
+      const std::string     &name,
+      const unsigned int     number,
+      const Displacements   &motion,
+      const Eigen::VectorXd &weights,
+      const Vector3         &direction,
+      const std::function<std::pair<double, double>(const SpringParameters &)>
+                   &values,
+      AffineSystem &system)
     {
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        rows[i] = combine({{1., &rows[i]}, {-1., &other[i]}});
+      std::vector<Row> rows;
+      for (const auto &u : motion)
+        rows.push_back(combine({{direction[0], &u[0]},
+                                {direction[1], &u[1]},
+                                {direction[2], &u[2]}}));
+      const auto functionals =
+        std::make_shared<const Functionals>(d.space(), std::move(rows));
+      system.terms.push_back(
+        {name,
+         std::make_shared<LowRankMatrix>(functionals, weights, functionals),
+         [number, values](const SceneParameters &s) {
+           const auto &p                   = s.springs[number];
+           const auto [stiffness, dashpot] = values(p);
+           TermCoefficients c              = elastic_coefficients(
+             s, stiffness, p.stiffness_damping, p.structural_damping);
+           c.damping += dashpot;
+           return c;
+         }});
     }
 
 
@@ -131,43 +149,62 @@ namespace squeal
                     const unsigned int    number,
                     AffineSystem         &system)
     {
-      const auto      &scene  = d.scene();
-      const auto      &spring = scene.springs[number];
-      std::vector<Row> rows;
-      Eigen::VectorXd  weights;
+      const auto                   &scene  = d.scene();
+      const auto                   &spring = scene.springs[number];
+      std::vector<dealii::Point<3>> points;
+      Eigen::VectorXd               weights;
       if (spring.kind == SpringParameters::Kind::points)
         {
-          rows = point_rows(evaluator, scene, spring, spring.body);
-          if (spring.other_body != "ground")
-            subtract(rows,
-                     point_rows(evaluator, scene, spring, spring.other_body));
-          weights = Eigen::VectorXd::Ones(rows.size());
+          points  = spring_points(spring);
+          weights = Eigen::VectorXd::Ones(points.size());
         }
       else
         {
           const FaceQuadrature face = face_quadrature(
             d, face_id(d.coarse_mesh(), scene, spring.body, spring.face));
-          const auto found = evaluator.displacements(
-            body_index(scene, spring.body), face.points);
-          for (const auto &row : found.rows)
-            rows.push_back(combine({{spring.direction[0], &row[0]},
-                                    {spring.direction[1], &row[1]},
-                                    {spring.direction[2], &row[2]}}));
+          points  = face.points;
           weights = Eigen::Map<const Eigen::VectorXd>(face.areas.data(),
                                                       face.areas.size());
         }
-      const auto functionals =
-        std::make_shared<const Functionals>(d.space(), std::move(rows));
-      system.terms.push_back(
-        {"spring " + spring.name,
-         std::make_shared<LowRankMatrix>(functionals, weights, functionals),
-         [number](const SceneParameters &s) {
-           const auto      &p = s.springs[number];
-           TermCoefficients c = elastic_coefficients(
-             s, p.stiffness, p.stiffness_damping, p.structural_damping);
-           c.damping += p.dashpot;
-           return c;
-         }});
+      Displacements motion =
+        displacements_at(evaluator, scene, spring, spring.body, points);
+      if (spring.other_body != "ground")
+        {
+          const Displacements other = displacements_at(
+            evaluator, scene, spring, spring.other_body, points);
+          for (std::size_t i = 0; i < motion.size(); ++i)
+            for (unsigned int c = 0; c < 3; ++c)
+              motion[i][c] =
+                combine({{1., &motion[i][c]}, {-1., &other[i][c]}});
+        }
+      // All four, as a sweep may give a value to what is 0 here.
+      add_springs_along(
+        d,
+        "spring " + spring.name,
+        number,
+        motion,
+        weights,
+        spring.direction,
+        [](const SpringParameters &p) {
+          return std::make_pair(p.stiffness, p.dashpot);
+        },
+        system);
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          Vector3 along{{0., 0., 0.}};
+          along[c] = 1.;
+          add_springs_along(
+            d,
+            "spring " + spring.name + " along " + "xyz"[c],
+            number,
+            motion,
+            weights,
+            along,
+            [c](const SpringParameters &p) {
+              return std::make_pair(p.stiffnesses[c], p.dashpots[c]);
+            },
+            system);
+        }
     }
 
 
@@ -199,6 +236,24 @@ namespace squeal
          }});
     }
   } // namespace
+
+
+
+  std::vector<dealii::Point<3>>
+  spring_points(const SpringParameters &spring)
+  {
+    std::vector<dealii::Point<3>> points;
+    for (unsigned int i = 0; i < spring.number; ++i)
+      {
+        const double s =
+          spring.number > 1 ? double(i) / (spring.number - 1) : 0.;
+        dealii::Point<3> x;
+        for (unsigned int c = 0; c < 3; ++c)
+          x[c] = (1. - s) * spring.first_point[c] + s * spring.last_point[c];
+        points.push_back(x);
+      }
+    return points;
+  }
 
 
 

@@ -24,18 +24,37 @@ namespace squeal
     using dealii::IndexSet;
 
     std::array<bool, 6>
-    held_components(const SupportParameters &support)
+    held_components(const SupportParameters &support, const unsigned int axis)
     {
       static const std::array<const char *, 6> names{
         {"x", "y", "z", "rx", "ry", "rz"}};
       std::array<bool, 6> held{};
       for (unsigned int c = 0; c < 6; ++c)
-        held[c] = support.kind == SupportParameters::Kind::clamped ||
-                  (c == 2 && support.kind == SupportParameters::Kind::held) ||
-                  std::find(support.components.begin(),
-                            support.components.end(),
-                            names[c]) != support.components.end();
+        held[c] =
+          support.kind == SupportParameters::Kind::clamped ||
+          (c == axis && support.kind == SupportParameters::Kind::held) ||
+          std::find(support.components.begin(),
+                    support.components.end(),
+                    names[c]) != support.components.end();
       return held;
+    }
+
+    /** Direction in which a guided or held face can move. Throws InputError. */
+    unsigned int
+    guided_axis(const CoarseMesh        &mesh,
+                const SupportParameters &support,
+                const unsigned int       face)
+    {
+      using Kind = SupportParameters::Kind;
+      if (support.kind != Kind::guided && support.kind != Kind::held)
+        return -1u;
+      const unsigned int axis = axis_of_face(mesh, face);
+      if (axis == -1u)
+        throw InputError("Scene/Support " + support.name +
+                         "/Face: a guided or held face is flat and looks along "
+                         "x, y or z; tie another one to a rigid body "
+                         "(Scene/Tie) and support that by components");
+      return axis;
     }
 
     IndexSet
@@ -84,10 +103,11 @@ namespace squeal
             continue;
           const unsigned int id =
             face_id(mesh, scene, support.body, support.face);
+          const unsigned int axis = guided_axis(mesh, support, id);
           if (support.kind == SupportParameters::Kind::guided)
             {
               const IndexSet set =
-                dofs_of_face(dofs, id, {{false, false, true}});
+                dofs_of_face(dofs, id, {{axis == 0, axis == 1, axis == 2}});
               const unsigned int master = smallest_on_any_rank(set, comm);
               for (const auto i : set)
                 if (i != master && !constraints.is_constrained(i))
@@ -98,7 +118,7 @@ namespace squeal
             }
           else
             for (const auto i :
-                 dofs_of_face(dofs, id, held_components(support)))
+                 dofs_of_face(dofs, id, held_components(support, axis)))
               if (!constraints.is_constrained(i))
                 constraints.add_line(i);
         }
@@ -223,7 +243,7 @@ namespace squeal
           for (const auto &support : scene.supports)
             if (support.body == scene.bodies[b].name)
               for (unsigned int c = 0; c < 6; ++c)
-                held[c] = held[c] || held_components(support)[c];
+                held[c] = held[c] || held_components(support, 2)[c];
           for (unsigned int c = 0; c < 6; ++c)
             if (!held[c])
               rigid_rows[b][c] = n++;

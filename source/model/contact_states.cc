@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/model/contact_states.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/parameters/text.h>
 
@@ -17,14 +18,6 @@ namespace squeal
 
     /** Statics do not depend on it; modes below are taken out of them. */
     constexpr double cut_off_of_statics = 1000.; // Hz
-
-    bool
-    is_friction(const std::string &path)
-    {
-      const std::string entry = "/Friction coefficient";
-      return path.size() > entry.size() &&
-             path.compare(path.size() - entry.size(), entry.size(), entry) == 0;
-    }
 
     std::string
     text_of(const SweepGrid &grid, const SweepPoint &point)
@@ -49,7 +42,7 @@ namespace squeal
           std::vector<double> key;
           const auto          values = grid.values(point);
           for (std::size_t e = 0; e < entries.size(); ++e)
-            if (!is_friction(entries[e]))
+            if (!is_friction_entry(entries[e]))
               key.push_back(values[e]);
           key.push_back(grid.scene(point).contacts[0].friction_coefficient <
                         0.);

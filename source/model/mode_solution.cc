@@ -67,6 +67,49 @@ namespace squeal
         }
       return forces;
     }
+
+    /** Forces of point springs on their body and on the other one. */
+    void
+    append_spring_forces(const Discretization     &d,
+                         const SpringParameters   &spring,
+                         const Block              &full_shapes,
+                         std::vector<PointForces> &result)
+    {
+      const PointEvaluator evaluator(d);
+      const auto           points   = spring_points(spring);
+      const bool           is_fixed = spring.other_body == "ground";
+      const unsigned int   body     = body_index(d.scene(), spring.body);
+      const unsigned int   other =
+        is_fixed ? body : body_index(d.scene(), spring.other_body);
+      const auto      rows       = evaluator.displacements(body, points).rows;
+      const auto      other_rows = evaluator.displacements(other, points).rows;
+      Eigen::Matrix3d K          = Eigen::Matrix3d::Zero();
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          K(c, c) += spring.stiffnesses[c];
+          for (unsigned int k = 0; k < 3; ++k)
+            K(c, k) +=
+              spring.stiffness * spring.direction[c] * spring.direction[k];
+        }
+      Eigen::MatrixXd forces(3 * points.size(), full_shapes.cols());
+      for (std::size_t p = 0; p < points.size(); ++p)
+        {
+          std::vector<Functionals::Row> motion(rows[p].begin(), rows[p].end());
+          if (!is_fixed)
+            for (unsigned int c = 0; c < 3; ++c)
+              motion[c] =
+                combine({{1., &rows[p][c]}, {-1., &other_rows[p][c]}});
+          forces.middleRows(3 * p, 3) =
+            -K * Functionals(d.space(), motion).apply(full_shapes);
+        }
+      const double spacing =
+        spring.number > 1
+          ? points.front().distance(points.back()) / (spring.number - 1)
+          : std::numeric_limits<double>::infinity();
+      result.push_back({body, points, forces, spacing});
+      if (!is_fixed)
+        result.push_back({other, points, -forces, spacing});
+    }
   } // namespace
 
 
@@ -96,45 +139,9 @@ namespace squeal
                             -forces,
                             spacing});
       }
-    const PointEvaluator evaluator(d);
     for (const auto &spring : scene.springs)
       if (spring.kind == SpringParameters::Kind::points)
-        {
-          std::vector<dealii::Point<3>> points;
-          double                        length = 0.;
-          for (unsigned int k = 0; k < spring.number; ++k)
-            {
-              dealii::Point<3> x;
-              const double     s =
-                spring.number > 1 ? double(k) / (spring.number - 1) : 0.;
-              for (unsigned int c = 0; c < 3; ++c)
-                x[c] =
-                  (1. - s) * spring.first_point[c] + s * spring.last_point[c];
-              points.push_back(x);
-            }
-          length                   = points.front().distance(points.back());
-          const unsigned int body  = body_index(scene, spring.body);
-          const auto         found = evaluator.displacements(body, points);
-          Eigen::MatrixXd    forces(3 * points.size(), full_shapes.cols());
-          for (std::size_t p = 0; p < points.size(); ++p)
-            {
-              const auto row =
-                combine({{spring.direction[0], &found.rows[p][0]},
-                         {spring.direction[1], &found.rows[p][1]},
-                         {spring.direction[2], &found.rows[p][2]}});
-              const Functionals     f(d.space(), {row});
-              const Eigen::MatrixXd u = f.apply(full_shapes);
-              for (unsigned int c = 0; c < 3; ++c)
-                forces.row(3 * p + c) =
-                  -spring.stiffness * spring.direction[c] * u;
-            }
-          result.push_back({body,
-                            points,
-                            forces,
-                            spring.number > 1
-                              ? length / (spring.number - 1)
-                              : std::numeric_limits<double>::infinity()});
-        }
+        append_spring_forces(d, spring, full_shapes, result);
     return result;
   }
 

@@ -62,13 +62,19 @@ namespace squeal
           require_body(scene, tie.target_body, section, "Target body");
         if (&source == &target)
           refuse_entry(section, "Target body", "is the source body itself");
-        if (source.shape == Shape::rigid || target.shape == Shape::rigid)
+        if (source.shape == Shape::rigid)
           refuse_entry(section,
-                       source.shape == Shape::rigid ? "Source body"
-                                                    : "Target body",
-                       "is a rigid body; ties join the faces of meshed bodies");
+                       "Source body",
+                       "is a rigid body: a tie leads a face of a meshed body; "
+                       "exchange source and target");
         require_face(source, tie.source_face, section, "Source face");
         require_face(target, tie.target_face, section, "Target face");
+        if (target.shape == Shape::rigid &&
+            tie.kind == TieParameters::Kind::conforming)
+          refuse_entry(section,
+                       "Kind",
+                       "= conforming: a rigid target has no nodes in common "
+                       "with the source; leave it 'automatic'");
         const auto source_face = flat_face(source, tie.source_face);
         const auto target_face = flat_face(target, tie.target_face);
         if (!source_face || !target_face)
@@ -134,17 +140,27 @@ namespace squeal
                            "is a rigid body, which has no face; use 'Kind = "
                            "points'");
             require_face(body, spring.face, section, "Face");
-            if (spring.other_body != "ground")
-              refuse_entry(
-                section, "Other body", "must be 'ground' for 'Kind = area'");
+            if (spring.other_body != "ground" &&
+                &require_body(
+                  scene, spring.other_body, section, "Other body") == &body)
+              refuse_entry(section, "Other body", "is the body itself");
           }
         const Vector3 zero{{0., 0., 0.}};
         if (spring.direction == zero)
           refuse_entry(section, "Direction", "must not be 0");
-        if (spring.stiffness == 0. && spring.dashpot == 0.)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            if (spring.stiffnesses[c] < 0.)
+              refuse_entry(section, "Stiffnesses", "must not be negative");
+            if (spring.dashpots[c] < 0.)
+              refuse_entry(section, "Dashpots", "must not be negative");
+          }
+        if (spring.stiffness == 0. && spring.dashpot == 0. &&
+            spring.stiffnesses == zero && spring.dashpots == zero)
           refuse_entry(section,
                        "Stiffness",
-                       "and 'Dashpot' are both 0: the springs do nothing");
+                       ", 'Dashpot', 'Stiffnesses' and 'Dashpots' are all 0: "
+                       "the springs do nothing");
       }
 
 
@@ -205,11 +221,21 @@ namespace squeal
       void
       check_load(const SceneParameters &scene, const LoadParameters &load)
       {
-        const std::string section = "Scene/Load " + load.name;
-        require_face(require_body(scene, load.body, section, "Body"),
-                     load.face,
-                     section,
-                     "Face");
+        const std::string     section = "Scene/Load " + load.name;
+        const BodyParameters &body =
+          require_body(scene, load.body, section, "Body");
+        require_face(body, load.face, section, "Face");
+        const Vector3 zero{{0., 0., 0.}};
+        if (body.shape == Shape::rigid && load.pressure != 0.)
+          refuse_entry(section,
+                       "Pressure",
+                       "needs a face, which a rigid body does not have; give "
+                       "'Force' and 'Moment'");
+        if (body.shape != Shape::rigid && load.moment != zero)
+          refuse_entry(section,
+                       "Moment",
+                       "is for rigid bodies; tie the face to one and load "
+                       "that");
       }
 
 

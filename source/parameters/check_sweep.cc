@@ -83,6 +83,20 @@ namespace squeal
           }
       }
 
+      /** Refuses values that have no logarithm. */
+      void
+      require_positive(const SweepAxisParameters &a)
+      {
+        const bool is_list = a.scale == Scale::list;
+        for (const auto *values :
+             {is_list ? &a.values : &a.from, is_list ? &a.values : &a.to})
+          for (const double value : *values)
+            if (!(value > 0.))
+              refuse_entry("Sweep/Axis " + a.name,
+                           "Shown as",
+                           "= common logarithm needs values above 0");
+      }
+
       void
       check_axis(const Parameters          &parameters,
                  const GenericSchema       &schema,
@@ -156,6 +170,14 @@ namespace squeal
       for (const auto &axis : s.axes)
         {
           check_axis(parameters, schema, axis);
+          if (!is_campaign &&
+              axis.shown_as != SweepAxisParameters::ShownAs::value)
+            refuse_entry("Sweep/Axis " + axis.name,
+                         "Shown as",
+                         "is for campaigns of transients; a sweep shows the "
+                         "value itself");
+          if (axis.shown_as == SweepAxisParameters::ShownAs::common_logarithm)
+            require_positive(axis);
           n_points *=
             axis.scale == Scale::list ? axis.values.size() : axis.number;
           for (const auto &path : axis.entries)

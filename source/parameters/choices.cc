@@ -217,6 +217,20 @@ namespace squeal
 
 
 
+  Choices<SweepAxisParameters::ShownAs>
+  choices(const SweepAxisParameters::ShownAs)
+  {
+    using S = SweepAxisParameters::ShownAs;
+    return {{"value", S::value},
+            {"common logarithm", S::common_logarithm},
+            {"milli", S::milli},
+            {"kilo", S::kilo},
+            {"mega", S::mega},
+            {"giga", S::giga}};
+  }
+
+
+
   Choices<WorkPrecisionParameters::Ladder>
   choices(const WorkPrecisionParameters::Ladder)
   {

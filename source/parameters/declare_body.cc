@@ -72,21 +72,25 @@ namespace squeal
                    b.material_model,
                    "Elastic law: 'Young modulus' and 'Poisson ratio', or "
                    "'Young moduli', 'Shear moduli' and 'Poisson ratios'.");
-        schema.add("Young modulus",
-                   b.young_modulus,
-                   Allowed::positive(),
-                   "Young's modulus of an isotropic material.",
-                   "Pa");
+        schema
+          .add("Young modulus",
+               b.young_modulus,
+               Allowed::positive(),
+               "Young's modulus of an isotropic material.",
+               "Pa")
+          .affine();
         schema.add("Poisson ratio",
                    b.poisson_ratio,
                    Allowed::number(0., 0.4999),
                    "Poisson's ratio of an isotropic material; at 0.5 the "
                    "stiffness would be infinite.");
-        schema.add("Density",
-                   b.density,
-                   Allowed::positive(),
-                   "Mass density of a meshed body.",
-                   "kg/m^3");
+        schema
+          .add("Density",
+               b.density,
+               Allowed::positive(),
+               "Mass density of a meshed body.",
+               "kg/m^3")
+          .affine();
         schema.add("Young moduli",
                    b.young_moduli,
                    three_positive,
@@ -121,30 +125,38 @@ namespace squeal
     {
       declare_geometry(schema, b);
       declare_material(schema, b);
-      schema.add("Mass damping",
-                 b.mass_damping,
-                 Allowed::number(0.),
-                 "Damping matrix over mass matrix of the body; with "
-                 "'Scene/Damping/Model = per part' only.",
-                 "1/s");
-      schema.add("Stiffness damping",
-                 b.stiffness_damping,
-                 Allowed::number(0.),
-                 "Damping matrix over stiffness matrix of the body; with "
-                 "'Scene/Damping/Model = per part' only.",
-                 "s");
-      schema.add("Structural damping",
-                 b.structural_damping,
-                 Allowed::number(0., 2.),
-                 "Loss factor of the material; with 'Scene/Damping/Model = "
-                 "per part' only.");
-      schema.add("Rotation speed",
-                 b.rotation_speed,
-                 Allowed::number(),
-                 "Speed about the z axis for the gyroscopic and convective "
-                 "terms of a body that turns through the fixed frame; 0 "
-                 "leaves them out.",
-                 "rad/s");
+      schema
+        .add("Mass damping",
+             b.mass_damping,
+             Allowed::number(0.),
+             "Damping matrix over mass matrix of the body; with "
+             "'Scene/Damping/Model = per part' only.",
+             "1/s")
+        .affine();
+      schema
+        .add("Stiffness damping",
+             b.stiffness_damping,
+             Allowed::number(0.),
+             "Damping matrix over stiffness matrix of the body; with "
+             "'Scene/Damping/Model = per part' only.",
+             "s")
+        .affine();
+      schema
+        .add("Structural damping",
+             b.structural_damping,
+             Allowed::number(0., 2.),
+             "Loss factor of the material; with 'Scene/Damping/Model = "
+             "per part' only.")
+        .affine();
+      schema
+        .add("Rotation speed",
+             b.rotation_speed,
+             Allowed::number(),
+             "Speed about the z axis for the gyroscopic and convective "
+             "terms of a body that turns through the fixed frame; 0 "
+             "leaves them out.",
+             "rad/s")
+        .affine();
       schema.add(
         "Rotation axis",
         b.rotation_axis,
@@ -153,6 +165,13 @@ namespace squeal
         "the body turns about as the target of a contact with "
         "'Friction direction = slip'; the sense of turning follows "
         "the right hand.");
+      schema.add("Angle",
+                 b.angle,
+                 Allowed::number(),
+                 "What the mesh is turned by about the 'Rotation axis' through "
+                 "'Position', such as the angle at which a disc with vanes "
+                 "stands. Annuli and cylinders turn about z only.",
+                 "deg");
     }
   } // namespace prm
 } // namespace squeal

@@ -54,22 +54,28 @@ namespace squeal
                    Allowed::list(Allowed::integer(1, 1000), 2, 2),
                    "Point pairs along the two edges of the source face, edges "
                    "included.");
-        schema.add("Normal stiffness",
-                   c.normal_stiffness,
-                   Allowed::positive(),
-                   "Normal stiffness of each point pair of a grid.",
-                   "N/m");
-        schema.add("Tangential stiffness",
-                   c.tangential_stiffness,
-                   Allowed::number(),
-                   "Tangential stiffness of each point pair that sticks; "
-                   "negative: equal to the normal stiffness.",
-                   "N/m");
-        schema.add("Normal stiffness per area",
-                   c.normal_stiffness_per_area,
-                   Allowed::positive(),
-                   "Normal stiffness of the layout 'quadrature'.",
-                   "N/m^3");
+        schema
+          .add("Normal stiffness",
+               c.normal_stiffness,
+               Allowed::positive(),
+               "Normal stiffness of each point pair of a grid.",
+               "N/m")
+          .affine();
+        schema
+          .add("Tangential stiffness",
+               c.tangential_stiffness,
+               Allowed::number(),
+               "Tangential stiffness of each point pair that sticks; "
+               "negative: equal to the normal stiffness.",
+               "N/m")
+          .affine();
+        schema
+          .add("Normal stiffness per area",
+               c.normal_stiffness_per_area,
+               Allowed::positive(),
+               "Normal stiffness of the layout 'quadrature'.",
+               "N/m^3")
+          .affine();
         schema.add("Contact state",
                    c.state,
                    "The whole face slips (full) or sticks (stick); 'preload': "
@@ -119,11 +125,14 @@ namespace squeal
     {
       declare_faces(schema, c);
       declare_normal_contact(schema, c);
-      schema.add("Friction coefficient",
-                 c.friction_coefficient,
-                 Allowed::number(-5., 5.),
-                 "Coefficient of friction; negative: the target turns "
-                 "backwards.");
+      schema
+        .add("Friction coefficient",
+             c.friction_coefficient,
+             Allowed::number(-5., 5.),
+             "Coefficient of friction; negative: the target turns "
+             "backwards.")
+        .friction()
+        .affine();
       declare_friction_law(schema, c);
       schema.add("Friction direction",
                  c.friction_direction,
@@ -141,34 +150,44 @@ namespace squeal
                  "Add the friction force that turns with the slip direction: "
                  "mu p0/|V| times the slip rate across the sliding "
                  "direction.");
-      schema.add("Sliding speed",
-                 c.sliding_speed,
-                 Allowed::number(0.),
-                 "Speed |V| of the target's surface at the centre of the "
-                 "source face.",
-                 "m/s");
-      schema.add("Normal force",
-                 c.normal_force,
-                 Allowed::number(0.),
-                 "Resultant of the contact pressure p0 in steady sliding.",
-                 "N");
-      schema.add("Friction slope",
-                 c.friction_slope,
-                 Allowed::number(),
-                 "Slope of the coefficient of friction over the sliding "
-                 "speed; negative values feed energy into vibrations.",
-                 "s/m");
-      schema.add("Stiffness damping",
-                 c.stiffness_damping,
-                 Allowed::number(0.),
-                 "Damping over stiffness of the contact; with "
-                 "'Scene/Damping/Model = per part' only.",
-                 "s");
-      schema.add("Structural damping",
-                 c.structural_damping,
-                 Allowed::number(0., 2.),
-                 "Loss factor of the contact; with 'Scene/Damping/Model = per "
-                 "part' only.");
+      schema
+        .add("Sliding speed",
+             c.sliding_speed,
+             Allowed::number(0.),
+             "Speed |V| of the target's surface at the centre of the "
+             "source face.",
+             "m/s")
+        .affine();
+      schema
+        .add("Normal force",
+             c.normal_force,
+             Allowed::number(0.),
+             "Resultant of the contact pressure p0 in steady sliding.",
+             "N")
+        .affine();
+      schema
+        .add("Friction slope",
+             c.friction_slope,
+             Allowed::number(),
+             "Slope of the coefficient of friction over the sliding "
+             "speed; negative values feed energy into vibrations.",
+             "s/m")
+        .affine();
+      schema
+        .add("Stiffness damping",
+             c.stiffness_damping,
+             Allowed::number(0.),
+             "Damping over stiffness of the contact; with "
+             "'Scene/Damping/Model = per part' only.",
+             "s")
+        .affine();
+      schema
+        .add("Structural damping",
+             c.structural_damping,
+             Allowed::number(0., 2.),
+             "Loss factor of the contact; with 'Scene/Damping/Model = per "
+             "part' only.")
+        .affine();
     }
   } // namespace prm
 } // namespace squeal

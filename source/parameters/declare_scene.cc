@@ -17,9 +17,15 @@ namespace squeal
                    Allowed::text(),
                    "Body that carries the multiplier of a mortar tie.");
         schema.add("Source face", t.source_face, Allowed::text(), "Its face.");
-        schema.add(
-          "Target body", t.target_body, Allowed::text(), "The other body.");
-        schema.add("Target face", t.target_face, Allowed::text(), "Its face.");
+        schema.add("Target body",
+                   t.target_body,
+                   Allowed::text(),
+                   "The other body. A rigid one couples the source face "
+                   "rigidly to a point with mass and inertia.");
+        schema.add("Target face",
+                   t.target_face,
+                   Allowed::text(),
+                   "Its face; empty for a rigid body.");
         schema.add("Kind",
                    t.kind,
                    "Common nodes (conforming, the face meshes must match), a "
@@ -87,35 +93,62 @@ namespace squeal
         schema.add("Other body",
                    s.other_body,
                    Allowed::text(),
-                   "Body at the other end (point springs, at the same "
-                   "points), or 'ground'.");
+                   "Body at the other end, at the same points, or 'ground'.");
         schema.add("Face",
                    s.face,
                    Allowed::text(),
                    "Face of an elastic bed; empty for point springs.");
         declare_spring_points(schema, s);
-        schema.add("Stiffness",
-                   s.stiffness,
-                   Allowed::number(0.),
-                   "Stiffness of each point spring, or of the bed per area.",
-                   "N/m, bed N/m^3");
-        schema.add("Dashpot",
-                   s.dashpot,
-                   Allowed::number(0.),
-                   "Viscous damper in parallel with each point spring, or of "
-                   "the bed per area.",
-                   "N s/m, bed N s/m^3");
-        schema.add("Stiffness damping",
-                   s.stiffness_damping,
-                   Allowed::number(0.),
-                   "Damping over stiffness of the springs; with "
-                   "'Scene/Damping/Model = per part' only.",
-                   "s");
-        schema.add("Structural damping",
-                   s.structural_damping,
-                   Allowed::number(0., 2.),
-                   "Loss factor of the springs; with 'Scene/Damping/Model = "
-                   "per part' only.");
+        schema
+          .add("Stiffness",
+               s.stiffness,
+               Allowed::number(0.),
+               "Stiffness of each point spring, or of the bed per area.",
+               "N/m")
+          .affine()
+          .of_bed("N/m^3");
+        schema
+          .add("Dashpot",
+               s.dashpot,
+               Allowed::number(0.),
+               "Viscous damper in parallel with each point spring, or of "
+               "the bed per area.",
+               "N s/m")
+          .affine()
+          .of_bed("N s/m^3");
+        schema
+          .add("Stiffnesses",
+               s.stiffnesses,
+               Allowed::vector(),
+               "Stiffnesses along x, y and z of each point, or of the bed "
+               "per area, beside 'Stiffness' along 'Direction'.",
+               "N/m")
+          .affine()
+          .of_bed("N/m^3");
+        schema
+          .add("Dashpots",
+               s.dashpots,
+               Allowed::vector(),
+               "Viscous dampers along x, y and z of each point, or of the "
+               "bed per area.",
+               "N s/m")
+          .affine()
+          .of_bed("N s/m^3");
+        schema
+          .add("Stiffness damping",
+               s.stiffness_damping,
+               Allowed::number(0.),
+               "Damping over stiffness of the springs; with "
+               "'Scene/Damping/Model = per part' only.",
+               "s")
+          .affine();
+        schema
+          .add("Structural damping",
+               s.structural_damping,
+               Allowed::number(0., 2.),
+               "Loss factor of the springs; with 'Scene/Damping/Model = "
+               "per part' only.")
+          .affine();
       }
 
 
@@ -129,9 +162,10 @@ namespace squeal
         schema.add("Kind",
                    s.kind,
                    "All displacements are held (clamped), those listed in "
-                   "'Components', or the face moves along z without tilting, "
-                   "free in x and y (guided); held: guided, and kept along z "
-                   "where the loads have moved it; free: nothing is held.");
+                   "'Components', or the face moves along its normal (x, y or "
+                   "z) without tilting, free across it (guided); held: guided, "
+                   "and kept along the normal where the loads have moved it; "
+                   "free: nothing is held.");
         schema.add("Components",
                    s.components,
                    Allowed::list(
@@ -148,7 +182,8 @@ namespace squeal
         schema.add("Body", m.body, Allowed::text(), "Body that carries it.");
         schema.add(
           "Point", m.point, Allowed::vector(), "Where it is fixed.", "m");
-        schema.add("Mass", m.mass, Allowed::number(0.), "Its mass.", "kg");
+        schema.add("Mass", m.mass, Allowed::number(0.), "Its mass.", "kg")
+          .affine();
       }
 
 
@@ -164,6 +199,17 @@ namespace squeal
                    Allowed::vector(),
                    "Resultant of the force, spread evenly over the face.",
                    "N");
+        schema.add("Pressure",
+                   l.pressure,
+                   Allowed::number(),
+                   "Pressure on the face, against its outward normal; positive "
+                   "pushes on the body.",
+                   "Pa");
+        schema.add("Moment",
+                   l.moment,
+                   Allowed::vector(),
+                   "Moment on a rigid body about its centre of gravity.",
+                   "N m");
         schema.add("Ramp time",
                    l.ramp_time,
                    Allowed::number(0.),
@@ -182,20 +228,26 @@ namespace squeal
                    "None; of the whole model by the three entries below, "
                    "springs and contact included; or of each body, spring and "
                    "contact by its own entries. Dashpots always count.");
-        schema.add("Mass damping",
-                   d.mass_damping,
-                   Allowed::number(0.),
-                   "alpha of C = alpha M + beta K for the whole model.",
-                   "1/s");
-        schema.add("Stiffness damping",
-                   d.stiffness_damping,
-                   Allowed::number(0.),
-                   "beta of C = alpha M + beta K for the whole model.",
-                   "s");
-        schema.add("Structural damping",
-                   d.structural_damping,
-                   Allowed::number(0., 2.),
-                   "Loss factor eta of K (1 + i eta) for the whole model.");
+        schema
+          .add("Mass damping",
+               d.mass_damping,
+               Allowed::number(0.),
+               "alpha of C = alpha M + beta K for the whole model.",
+               "1/s")
+          .affine();
+        schema
+          .add("Stiffness damping",
+               d.stiffness_damping,
+               Allowed::number(0.),
+               "beta of C = alpha M + beta K for the whole model.",
+               "s")
+          .affine();
+        schema
+          .add("Structural damping",
+               d.structural_damping,
+               Allowed::number(0., 2.),
+               "Loss factor eta of K (1 + i eta) for the whole model.")
+          .affine();
         schema.leave_section();
       }
 
@@ -223,10 +275,12 @@ namespace squeal
                    Allowed::text(),
                    "Name of the matrix in a file with several; empty: the "
                    "only one.");
-        schema.add("Factor",
-                   m.factor,
-                   Allowed::number(),
-                   "Number that multiplies the matrix.");
+        schema
+          .add("Factor",
+               m.factor,
+               Allowed::number(),
+               "Number that multiplies the matrix.")
+          .affine();
       }
 
 
@@ -240,15 +294,20 @@ namespace squeal
                    "CSV file with the point pairs of the contact of an "
                    "imported model, relative to the parameter file; empty: "
                    "none.");
-        schema.add("Contact normal stiffness",
-                   scene.contact_normal_stiffness,
-                   Allowed::number(0.),
-                   "Normal stiffness of each point pair of that file.",
-                   "N/m");
-        schema.add("Friction coefficient",
-                   scene.friction_coefficient,
-                   Allowed::number(-5., 5.),
-                   "Coefficient of friction of an imported model.");
+        schema
+          .add("Contact normal stiffness",
+               scene.contact_normal_stiffness,
+               Allowed::number(0.),
+               "Normal stiffness of each point pair of that file.",
+               "N/m")
+          .affine();
+        schema
+          .add("Friction coefficient",
+               scene.friction_coefficient,
+               Allowed::number(-5., 5.),
+               "Coefficient of friction of an imported model.")
+          .friction()
+          .affine();
         schema.add("Node table file",
                    scene.node_table_file,
                    Allowed::file(),

@@ -56,6 +56,11 @@ namespace squeal
                    "a logarithmic axis; 0: a sixth of the range, about its "
                    "middle.",
                    "as the axis");
+        schema.add("Shown as",
+                   a.shown_as,
+                   "What tables and charts of a campaign of transients show: "
+                   "the value, its common logarithm, or the value with a "
+                   "prefix of its unit (mega: MPa for Pa).");
       }
     } // namespace
 

@@ -109,7 +109,8 @@ namespace squeal
     std::optional<Box>
     box_of(const BodyParameters &body)
     {
-      if (body.shape == Shape::gmsh || body.shape == Shape::rigid)
+      if (body.shape == Shape::gmsh || body.shape == Shape::rigid ||
+          (body.shape == Shape::block && body.angle != 0.))
         return {};
       const Vector3 extent =
         body.shape == Shape::block

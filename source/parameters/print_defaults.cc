@@ -59,7 +59,7 @@ namespace squeal
           {
             print_comment(entry.documentation + " " +
                             capitalised(entry.allowed.words()) +
-                            ". Units: " + entry.units + ".",
+                            ". Units: " + entry.units_text() + ".",
                           indent,
                           out);
             out << indent << mark << "set " << entry.name << " ="
@@ -135,7 +135,8 @@ namespace squeal
               out << "| " << cell(entry.name) << " | "
                   << code(entry.default_value) << " | "
                   << cell(entry.allowed.words()) << " | "
-                  << cell(entry.documentation + " Units: " + entry.units + ".")
+                  << cell(entry.documentation +
+                          " Units: " + entry.units_text() + ".")
                   << " |\n";
         }
     }

@@ -26,13 +26,19 @@ namespace squeal
               return fault;
           }
         const std::string units =
-          entry.units == "none" ? "" : " (" + entry.units + ")";
+          entry.units == "none" ? "" : " (" + entry.units_text() + ")";
         return "give " + entry.allowed.words() + units +
                did_you_mean(value, entry.allowed.choices());
       }
     } // namespace
 
 
+
+    std::string
+    Schema::Entry::units_text() const
+    {
+      return units_of_bed.empty() ? units : units + ", bed " + units_of_bed;
+    }
 
     std::string
     Schema::Entry::path() const
@@ -82,7 +88,7 @@ namespace squeal
 
 
 
-    void
+    Schema::Entry &
     Schema::declare(Entry entry)
     {
       Assert(entry.section == section_path(), dealii::ExcInternalError());
@@ -94,6 +100,7 @@ namespace squeal
                                ".");
       entry_index[entry.path()] = entry_list.size();
       entry_list.push_back(std::move(entry));
+      return entry_list.back();
     }
 
 

@@ -171,6 +171,53 @@ namespace squeal
           }
       return mesh;
     }
+
+
+
+    /** The mesh where the numbers of @p body describe it, not turned. */
+    BodyMesh
+    mesh_as_described(const BodyParameters &body)
+    {
+      BodyMesh mesh;
+      switch (body.shape)
+        {
+        case BodyParameters::Shape::annulus:
+          mesh = annulus_mesh(body);
+          break;
+        case BodyParameters::Shape::block:
+          mesh = block_mesh(body);
+          break;
+        case BodyParameters::Shape::cylinder:
+          mesh = cylinder_mesh(body);
+          break;
+        case BodyParameters::Shape::gmsh:
+          return read_gmsh_body(body);
+        case BodyParameters::Shape::rigid:
+          return mesh;
+        }
+      mesh.face_names = prm::faces_of(body.shape);
+      return mesh;
+    }
+
+
+
+    void
+    turn(const BodyParameters &body, BodyMesh &mesh)
+    {
+      const Vector3             &a = body.rotation_axis;
+      const dealii::Tensor<1, 3> axis({a[0], a[1], a[2]});
+      const dealii::Tensor<1, 3> e = axis / axis.norm();
+      const dealii::Point<3>     centre(
+        body.position[0], body.position[1], body.position[2]);
+      const double angle = body.angle * (M_PI / 180.);
+      for (auto &vertex : mesh.vertices)
+        {
+          const dealii::Tensor<1, 3> r     = vertex - centre;
+          const dealii::Tensor<1, 3> along = (e * r) * e;
+          vertex = centre + along + std::cos(angle) * (r - along) +
+                   std::sin(angle) * dealii::cross_product_3d(e, r);
+        }
+    }
   } // namespace
 
 
@@ -178,24 +225,9 @@ namespace squeal
   BodyMesh
   make_body_mesh(const BodyParameters &body)
   {
-    BodyMesh mesh;
-    switch (body.shape)
-      {
-      case BodyParameters::Shape::annulus:
-        mesh = annulus_mesh(body);
-        break;
-      case BodyParameters::Shape::block:
-        mesh = block_mesh(body);
-        break;
-      case BodyParameters::Shape::cylinder:
-        mesh = cylinder_mesh(body);
-        break;
-      case BodyParameters::Shape::gmsh:
-        return read_gmsh_body(body);
-      case BodyParameters::Shape::rigid:
-        return mesh;
-      }
-    mesh.face_names = prm::faces_of(body.shape);
+    BodyMesh mesh = mesh_as_described(body);
+    if (body.angle != 0.)
+      turn(body, mesh);
     return mesh;
   }
 } // namespace squeal

@@ -177,6 +177,30 @@ namespace squeal
 
 
 
+  unsigned int
+  axis_of_face(const CoarseMesh &mesh, const unsigned int face)
+  {
+    dealii::Tensor<1, 3> area;
+    double               total = 0.;
+    for (const auto &quad : mesh.boundary.boundary_quads)
+      if (quad.boundary_id == face)
+        {
+          const auto &v = quad.vertices; // lexicographic
+          const auto  vector =
+            0.5 *
+            dealii::cross_product_3d(mesh.vertices[v[3]] - mesh.vertices[v[0]],
+                                     mesh.vertices[v[2]] - mesh.vertices[v[1]]);
+          area += vector * (area * vector < 0. ? -1. : 1.);
+          total += vector.norm();
+        }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (std::abs(area[c]) > (1. - 1e-9) * total)
+        return c;
+    return -1u;
+  }
+
+
+
   CoarseMesh
   make_coarse_mesh(const SceneParameters &scene)
   {
@@ -211,6 +235,13 @@ namespace squeal
       {
         const unsigned int source =
           face_id(mesh, scene, tie.source_body, tie.source_face);
+        const auto &target_body =
+          scene.bodies[body_index(scene, tie.target_body)];
+        if (target_body.shape == BodyParameters::Shape::rigid)
+          {
+            mesh.tie_is_conforming.push_back(false);
+            continue;
+          }
         const unsigned int target =
           face_id(mesh, scene, tie.target_body, tie.target_face);
         const auto partner = matching_vertices(

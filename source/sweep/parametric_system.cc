@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/sum_operator.h>
-#include <squeal/parameters/declarations.h>
-#include <squeal/parameters/text.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/sweep/parametric_system.h>
 
 #include <algorithm>
@@ -12,39 +11,6 @@ namespace squeal
 {
   namespace
   {
-    const std::vector<std::string> &
-    affine_entries()
-    {
-      static const std::vector<std::string> paths = {
-        "Scene/Body <name>/Young modulus",
-        "Scene/Body <name>/Density",
-        "Scene/Body <name>/Mass damping",
-        "Scene/Body <name>/Stiffness damping",
-        "Scene/Body <name>/Structural damping",
-        "Scene/Body <name>/Rotation speed",
-        "Scene/Spring <name>/Stiffness",
-        "Scene/Spring <name>/Dashpot",
-        "Scene/Spring <name>/Stiffness damping",
-        "Scene/Spring <name>/Structural damping",
-        "Scene/Lumped mass <name>/Mass",
-        "Scene/Contact <name>/Normal stiffness",
-        "Scene/Contact <name>/Normal stiffness per area",
-        "Scene/Contact <name>/Tangential stiffness",
-        "Scene/Contact <name>/Friction coefficient",
-        "Scene/Contact <name>/Sliding speed",
-        "Scene/Contact <name>/Normal force",
-        "Scene/Contact <name>/Friction slope",
-        "Scene/Contact <name>/Stiffness damping",
-        "Scene/Contact <name>/Structural damping",
-        "Scene/Damping/Mass damping",
-        "Scene/Damping/Stiffness damping",
-        "Scene/Damping/Structural damping",
-        "Scene/Matrix part <name>/Factor",
-        "Scene/Contact normal stiffness",
-        "Scene/Friction coefficient"};
-      return paths;
-    }
-
     /** Coefficients of one term at all samples, one after the other. */
     Eigen::VectorXd
     profile(const std::vector<TermCoefficients> &samples)
@@ -69,15 +35,6 @@ namespace squeal
   } // namespace
 
 
-
-  bool
-  is_affine_entry(const std::string &path)
-  {
-    const std::string generic = prm::generic_path(path);
-    return std::find(affine_entries().begin(),
-                     affine_entries().end(),
-                     generic) != affine_entries().end();
-  }
 
   void
   require_affine(const std::string &section, const std::string &path)

@@ -59,6 +59,9 @@ namespace squeal
   AffineSystem body_system(const Discretization            &discretization,
                            const std::vector<BodyMatrices> &bodies);
 
+  /** Where point springs are attached, m. */
+  std::vector<dealii::Point<3>> spring_points(const SpringParameters &spring);
+
   /** Coefficients of an elastic part k A with its damping: beta k and
    * (1 + i eta) k by the damping model of the scene. */
   TermCoefficients elastic_coefficients(const SceneParameters &scene,

@@ -9,9 +9,10 @@
 namespace squeal
 {
   /**
-   * Nodal forces of a load: its resultant spread evenly over the face, N, one
-   * column in the rows of the discretisation. Throws InputError where body or
-   * face do not exist.
+   * Nodal forces of a load, N, one column in the rows of the discretisation:
+   * its resultant spread evenly over the face and its pressure against the
+   * outward normals, or force and moment on a rigid body. Throws InputError
+   * where body or face do not exist.
    */
   Block load_vector(const Discretization &discretization,
                     const PointEvaluator &evaluator,

@@ -69,9 +69,13 @@ namespace squeal
     double rotation_speed = 0.;
     /** Axis, through `position`, that the body turns about as a target. */
     Vector3 rotation_axis{{0., 0., 1.}};
+    /** What the body is turned by about that axis from the place that the other
+     * numbers describe, degrees. */
+    double angle = 0.;
   };
 
-  /** Two faces that move as one, section "Scene/Tie <name>". */
+  /** Two faces that move as one, or a face that moves as a rigid body does
+   * (rigid coupling), section "Scene/Tie <name>". */
   struct TieParameters
   {
     enum class Kind
@@ -82,7 +86,7 @@ namespace squeal
     };
     std::string name;
     std::string source_body, source_face; /**< carries the multiplier */
-    std::string target_body, target_face;
+    std::string target_body, target_face; /**< no face of a rigid body */
     Kind        kind = Kind::automatic;
   };
 
@@ -90,7 +94,9 @@ namespace squeal
    * Springs and dashpots, section "Scene/Spring <name>": either `number` equal
    * point springs spaced evenly from first_point to last_point (both ends
    * included), or an elastic bed on a face. One end on `body`, the other on
-   * the ground or on `other_body` (point springs only, same points).
+   * the ground or on `other_body` at the same points. They act along
+   * `direction` by `stiffness` and `dashpot`, and along x, y and z by
+   * `stiffnesses` and `dashpots`.
    */
   struct SpringParameters
   {
@@ -109,8 +115,10 @@ namespace squeal
     Vector3      direction{{0., 0., 1.}}; /**< normalised when read */
     double       stiffness = 0.; /**< N/m for each point, N/m^3 on an area */
     double       dashpot = 0.; /**< N s/m for each point, N s/m^3 on an area */
-    double       stiffness_damping  = 0.; /**< beta, s; "per part" only */
-    double       structural_damping = 0.; /**< eta; "per part" only */
+    Vector3      stiffnesses{{0., 0., 0.}}; /**< along x, y, z; as stiffness */
+    Vector3      dashpots{{0., 0., 0.}};    /**< along x, y, z; as dashpot */
+    double       stiffness_damping  = 0.;   /**< beta, s; "per part" only */
+    double       structural_damping = 0.;   /**< eta; "per part" only */
   };
 
   /** Displacements that are held at zero, section "Scene/Support <name>". */
@@ -120,9 +128,10 @@ namespace squeal
     {
       clamped,    /**< all components of the face (or of a rigid body) */
       components, /**< the listed components */
-      guided,     /**< the face moves along z but cannot tilt; x, y free */
-      held,       /**< guided, and kept along z where the loads have moved it */
-      free        /**< nothing is held */
+      guided, /**< the face moves along its normal (x, y or z) but cannot tilt;
+                 free across it */
+      held,   /**< guided, and kept along the normal where the loads moved it */
+      free    /**< nothing is held */
     };
     std::string              name;
     std::string              body;
@@ -140,13 +149,16 @@ namespace squeal
     double      mass = 0.;           /**< kg */
   };
 
-  /** A force spread evenly over a face, section "Scene/Load <name>". */
+  /** A force spread evenly over a face and a pressure on it, or force and
+   * moment on a rigid body, section "Scene/Load <name>". */
   struct LoadParameters
   {
     std::string name;
-    std::string body, face;
-    Vector3     force{{0., 0., 0.}}; /**< resultant, N */
-    double      ramp_time = 0.;      /**< s, from zero to full, smooth */
+    std::string body, face;           /**< no face of a rigid body */
+    Vector3     force{{0., 0., 0.}};  /**< resultant, N */
+    double      pressure = 0.;        /**< Pa, positive pushes on the body */
+    Vector3     moment{{0., 0., 0.}}; /**< N m, rigid bodies only */
+    double      ramp_time = 0.;       /**< s, from zero to full, smooth */
   };
 
   /** A frictional contact pair, section "Scene/Contact <name>". */

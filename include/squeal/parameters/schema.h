@@ -44,8 +44,40 @@ namespace squeal
         std::string documentation; /**< without the unit */
         std::string units;
         std::function<void(const std::string &)> assign;
+        /** Fixed matrices are multiplied by functions of it: a sweep keeps
+         * them. */
+        bool is_affine = false;
+        /** A coefficient of friction: steady states that differ in it alone
+         * share the flexibility of the contact. */
+        bool is_friction = false;
+        /** Where it is given per area of an elastic bed; empty: no bed. */
+        std::string units_of_bed = {};
+
+        /** @name Traits, behind add() and declare() */
+        //@{
+        Entry &
+        affine()
+        {
+          is_affine = true;
+          return *this;
+        }
+        Entry &
+        friction()
+        {
+          is_friction = true;
+          return *this;
+        }
+        Entry &
+        of_bed(const std::string &its_units)
+        {
+          units_of_bed = its_units;
+          return *this;
+        }
+        //@}
 
         std::string path() const;
+        /** "N/m, bed N/m^3" */
+        std::string units_text() const;
       };
 
       struct Section
@@ -68,14 +100,14 @@ namespace squeal
 
       /** Declares an entry whose default is the present value of @p value. */
       template <typename T>
-      void
+      Entry &
       add(const std::string &name,
           T                 &value,
           const Allowed     &allowed,
           const std::string &documentation,
           const std::string &units = "none")
       {
-        declare(
+        return declare(
           {section_path(),
            name,
            to_text(value),
@@ -108,8 +140,8 @@ namespace squeal
       }
 
       /** Declares an entry that is assigned in its own way; its section is the
-       * present one. */
-      void declare(Entry entry);
+       * present one. The reference holds until the next declaration. */
+      Entry &declare(Entry entry);
 
       /** The section that add() declares in. */
       std::string section_path() const;

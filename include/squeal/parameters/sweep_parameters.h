@@ -40,6 +40,17 @@ namespace squeal
     /** Of `normal`, in the coordinate (decades on a logarithmic axis); a
      * deviation of 0 stands for a sixth of the range about its middle. */
     double mean = 0., deviation = 0.;
+    /** What tables and charts of a campaign show of a value. */
+    enum class ShownAs
+    {
+      value,            /**< in the unit of the entry */
+      common_logarithm, /**< of the value in that unit */
+      milli,            /**< in a thousandth of the unit */
+      kilo,             /**< in a thousand of it */
+      mega,
+      giga
+    };
+    ShownAs shown_as = ShownAs::value;
   };
 
   /** Parameter sweep on a certified basis, section "Sweep". */

@@ -40,6 +40,10 @@ namespace squeal
   unsigned int body_index(const SceneParameters &scene,
                           const std::string     &name);
 
+  /** The axis, 0 to 2, that a flat face looks along, to either side; -1u where
+   * it is not flat or looks along none. */
+  unsigned int axis_of_face(const CoarseMesh &mesh, const unsigned int face);
+
   /** Boundary id by names. Throws InputError naming the faces there are. */
   unsigned int face_id(const CoarseMesh      &mesh,
                        const SceneParameters &scene,

@@ -42,10 +42,8 @@ namespace squeal
     std::vector<std::vector<bool>> is_there;
   };
 
-  /** Whether the entry enters only by coefficients of affine parts. */
-  bool is_affine_entry(const std::string &path);
-
-  /** Throws InputError naming @p section for an entry that is not. */
+  /** Throws InputError naming @p section for an entry that enters otherwise than
+   * by coefficients of affine parts. */
   void require_affine(const std::string &section, const std::string &path);
 } // namespace squeal
 

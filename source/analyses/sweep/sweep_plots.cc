@@ -4,8 +4,8 @@
 // of unstable ranges, the errors of the basis.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
-#include <squeal/run/entry_units.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/sweep/sweep_scenes.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/number_access.h>
-#include <squeal/run/entry_units.h>
 #include <squeal/sweep/parametric_system.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
@@ -65,6 +66,20 @@ namespace squeal
         true);
     }
 
+
+
+    bool
+    spans_a_decade(const Table &table, const std::string &column)
+    {
+      double low  = std::numeric_limits<double>::infinity(),
+             high = -std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        {
+          low  = std::min(low, table.real(i, column));
+          high = std::max(high, table.real(i, column));
+        }
+      return low > 0. && high >= 10. * low;
+    }
 
 
     /** Where each way of looking finds growth, for one top. */
@@ -129,7 +144,7 @@ namespace squeal
               std::isfinite(table.real(i, "frequency_hz"))
                 ? rounded_text(1e-3 * table.real(i, "frequency_hz"), 3)
                 : "");
-      if (x.size() > 4 && x.substr(x.size() - 4) == "_mpa")
+      if (spans_a_decade(table, x))
         chart.x.scale = AxisSettings::Scale::logarithmic;
       chart.series = {full, real, time, none};
       return chart;

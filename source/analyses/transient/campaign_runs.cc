@@ -2,9 +2,10 @@
 #include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/number_access.h>
-#include <squeal/run/entry_units.h>
 #include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
@@ -41,31 +42,30 @@ namespace squeal
     bool
     is_friction(const SweepAxisParameters &a)
     {
-      for (const auto &entry : a.entries)
-        if (entry.find("/Friction coefficient") == std::string::npos)
-          return false;
-      return true;
+      return std::all_of(
+        a.entries.begin(), a.entries.end(), &is_friction_entry);
     }
 
-    bool
-    is_logarithm(const std::string &axis)
-    {
-      return axis.rfind("log10_", 0) == 0;
-    }
-
-    bool
-    is_in_mpa(const std::string &axis)
-    {
-      return axis.size() > 4 && axis.substr(axis.size() - 4) == "_mpa";
-    }
-
-    /** What a table shows of a value: names tell. */
     double
-    shown_value(const std::string &axis, const double value)
+    shown_value(const SweepAxisParameters::ShownAs shown_as, const double value)
     {
-      if (is_logarithm(axis))
-        return std::log10(value);
-      return is_in_mpa(axis) ? 1e-6 * value : value;
+      using ShownAs = SweepAxisParameters::ShownAs;
+      switch (shown_as)
+        {
+        case ShownAs::value:
+          return value;
+        case ShownAs::common_logarithm:
+          return std::log10(value);
+        case ShownAs::milli:
+          return 1e3 * value;
+        case ShownAs::kilo:
+          return 1e-3 * value;
+        case ShownAs::mega:
+          return 1e-6 * value;
+        case ShownAs::giga:
+          return 1e-9 * value;
+        }
+      unknown_choice("way of showing");
     }
 
     /** Combinations of the points of some axes. */
@@ -129,7 +129,7 @@ namespace squeal
     {
       std::vector<double> result;
       for (std::size_t i = 0; i < axes.size(); ++i)
-        result.push_back(shown_value(axes[i].name, points[i][0]));
+        result.push_back(shown_value(axes[i].shown_as, points[i][0]));
       return result;
     }
 
@@ -216,9 +216,24 @@ namespace squeal
   std::string
   shown_unit(const SweepAxisParameters &axis, const SceneParameters &scene)
   {
-    if (is_logarithm(axis.name))
-      return "";
-    return is_in_mpa(axis.name) ? "MPa" : unit_of_entry(axis.entries[0], scene);
+    using ShownAs          = SweepAxisParameters::ShownAs;
+    const std::string unit = unit_of_entry(axis.entries[0], scene);
+    switch (axis.shown_as)
+      {
+      case ShownAs::value:
+        return unit;
+      case ShownAs::common_logarithm:
+        return "";
+      case ShownAs::milli:
+        return "m" + unit;
+      case ShownAs::kilo:
+        return "k" + unit;
+      case ShownAs::mega:
+        return "M" + unit;
+      case ShownAs::giga:
+        return "G" + unit;
+      }
+    unknown_choice("way of showing");
   }
 
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_parameters_entry_traits_h
+#define squeal_parameters_entry_traits_h
+
+#include <squeal/parameters/scene_parameters.h>
+
+#include <string>
+
+namespace squeal
+{
+  /**
+   * What the declaration of an entry says of it, for numbers that sweeps,
+   * campaigns and fits change. One of several numbers, "Young moduli[2]", has
+   * the traits of all; an unknown path has none.
+   */
+  //@{
+  /** The unit, "Pa" of "Scene/Body pad/Young modulus"; empty where it has none.
+   * Springs of @p scene tell whether theirs is that of points or of a bed. */
+  std::string unit_of_entry(const std::string     &path,
+                            const SceneParameters &scene);
+
+  /** Whether the entry enters only by coefficients of affine parts. */
+  bool is_affine_entry(const std::string &path);
+
+  /** Whether the entry is a coefficient of friction. */
+  bool is_friction_entry(const std::string &path);
+  //@}
+} // namespace squeal
+
+#endif
