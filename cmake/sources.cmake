@@ -221,6 +221,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/mode_solution.cc
     source/model/model.cc
     source/model/pressed_model.cc
+    source/model/rotor_symmetry.cc
     source/model/turning_modes.cc)
 
 set(SQUEAL_SOURCES_OUTPUT
@@ -228,9 +229,11 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/contact_output.cc
     source/output/headline_error.cc
     source/output/matrix_output.cc
+    source/output/pair_table.cc
     source/output/shape_output.cc)
 
 set(SQUEAL_SOURCES_ANALYSES
+    source/analyses/angles/run_angles.cc
     source/analyses/cea/run_cea.cc
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc

@@ -58,6 +58,8 @@ namespace
         return run_frequency_response(context);
       case Parameters::Analysis::updating:
         return run_updating(context);
+      case Parameters::Analysis::angles:
+        return run_angles(context);
       }
     unknown_choice("analysis");
   }

@@ -206,7 +206,7 @@ namespace squeal
             const auto &body =
               scene.bodies[body_index(scene, contact.target_body)];
             const Vector axis = unit(vector_of(body.rotation_axis)),
-                         arm  = x - vector_of(body.position);
+                         arm  = x - vector_of(body.centre_of_rotation());
             const Vector V    = dealii::cross_product_3d(axis, arm);
             if (!(V.norm() > rounding * arm.norm()))
               throw InputError("Scene/Contact " + contact.name +

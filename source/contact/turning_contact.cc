@@ -82,8 +82,9 @@ namespace squeal
     , motions(node_motions(d, turning, reduce))
   {
     AssertDimension(turning.nodes().size(), geometry.points.size());
-    const auto &axis =
-      d.scene().bodies[body_index(d.scene(), contact.target_body)].position;
+    const auto &axis = d.scene()
+                         .bodies[body_index(d.scene(), contact.target_body)]
+                         .centre_of_rotation();
     double radius = 0., sense = 0.;
     for (std::size_t j = 0; j < geometry.points.size(); ++j)
       {

@@ -41,7 +41,7 @@ namespace squeal
   {
     if (d.space()->n_ranks() > 1)
       throw InputError(where + ": a target that turns runs on one rank");
-    const auto &position = d.scene().bodies[target_body].position;
+    const auto &position = d.scene().bodies[target_body].centre_of_rotation();
     axis                 = {position[0], position[1], position[2]};
     source_nodes         = number_nodes(sources, source_points, rows_of_source);
     find_targets(d, target_body);

@@ -214,7 +214,8 @@ namespace squeal
           M.add(rows[c], matrix);
           if (turning)
             {
-              element.rotation(p.position[0], p.position[1], matrix, second);
+              const Vector3 &axis = p.centre_of_rotation();
+              element.rotation(axis[0], axis[1], matrix, second);
               G.add(rows[c], matrix);
               N.add(rows[c], second);
             }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/output/cea_quantities.h>
+#include <squeal/output/pair_table.h>
 #include <squeal/parameters/choices.h>
 
 #include <cmath>
@@ -220,53 +221,7 @@ namespace squeal
                    const ComplexPairs   &pairs,
                    const PairQuantities &q)
   {
-    using Type = Table::Type;
-    Table table(
-      {{"point", Type::integer, "", "parameter point, from 0"},
-       {"index", Type::integer, "", "number of the pair, from 1"},
-       {"branch", Type::text, "", "branch of a sweep"},
-       {"sigma_per_s", Type::real, "1/s", "growth rate; > 0 unstable", 6, 3},
-       {"frequency_hz", Type::real, "Hz", "omega / 2 pi", 7},
-       {"damping_ratio", Type::real, "", "zeta = -sigma / |lambda|", 4},
-       {"residual_rel", Type::real, "", "relative residual", 2},
-       {"error_estimate_rel",
-        Type::real,
-        "",
-        "estimated relative error of the reduction",
-        2},
-       {"name", Type::text, "", "disc shape and support motion"}});
-    for (const auto &body : model.body_names())
-      table.add_column({"ke_share_" + body,
-                        Type::real,
-                        "",
-                        "share of the kinetic energy in " + body,
-                        3});
-    table.add_column({"energy_per_cycle",
-                      Type::real,
-                      "",
-                      "friction work per cycle over peak kinetic energy",
-                      3});
-    table.add_column({"contact_participation",
-                      Type::real,
-                      "",
-                      "tangential source times normal target motion",
-                      3});
-    table.add_column({"partner_1", Type::text, "", "undamped mode, MAC"});
-    table.add_column({"partner_2", Type::text, "", "undamped mode, MAC"});
-    table.add_column({"contact_state", Type::text, "", "of the contact"});
-    table.add_column({"discretisation_error_rel",
-                      Type::real,
-                      "",
-                      "estimated relative frequency error of the mesh",
-                      2});
-    table.add_column({"condition", Type::real, "", "of the eigenvalue", 3});
-    table.add_column({"abaqus_damping_ratio",
-                      Type::real,
-                      "",
-                      "-2 sigma / |omega|, as Abaqus prints it",
-                      4});
-    table.add_column(
-      {"unstable", Type::integer, "", "1: sigma beyond its error"});
+    PairTable         table(model.body_names());
     const std::string state = contact_state_text(model.parameters().scene);
     const auto partner      = [&](const unsigned int j, const unsigned int k) {
       const int i = q.partners[j][k];
@@ -277,33 +232,19 @@ namespace squeal
     };
     for (unsigned int j = 0; j < pairs.size(); ++j)
       {
-        std::vector<Cell> row{0,
-                              j + 1,
-                              "",
-                              pairs.sigma(j),
-                              pairs.frequency(j),
-                              pairs.damping_ratio(j),
-                              pairs.residual[j],
-                              pairs.error_estimate[j],
-                              q.names[j].text};
+        PairRow row(pairs, j);
+        row.name = q.names[j].text;
         for (Eigen::Index b = 0; b < q.energy_shares.rows(); ++b)
-          row.emplace_back(q.energy_shares(b, j));
-        row.emplace_back(q.energy_per_cycle[j]);
-        row.emplace_back(model.linearized().contacts.empty()
-                           ? Cell()
-                           : Cell(q.contact_participation[j]));
-        row.emplace_back(partner(j, 0));
-        row.emplace_back(partner(j, 1));
-        row.emplace_back(state);
-        row.emplace_back(or_missing(q.discretisation_error[j]));
-        row.emplace_back(unbounded(pairs.condition[j]));
-        row.emplace_back(
-          pairs.lambda[j].imag() == 0.
-            ? Cell()
-            : Cell(-2. * pairs.sigma(j) / pairs.lambda[j].imag()));
-        row.emplace_back(is_unstable(pairs, j) ? 1 : 0);
-        table.add_row(row);
+          row.energy_shares.push_back(q.energy_shares(b, j));
+        row.energy_per_cycle = q.energy_per_cycle[j];
+        if (!model.linearized().contacts.empty())
+          row.contact_participation = q.contact_participation[j];
+        for (unsigned int k = 0; k < 2; ++k)
+          row.partners[k] = partner(j, k);
+        row.contact_state        = state;
+        row.discretisation_error = q.discretisation_error[j];
+        table.add(row);
       }
-    return table;
+    return table.table();
   }
 } // namespace squeal

@@ -95,6 +95,14 @@ namespace squeal
                        "Rotation axis",
                        "must be along z for annuli and cylinders, whose axis "
                        "that is, and where 'Rotation speed' is not 0");
+        if (is_round && body.angle != 0. &&
+            (body.centre_of_rotation()[0] != body.position[0] ||
+             body.centre_of_rotation()[1] != body.position[1]))
+          refuse_entry(section,
+                       "Rotation centre",
+                       "is not on the body's own axis: an annulus or a "
+                       "cylinder with an 'Angle' would move; give 'Position' "
+                       "instead");
         // a block that turns is not at rest in the fixed frame
         if (body.rotation_speed != 0. && body.shape == Shape::block)
           refuse_entry(section,

@@ -75,6 +75,34 @@ namespace squeal
 
 
       void
+      check_angles(const Parameters &parameters)
+      {
+        const AnglesParameters &a = parameters.angles;
+        if (parameters.analysis != Parameters::Analysis::angles)
+          return;
+        if (parameters.scene.kind == SceneParameters::Kind::matrices)
+          throw InputError("'Analysis = angles' turns meshes, which imported "
+                           "matrices do not have");
+        imported matrices have none ");
+          if (a.bodies.empty()) refuse_entry(
+            "Angles", "Bodies", "is empty: name the bodies that turn");
+        const auto &axis =
+          require_body(parameters.scene, a.bodies[0], "Angles", "Bodies")
+            .rotation_axis;
+        for (const std::string &name : a.bodies)
+          if (require_body(parameters.scene, name, "Angles", "Bodies")
+                .rotation_axis != axis)
+            refuse_entry("Angles",
+                         "Bodies",
+                         "turn about different axes: give " + in_quotes(name) +
+                           " the 'Rotation axis' of " + in_quotes(a.bodies[0]));
+        if (a.number > 1 && a.from == a.to)
+          refuse_entry("Angles", "To", "is 'From': there is nothing to turn");
+      }
+
+
+
+      void
       check_ladders(const Parameters &parameters)
       {
         const WorkPrecisionParameters &w       = parameters.work_precision;
@@ -166,6 +194,7 @@ namespace squeal
       check_refinement(parameters.discretization);
       check_band(parameters.eigen);
       check_ladders(parameters);
+      check_angles(parameters);
       check_sweep(parameters);
       check_transient(parameters);
       check_response(parameters);

@@ -14,7 +14,8 @@ namespace squeal
             {"transient", A::transient},
             {"work precision", A::work_precision},
             {"frequency response", A::frequency_response},
-            {"updating", A::updating}};
+            {"updating", A::updating},
+            {"angles", A::angles}};
   }
 
 

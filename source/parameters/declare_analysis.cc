@@ -122,6 +122,33 @@ namespace squeal
 
 
       void
+      declare_angles(Schema &schema, AnglesParameters &a)
+      {
+        schema.enter_section("Angles",
+                             "Angles of the rotor at which 'Analysis = angles' "
+                             "repeats the complex eigenvalue analysis.");
+        schema.add("Bodies",
+                   a.bodies,
+                   Allowed::list(Allowed::text()),
+                   "Bodies that turn together, each about its 'Rotation axis'; "
+                   "their 'Angle' is set.");
+        schema.add("From", a.from, Allowed::number(), "First angle.", "deg");
+        schema.add("To",
+                   a.to,
+                   Allowed::number(),
+                   "End of the range, one pitch of the vanes or bolts behind "
+                   "'From'; it repeats the first angle and is left out.",
+                   "deg");
+        schema.add("Number",
+                   a.number,
+                   Allowed::integer(1, 10000),
+                   "Equally spaced angles.");
+        schema.leave_section();
+      }
+
+
+
+      void
       declare_work_precision(Schema &schema, WorkPrecisionParameters &w)
       {
         schema.enter_section("Work precision",
@@ -264,6 +291,7 @@ namespace squeal
       declare_preload(schema, parameters.preload);
       declare_transient(schema, parameters.transient);
       declare_work_precision(schema, parameters.work_precision);
+      declare_angles(schema, parameters.angles);
       declare_response(schema, parameters);
       declare_output(schema, parameters.output);
 

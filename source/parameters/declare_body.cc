@@ -157,21 +157,33 @@ namespace squeal
              "leaves them out.",
              "rad/s")
         .affine();
+      schema.add("Rotation axis",
+                 b.rotation_axis,
+                 Allowed::vector(),
+                 "Direction, of any length, of the axis that the body turns "
+                 "about as the target of a contact with 'Friction direction = "
+                 "slip'; the sense of turning follows the right hand.");
+      schema.declare({schema.section_path(),
+                      "Rotation centre",
+                      "",
+                      Allowed::vector().or_empty("the position"),
+                      "A point of that axis.",
+                      "m",
+                      [&b](const std::string &text) {
+                        b.rotation_centre.reset();
+                        if (text.empty())
+                          return;
+                        b.rotation_centre.emplace();
+                        from_text(text, *b.rotation_centre);
+                      }});
       schema.add(
-        "Rotation axis",
-        b.rotation_axis,
-        Allowed::vector(),
-        "Direction, of any length, of the axis through 'Position' that "
-        "the body turns about as the target of a contact with "
-        "'Friction direction = slip'; the sense of turning follows "
-        "the right hand.");
-      schema.add("Angle",
-                 b.angle,
-                 Allowed::number(),
-                 "What the mesh is turned by about the 'Rotation axis' through "
-                 "'Position', such as the angle at which a disc with vanes "
-                 "stands. Annuli and cylinders turn about z only.",
-                 "deg");
+        "Angle",
+        b.angle,
+        Allowed::number(),
+        "What the mesh is turned by about that axis, such as the angle "
+        "at which a disc with vanes stands. Annuli and cylinders turn "
+        "about z only.",
+        "deg");
     }
   } // namespace prm
 } // namespace squeal

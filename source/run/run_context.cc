@@ -30,6 +30,8 @@ namespace squeal
           return "frequency response";
         case Parameters::Analysis::updating:
           return "updating";
+        case Parameters::Analysis::angles:
+          return "angles";
         }
       unknown_choice("analysis");
     }

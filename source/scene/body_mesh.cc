@@ -207,9 +207,9 @@ namespace squeal
       const Vector3             &a = body.rotation_axis;
       const dealii::Tensor<1, 3> axis({a[0], a[1], a[2]});
       const dealii::Tensor<1, 3> e = axis / axis.norm();
-      const dealii::Point<3>     centre(
-        body.position[0], body.position[1], body.position[2]);
-      const double angle = body.angle * (M_PI / 180.);
+      const Vector3             &c = body.centre_of_rotation();
+      const dealii::Point<3>     centre(c[0], c[1], c[2]);
+      const double               angle = body.angle * (M_PI / 180.);
       for (auto &vertex : mesh.vertices)
         {
           const dealii::Tensor<1, 3> r     = vertex - centre;

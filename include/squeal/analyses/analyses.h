@@ -33,6 +33,10 @@ namespace squeal
    * frequencies. */
   void run_updating(RunContext &context);
 
+  /** `Analysis = angles`: complex eigenvalues over the angles of a rotor that
+   * is no body of revolution. */
+  void run_angles(RunContext &context);
+
   /** `Analysis = work precision`: a ladder of settings, error against work. */
   void run_work_precision(RunContext &context);
 } // namespace squeal

@@ -54,6 +54,14 @@ namespace squeal
     bool   compare_direct = false; /**< run the direct solver as well */
   };
 
+  /** Rotor angles of "Analysis = angles", section "Angles". */
+  struct AnglesParameters
+  {
+    std::vector<std::string> bodies;             /**< that turn together */
+    double                   from = 0., to = 0.; /**< deg, the last left out */
+    unsigned int             number = 12;        /**< of angles */
+  };
+
   /** Ladder of "Analysis = work precision", section "Work precision". */
   struct WorkPrecisionParameters
   {

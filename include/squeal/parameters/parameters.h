@@ -31,7 +31,8 @@ namespace squeal
       transient,
       work_precision,
       frequency_response,
-      updating
+      updating,
+      angles
     };
     Analysis                           analysis = Analysis::cea;
     SceneParameters                    scene;
@@ -41,6 +42,7 @@ namespace squeal
     PreloadParameters                  preload;
     TransientParameters                transient;
     WorkPrecisionParameters            work_precision;
+    AnglesParameters                   angles;
     MeasurementParameters              measurement;
     FrequencyResponseParameters        frequency_response;
     UpdatingParameters                 updating;

@@ -3,6 +3,7 @@
 #define squeal_parameters_scene_parameters_h
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,11 +68,19 @@ namespace squeal
     /** Turning speed about z for gyroscopic and convective terms in the fixed
      * frame, rad/s; 0 leaves them out. */
     double rotation_speed = 0.;
-    /** Axis, through `position`, that the body turns about as a target. */
+    /** Direction of the axis that the body turns about as a target. */
     Vector3 rotation_axis{{0., 0., 1.}};
+    /** A point of that axis, m; none: `position`. */
+    std::optional<Vector3> rotation_centre;
     /** What the body is turned by about that axis from the place that the other
      * numbers describe, degrees. */
     double angle = 0.;
+
+    const Vector3 &
+    centre_of_rotation() const
+    {
+      return rotation_centre ? *rotation_centre : position;
+    }
   };
 
   /** Two faces that move as one, or a face that moves as a rigid body does

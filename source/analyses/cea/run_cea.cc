@@ -6,6 +6,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/model/cea_solution.h>
+#include <squeal/model/rotor_symmetry.h>
 #include <squeal/model/turning_modes.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
@@ -210,6 +211,10 @@ namespace squeal
     const auto &p = context.parameters;
     Model       model(p, context.timers);
     model.print_summary(context.log);
+    if (model.discretization() && model.discretization()->has_mesh())
+      if (const std::string text = frozen_rotors(*model.discretization());
+          !text.empty())
+        context.log.warning(text);
     ModeSolution modes =
       solve_modes_adaptively(model, context.log, context.timers);
     if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)

@@ -5,6 +5,7 @@
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/base/dense_products.h>
 #include <squeal/output/cea_quantities.h>
+#include <squeal/output/pair_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,75 +157,28 @@ namespace squeal
       return weight > 0.5 ? error / weight : std::nan("");
     }
 
-    Table
+    /** eigenvalues.csv without rows: the axes in front, their logarithms and
+     * the contact state at the end. */
+    PairTable
     empty_table(const SweepModel &model)
     {
-      Table table;
-      table.add_column({"point", Type::integer, "", "parameter point, from 0"});
-      for (unsigned int a = 0; a < model.grid().n_axes(); ++a)
-        table.add_column({model.grid().axis(a).name,
-                          Type::real,
-                          "",
-                          model.grid().axis(a).entries[0],
-                          7});
-      for (const Table::Column &column : std::vector<Table::Column>{
-             {"index", Type::integer, "", "number of the pair, from 1"},
-             {"branch", Type::text, "", "names at the far ends of the branch"},
-             {"sigma_per_s", Type::real, "1/s", "growth rate; > 0 unstable", 6},
-             {"frequency_hz", Type::real, "Hz", "omega / 2 pi", 7},
-             {"damping_ratio", Type::real, "", "zeta = -sigma / |lambda|", 4},
-             {"residual_rel", Type::real, "", "of the full problem", 2},
-             {"error_estimate_rel",
-              Type::real,
-              "",
-              "estimated relative error of the reduction",
-              2},
-             {"name", Type::text, "", "disc shape and support motion"}})
-        table.add_column(column);
-      for (const auto &body : model.model().body_names())
-        table.add_column({"ke_share_" + body,
-                          Type::real,
-                          "",
-                          "share of the kinetic energy in " + body,
-                          3});
-      for (const Table::Column &column : std::vector<Table::Column>{
-             {"energy_per_cycle",
-              Type::real,
-              "",
-              "friction work per cycle over peak kinetic energy",
-              3},
-             {"contact_participation",
-              Type::real,
-              "",
-              "tangential source times normal target motion",
-              3},
-             {"partner_1", Type::text, "", "undamped mode, MAC"},
-             {"partner_2", Type::text, "", "undamped mode, MAC"},
-             {"contact_state", Type::text, "", "of the contact"},
-             {"discretisation_error_rel",
-              Type::real,
-              "",
-              "estimated relative frequency error of the mesh",
-              2},
-             {"condition", Type::real, "", "of the eigenvalue", 3},
-             {"abaqus_damping_ratio",
-              Type::real,
-              "",
-              "-2 sigma / |omega|, as Abaqus prints it",
-              4},
-             {"unstable", Type::integer, "", "1: sigma beyond its error"}})
-        table.add_column(column);
-      for (unsigned int a = 0; a < model.grid().n_axes(); ++a)
-        if (model.grid().is_logarithmic(a))
-          table.add_column({"log10_" + model.grid().axis(a).name,
-                            Type::real,
-                            "",
-                            "common logarithm",
-                            7});
+      const SweepGrid           &grid = model.grid();
+      std::vector<Table::Column> axes, at_end;
+      for (unsigned int a = 0; a < grid.n_axes(); ++a)
+        {
+          axes.push_back(
+            {grid.axis(a).name, Type::real, "", grid.axis(a).entries[0], 7});
+          if (grid.is_logarithmic(a))
+            at_end.push_back({"log10_" + grid.axis(a).name,
+                              Type::real,
+                              "",
+                              "common logarithm",
+                              7});
+        }
       if (model.has_contact_states())
-        table.add_column(
+        at_end.push_back(
           {"closed_points", Type::integer, "", "of the contact, there"});
-      return table;
+      return {model.model().body_names(), axes, at_end};
     }
   } // namespace
 
@@ -233,7 +187,7 @@ namespace squeal
   Table
   sweep_eigenvalue_table(const SweepModel &model, const SweepSolution &solution)
   {
-    Table            table = empty_table(model);
+    PairTable        table = empty_table(model);
     ModeCache        modes(model);
     const SweepGrid &grid  = model.grid();
     const double     mass  = total_mass(model.model());
@@ -254,47 +208,37 @@ namespace squeal
           const auto contacts = contact_participations(model, pairs, mass);
           const Eigen::VectorXd residuals = model.residuals(point, pairs);
           const std::string     state = contact_state_text(grid.scene(point));
+          std::vector<Cell>     axes, at_end;
+          for (unsigned int a = 0; a < grid.n_axes(); ++a)
+            {
+              axes.emplace_back(grid.value(a, point[a]));
+              if (grid.is_logarithmic(a))
+                at_end.emplace_back(point[a]);
+            }
+          if (model.has_contact_states())
+            at_end.emplace_back(model.n_closed(point));
           for (unsigned int j = 0; j < pairs.size(); ++j)
             {
               const Partners partners =
                 partners_of(pairs.right.col(j), undamped.modes);
-              std::vector<Cell> row{count};
-              for (unsigned int a = 0; a < grid.n_axes(); ++a)
-                row.emplace_back(grid.value(a, point[a]));
-              row.insert(row.end(),
-                         {j + 1,
-                          line.branch_names[at.branch[j]],
-                          pairs.sigma(j),
-                          pairs.frequency(j),
-                          pairs.damping_ratio(j),
-                          residuals[j],
-                          pairs.error_estimate[j],
-                          names[j].text});
+              PairRow row(pairs, j);
+              row.point    = count;
+              row.branch   = line.branch_names[at.branch[j]];
+              row.residual = residuals[j];
+              row.name     = names[j].text;
               for (Eigen::Index b = 0; b < shares.rows(); ++b)
-                row.emplace_back(shares(b, j));
-              row.insert(
-                row.end(),
-                {energies[j],
-                 contacts[j],
-                 partner_text(undamped, partners, 0),
-                 partner_text(undamped, partners, 1),
-                 state,
-                 or_missing(mesh_error(undamped, partners)),
-                 unbounded(pairs.condition[j]),
-                 pairs.lambda[j].imag() == 0.
-                   ? Cell()
-                   : Cell(-2. * pairs.sigma(j) / pairs.lambda[j].imag()),
-                 is_unstable(pairs, j) ? 1 : 0});
-              for (unsigned int a = 0; a < grid.n_axes(); ++a)
-                if (grid.is_logarithmic(a))
-                  row.emplace_back(point[a]);
-              if (model.has_contact_states())
-                row.emplace_back(model.n_closed(point));
-              table.add_row(row);
+                row.energy_shares.push_back(shares(b, j));
+              row.energy_per_cycle      = energies[j];
+              row.contact_participation = contacts[j];
+              for (unsigned int k = 0; k < 2; ++k)
+                row.partners[k] = partner_text(undamped, partners, k);
+              row.contact_state        = state;
+              row.discretisation_error = mesh_error(undamped, partners);
+              table.add(row, axes, at_end);
             }
           ++count;
         }
-    return table;
+    return table.table();
   }
 
 

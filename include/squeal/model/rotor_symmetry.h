@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_model_rotor_symmetry_h
+#define squeal_model_rotor_symmetry_h
+
+#include <squeal/discretization/discretization.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The numbers n of times a turn in which the mass of some bodies repeats
+   * about an axis: the orders with a Fourier coefficient |int exp(i n theta)
+   * dm| above 0.2 % of the mass, up to 64. Empty for a body of revolution;
+   * circles of facets have the order of their facets where these are few.
+   *
+   * @param axis   of any length
+   * @param centre a point of the axis, m
+   */
+  std::vector<unsigned int> angular_orders(
+    const Discretization            &discretization,
+    const std::vector<unsigned int> &bodies,
+    const Vector3                   &axis,
+    const Vector3                   &centre);
+
+  /**
+   * What the fixed frame leaves out: a line that names each rotor (the target
+   * of a contact with friction and all that is tied to it) that is no body of
+   * revolution and stands still at one angle. Empty where there is none.
+   */
+  std::string frozen_rotors(const Discretization &discretization);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/analyses.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/worst_of.h>
+#include <squeal/model/cea_solution.h>
+#include <squeal/output/cea_quantities.h>
+#include <squeal/output/headline_error.h>
+#include <squeal/parameters/number_access.h>
+#include <squeal/results/chart.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    std::vector<Table::Column>
+    columns()
+    {
+      using Type = Table::Type;
+      return {{"angle_deg", Type::real, "deg", "angle of the rotor", 6},
+              {"frequency_hz", Type::real, "Hz", "frequency of the pair", 6},
+              {"sigma_per_s",
+               Type::real,
+               "1/s",
+               "its growth rate, positive: unstable",
+               4},
+              {"name", Type::text, "", "name of the pair"},
+              {"error_estimate_rel",
+               Type::real,
+               "",
+               "estimated error of the eigenvalue by the basis, relative",
+               2},
+              {"discretisation_error_rel",
+               Type::real,
+               "",
+               "estimated error of the frequency by the mesh, relative",
+               2},
+              {"n_unstable",
+               Type::integer,
+               "",
+               "unstable pairs in the band at this angle"}};
+    }
+
+    /** The scene with the rotor at @p angle, degrees. */
+    Parameters
+    turned(const Parameters &p, const double angle)
+    {
+      std::vector<std::string> paths;
+      for (const auto &body : p.angles.bodies)
+        paths.push_back("Scene/Body " + body + "/Angle");
+      return with_values(p, paths, std::vector<double>(paths.size(), angle));
+    }
+
+    /** Rows of all unstable pairs of one angle, of the loudest pair alone where
+     * none is unstable: the last row is always the loudest. */
+    Table
+    pairs_at(const Parameters &p, const double angle, RunContext &context)
+    {
+      const Model       model(p, context.timers);
+      ModeSolution      modes = solve_modes(model, context.log, context.timers);
+      const CeaSolution solution =
+        solve_cea(model, modes, context.log, context.timers);
+      const ComplexPairs &pairs = solution.pairs;
+      if (pairs.size() == 0)
+        refuse_empty_band(p, modes);
+      const PairQuantities quantities = pair_quantities(model, modes, pairs);
+      context.record.n_dofs           = model.n_unknowns();
+      std::vector<unsigned int> shown;
+      unsigned int              loudest = 0, n_unstable = 0;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          if (pairs.sigma(i) > pairs.sigma(loudest))
+            loudest = i;
+          n_unstable += is_unstable(pairs, i);
+        }
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        if (is_unstable(pairs, i) && i != loudest)
+          shown.push_back(i);
+      shown.push_back(loudest);
+      Table table(columns());
+      for (const unsigned int i : shown)
+        table.add_row({angle,
+                       pairs.frequency(i),
+                       pairs.sigma(i),
+                       quantities.names[i].text,
+                       pairs.error_estimate[i],
+                       or_missing(quantities.discretisation_error[i]),
+                       n_unstable});
+      return table;
+    }
+
+
+
+    Chart
+    chart_of(const Table       &all,
+             const std::string &column,
+             const std::string &label)
+    {
+      Chart       chart;
+      ChartSeries series;
+      series.x      = all.reals("angle_deg");
+      series.y      = all.reals(column);
+      series.style  = ChartSeries::Style::points;
+      chart.x.label = "angle of the rotor in deg";
+      chart.y.label = label;
+      chart.legend  = Chart::Legend::none;
+      chart.series  = {series};
+      return chart;
+    }
+
+    /** What the loudest pair does over the angles, in a sentence. */
+    std::string
+    verdict_of(const Table &loudest)
+    {
+      const auto   sigma = loudest.reals("sigma_per_s");
+      const auto   low   = std::min_element(sigma.begin(), sigma.end());
+      const auto   high  = std::max_element(sigma.begin(), sigma.end());
+      double       mean  = 0.;
+      unsigned int n     = 0;
+      for (std::size_t i = 0; i < sigma.size(); ++i)
+        {
+          mean += sigma[i] / sigma.size();
+          n += loudest.integer(i, "n_unstable") > 0;
+        }
+      std::ostringstream text;
+      text << "unstable at " << n << " of " << sigma.size()
+           << " angles; the largest growth rate is " << rounded_text(*low, 4)
+           << " to " << rounded_text(*high, 4) << " 1/s, "
+           << rounded_text(mean, 4) << " in the mean, largest at "
+           << rounded_text(loudest.real(high - sigma.begin(), "angle_deg"), 4)
+           << " deg (" << loudest.text(high - sigma.begin(), "name") << ", "
+           << rounded_text(loudest.real(high - sigma.begin(), "frequency_hz"),
+                           5)
+           << " Hz)";
+      return text.str();
+    }
+  } // namespace
+
+
+
+  void
+  run_angles(RunContext &context)
+  {
+    const auto &p = context.parameters;
+    Table       all(columns()), loudest(columns());
+    for (unsigned int k = 0; k < p.angles.number; ++k)
+      {
+        const double angle =
+          p.angles.from + (p.angles.to - p.angles.from) * k / p.angles.number;
+        context.log.heading("Rotor at " + rounded_text(angle, 6) + " deg, " +
+                            std::to_string(k + 1) + " of " +
+                            std::to_string(p.angles.number));
+        const Table at = pairs_at(turned(p, angle), angle, context);
+        all.append(at);
+        std::vector<Cell> last;
+        for (std::size_t c = 0; c < at.columns().size(); ++c)
+          last.push_back(at.cell(at.n_rows() - 1, c));
+        loudest.add_row(last);
+      }
+    context.write_table("angles.csv", loudest);
+    context.write_table("angle_pairs.csv", all);
+    context.log.heading("Loudest pair at every angle");
+    std::ostringstream text;
+    loudest.print(text);
+    context.log.info(text.str());
+
+    const std::string verdict = verdict_of(loudest);
+    context.record.figures    = {
+         {"largest error of a pair, relative",
+          headline_error(
+         {{"reduction", worst_of(all.reals("error_estimate_rel"))},
+             error_of_column("mesh", all, "discretisation_error_rel")})},
+         {"unknowns", std::to_string(context.record.n_dofs)}};
+    HtmlReport report("Rotor angles of " + p.scene.name,
+                      "lambda = sigma + i omega, sigma > 0 unstable");
+    const auto sigma = loudest.reals("sigma_per_s");
+    report.set_verdict(*std::max_element(sigma.begin(), sigma.end()) > 0.
+                         ? HtmlReport::Verdict::bad
+                         : HtmlReport::Verdict::good,
+                       verdict,
+                       context.record.figures);
+    if (p.output.plots && context.is_root)
+      {
+        context.output.file("plots/angles.png");
+        const std::string path = context.output.path() + "/plots/angles";
+        context.plotter.draw(
+          draw_charts({chart_of(all, "sigma_per_s", "sigma in 1/s"),
+                       chart_of(all, "frequency_hz", "frequency in Hz")},
+                      1400,
+                      700,
+                      2),
+          path);
+        report.section("Over the angle");
+        report.figure(path + ".png",
+                      "Unstable pairs, and the least stable one where none is",
+                      true);
+      }
+    report.section("Loudest pair at every angle");
+    report.table(loudest, "angles.csv");
+    context.finish(p.output.report ? &report : nullptr, "");
+  }
+} // namespace squeal
