@@ -102,6 +102,8 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_faces.cc
     source/contact/contact_frames.cc
     source/contact/contact_geometry.cc
+    source/contact/contact_nodes.cc
+    source/contact/contact_resultant.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
     source/contact/face_overlap.cc
@@ -111,8 +113,10 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/mortar_faces.cc
     source/contact/mortar_integrals.cc
     source/contact/segments.cc
+    source/contact/spring_stiffness.cc
     source/contact/surface_face.cc
     source/contact/turning_contact.cc
+    source/contact/turning_contacts.cc
     source/contact/turning_mortar.cc)
 
 set(SQUEAL_SOURCES_EIGEN
@@ -220,6 +224,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/measured_points.cc
     source/model/mode_solution.cc
     source/model/model.cc
+    source/model/observed_motions.cc
     source/model/pressed_model.cc
     source/model/rotor_symmetry.cc
     source/model/turning_modes.cc)
@@ -239,6 +244,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
     source/analyses/modes/run_modes.cc
+    source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
     source/analyses/sweep/run_sweep.cc
     source/analyses/sweep/sweep_basis_file.cc
@@ -257,11 +263,13 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_runs.cc
     source/analyses/transient/campaign_table.cc
+    source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/run_transient.cc
     source/analyses/transient/transient_campaign.cc
     source/analyses/transient/transient_checkpoint.cc
     source/analyses/transient/transient_figures.cc
+    source/analyses/transient/transient_history.cc
     source/analyses/transient/transient_output.cc
     source/analyses/transient/transient_phase.cc
     source/analyses/transient/transient_plots.cc

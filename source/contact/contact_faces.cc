@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/number_text.h>
 #include <squeal/contact/contact_faces.h>
 #include <squeal/discretization/face_quadrature.h>
 
 namespace squeal
 {
-  namespace
-  {
-    /** Of faces whose coordinates are rounded in a mesh file. */
-    constexpr double normal_tolerance = 1e-3;
-  } // namespace
-
-
-
   void
   check_contact_faces(const Discretization &d)
   {
@@ -34,26 +25,6 @@ namespace squeal
                            "' is empty: a tie has taken it, or no cell of the "
                            "body has it");
         contact_frames(d, contact, face.points, face.normals);
-      }
-  }
-
-
-
-  void
-  require_upward(const ContactParameters &contact, const ContactGeometry &g)
-  {
-    for (const ContactFrame &frame : g.frames)
-      {
-        const auto &n = frame.normal;
-        if (!(std::hypot(n[0], n[1], n[2] - 1.) <= normal_tolerance))
-          throw InputError(
-            "contact " + contact.name + ": the target face '" +
-            contact.target_face + "' of body '" + contact.target_body +
-            "' has the outward normal (" + rounded_text(n[0], 3) + ", " +
-            rounded_text(n[1], 3) + ", " + rounded_text(n[2], 3) +
-            "): steady sliding and transients are for target faces that look "
-            "along +z; turn the scene until the target lies flat under its "
-            "source, or analyse it with 'Contact state = full'");
       }
   }
 } // namespace squeal

@@ -254,6 +254,21 @@ namespace squeal
 
 
 
+  Functionals
+  relative_motion(const std::vector<ContactGeometry> &contacts)
+  {
+    Assert(!contacts.empty(), dealii::ExcInternalError());
+    std::vector<Row> rows;
+    for (const ContactGeometry &g : contacts)
+      for (std::size_t j = 0; j < g.points.size(); ++j)
+        for (const auto &part : {g.normal, g.tangential, g.transverse})
+          rows.push_back(part->rows()[j]);
+    return Functionals(contacts.back().normal->space_pointer(),
+                       std::move(rows));
+  }
+
+
+
   ContactState
   uniform_state(const ContactGeometry &geometry, const ContactStatus status)
   {

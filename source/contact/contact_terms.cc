@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/contact/contact_terms.h>
 #include <squeal/contact/friction_law.h>
+#include <squeal/contact/spring_stiffness.h>
 
 #include <cmath>
 
@@ -8,26 +9,6 @@ namespace squeal
 {
   namespace
   {
-    bool
-    per_area(const ContactParameters &contact)
-    {
-      return contact.layout == ContactParameters::SpringLayout::quadrature;
-    }
-
-    double
-    normal_stiffness(const ContactParameters &contact)
-    {
-      return per_area(contact) ? contact.normal_stiffness_per_area
-                               : contact.normal_stiffness;
-    }
-
-    double
-    tangential_stiffness(const ContactParameters &contact)
-    {
-      return contact.tangential_stiffness >= 0. ? contact.tangential_stiffness
-                                                : normal_stiffness(contact);
-    }
-
     using Coefficients =
       std::function<TermCoefficients(const SceneParameters &)>;
 
@@ -57,7 +38,7 @@ namespace squeal
       for (Eigen::Index i = 0; i < w.size(); ++i)
         if ((slip && state.status[i] == ContactStatus::slip) ||
             (stick && state.status[i] == ContactStatus::stick))
-          w[i] = per_area(contact) ? geometry.areas[i] : 1.;
+          w[i] = is_per_area(contact) ? geometry.areas[i] : 1.;
       return w;
     }
   } // namespace

@@ -99,6 +99,60 @@ namespace squeal
 
 
 
+  FrictionLaws::FrictionLaws(FrictionLaw law)
+    : laws{std::move(law)}
+    , starts{0}
+  {
+  }
+
+  void
+  FrictionLaws::append(FrictionLaw law, const unsigned int first)
+  {
+    Assert(first >= starts.back(), dealii::ExcInternalError());
+    laws.push_back(std::move(law));
+    starts.push_back(first);
+  }
+
+  const FrictionLaw &
+  FrictionLaws::of(const unsigned int node) const
+  {
+    return laws[std::upper_bound(starts.begin(), starts.end(), node) -
+                starts.begin() - 1];
+  }
+
+  bool
+  FrictionLaws::is_constant() const
+  {
+    return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
+      return law.is_constant();
+    });
+  }
+
+  Eigen::VectorXd
+  FrictionLaws::at_rest(const unsigned int n_nodes) const
+  {
+    Eigen::VectorXd result(n_nodes);
+    for (unsigned int j = 0; j < n_nodes; ++j)
+      result[j] = of(j).at_rest();
+    return result;
+  }
+
+  NodalFriction
+  FrictionLaws::in_sliding(const Eigen::VectorXd &speed_ratio,
+                           const double           speed) const
+  {
+    NodalFriction result = NodalFriction::uniform(0., speed_ratio.size());
+    for (Eigen::Index j = 0; j < speed_ratio.size(); ++j)
+      {
+        const double v        = std::abs(speed) * speed_ratio[j];
+        result.coefficient[j] = v > 0. ? of(j).coefficient(v) : of(j).at_rest();
+        result.slope[j]       = v > 0. ? of(j).slope(v) : 0.;
+      }
+    return result;
+  }
+
+
+
   double
   signed_coefficient(const ContactParameters &c, const double speed_ratio)
   {

@@ -267,6 +267,42 @@ namespace squeal
                : make_mortar_coupling(d, evaluator, face, target, where);
     }
 
+    /** Friction is recovered from all forces along the normal on a source node:
+     * no other pair, and no tie, may push or pull it that way. */
+    void
+    require_known_friction(const SceneParameters            &scene,
+                           const DependentUnknowns          &dependent,
+                           const std::vector<MortarContact> &mortar_contacts)
+    {
+      // Who pushes which unknown.
+      std::multimap<unsigned int, std::string> pushed;
+      for (std::size_t k = 0; k < dependent.rows.size(); ++k)
+        {
+          pushed.emplace(dependent.rows[k], dependent.owners[k]);
+          for (const auto &[row, weight] : dependent.combinations[k])
+            pushed.emplace(row, dependent.owners[k]);
+        }
+      const auto name_of = [&](const MortarContact &contact) {
+        return "contact " + scene.contacts[contact.number].name;
+      };
+      for (const MortarContact &contact : mortar_contacts)
+        if (scene.contacts[contact.number].friction_coefficient != 0.)
+          for (const auto &functional : contact.tangential)
+            for (const auto &[row, weight] : functional)
+              pushed.emplace(row, name_of(contact));
+      for (const MortarContact &contact : mortar_contacts)
+        if (scene.contacts[contact.number].friction_coefficient != 0.)
+          for (const auto &functional : contact.normal)
+            for (const auto &[row, weight] : functional)
+              for (auto [i, end] = pushed.equal_range(row); i != end; ++i)
+                if (i->second != name_of(contact))
+                  throw InputError(
+                    "Scene: " + name_of(contact) + " and " + i->second +
+                    " push one node of the source face of the former along "
+                    "its normal: friction there is unknown; part the faces, or "
+                    "set 'Formulation = springs'");
+    }
+
     /** A source node follows one target only, and that target none. */
     void
     require_independent(const DependentUnknowns &dependent)
@@ -318,6 +354,9 @@ namespace squeal
     LinearizedSystem           result    = bodies_alone(d, bodies);
     DependentUnknowns          dependent = tied_unknowns(d, evaluator);
     std::vector<MortarContact> mortar_contacts;
+    const auto                 is_given = [&](const unsigned int i) {
+      return i < given.size() && !given[i].empty();
+    };
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {
         const auto         &contact = scene.contacts[i];
@@ -327,8 +366,7 @@ namespace squeal
           {
             ContactGeometry g = make_contact_geometry(d, evaluator, contact);
             const ContactStates states =
-              given.empty() ? ContactStates{uniform_state(g, status)}
-                            : given[i];
+              is_given(i) ? given[i] : ContactStates{uniform_state(g, status)};
             add_spring_contact(d, i, g, states, result.system);
             result.contacts.push_back(std::move(g));
             result.states.push_back(states.front());
@@ -336,12 +374,12 @@ namespace squeal
           }
         const MortarCoupling coupling = coupling_of(d, evaluator, contact);
         ContactGeometry      g        = nodal_geometry(d, contact, coupling);
-        if (!given.empty() && given[i].size() > 1)
+        if (is_given(i) && given[i].size() > 1)
           throw InputError("Scene/Contact " + contact.name +
                            ": contact states that change over a sweep need "
                            "'Formulation = springs'");
         ContactState state =
-          given.empty() ? even_pressure(g, status) : given[i].front();
+          is_given(i) ? given[i].front() : even_pressure(g, status);
         AssertDimension(state.status.size(), g.points.size());
         const MortarContact pair = append_contact(coupling,
                                                   g,
@@ -357,6 +395,7 @@ namespace squeal
         result.states.push_back(std::move(state));
       }
     require_independent(dependent);
+    require_known_friction(scene, dependent, mortar_contacts);
     if (!dependent.rows.empty())
       eliminate(result, dependent, mortar_contacts);
     return result;
@@ -376,8 +415,6 @@ namespace squeal
         contact.formulation == ContactParameters::Formulation::springs
           ? make_contact_geometry(d, evaluator, contact)
           : nodal_geometry(d, contact, coupling_of(d, evaluator, contact)));
-    for (std::size_t i = 0; i < result.contacts.size(); ++i)
-      require_upward(d.scene().contacts[i], result.contacts[i]);
     const DependentUnknowns dependent = tied_unknowns(d, evaluator);
     require_independent(dependent);
     if (!dependent.rows.empty())

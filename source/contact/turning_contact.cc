@@ -79,6 +79,7 @@ namespace squeal
               body_index(d.scene(), contact.target_body),
               "Scene/Contact " + contact.name)
     , start(geometry)
+    , target(contact.target_body)
     , motions(node_motions(d, turning, reduce))
   {
     AssertDimension(turning.nodes().size(), geometry.points.size());
@@ -149,25 +150,21 @@ namespace squeal
       part.resize(n);
     for (std::size_t j = 0; j < n; ++j)
       {
-        const double tx   = start.frames[j].sliding[0],
-                     ty   = start.frames[j].sliding[1];
-        const Row *source = &u[3 * j];
-        Row       &normal = result[0][j], &along = result[1][j],
-            &across = result[2][j];
-        for (const auto &[b, weight] : M[j])
+        const ContactFrame &frame     = start.frames[j];
+        const auto         *source    = &u[3 * j];
+        unsigned int        component = 0;
+        for (const auto &d : {frame.normal, frame.sliding, frame.transverse})
           {
-            const Row *target = &u[3 * (n + b)];
-            append(weight, target[2], normal);
-            append(weight * (tx * c + ty * s), target[0], along);
-            append(weight * (ty * c - tx * s), target[1], along);
-            append(weight * (ty * c - tx * s), target[0], across);
-            append(-weight * (tx * c + ty * s), target[1], across);
+            Row &row = result[component++][j];
+            // The direction in the axes of the target.
+            const std::array<double, 3> turned = {
+              {d[0] * c + d[1] * s, d[1] * c - d[0] * s, d[2]}};
+            for (const auto &[b, weight] : M[j])
+              for (unsigned int k = 0; k < 3; ++k)
+                append(weight * turned[k], u[3 * (n + b) + k], row);
+            for (unsigned int k = 0; k < 3; ++k)
+              append(-d[k], source[k], row);
           }
-        append(-1., source[2], normal);
-        append(-tx, source[0], along);
-        append(-ty, source[1], along);
-        append(-ty, source[0], across);
-        append(tx, source[1], across);
       }
     return result;
   }
@@ -205,6 +202,12 @@ namespace squeal
   TurningContact::angle(const double way) const
   {
     return angle_per_way * way;
+  }
+
+  const std::string &
+  TurningContact::target_body() const
+  {
+    return target;
   }
 
   std::vector<unsigned int>

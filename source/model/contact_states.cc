@@ -44,15 +44,15 @@ namespace squeal
           for (std::size_t e = 0; e < entries.size(); ++e)
             if (!is_friction_entry(entries[e]))
               key.push_back(values[e]);
-          key.push_back(grid.scene(point).contacts[0].friction_coefficient <
-                        0.);
+          for (const auto &contact : grid.scene(point).contacts)
+            key.push_back(contact.friction_coefficient < 0.);
           result[key].push_back(i);
         }
       return result;
     }
 
-    /** States of all points, in the order of the grid. */
-    ContactStates
+    /** States of all pairs at all points, in the order of the grid. */
+    std::vector<std::vector<ContactStates>>
     states_of_points(const Parameters &parameters,
                      const SweepGrid  &grid,
                      RunContext       &context)
@@ -63,8 +63,8 @@ namespace squeal
                                           MPI_COMM_WORLD);
       const auto           bodies = assemble_bodies(discretization);
       const auto           groups = points_by_flexibility(grid);
-      ContactStates        result(grid.n_points());
-      Progress             progress(
+      std::vector<std::vector<ContactStates>> result(grid.n_points());
+      Progress                                progress(
         context.log, "contact of steady sliding", groups.size());
       for (const auto &[key, points] : groups)
         {
@@ -75,11 +75,10 @@ namespace squeal
           for (const std::size_t i : points)
             {
               const SweepPoint point = grid.point(i);
-              pressed.set_friction(
-                std::abs(grid.scene(point).contacts[0].friction_coefficient));
+              pressed.set_friction(friction_sizes(grid.scene(point).contacts));
               try
                 {
-                  result[i] = pressed.state_of(pressed.steady(
+                  result[i] = pressed.states_of(pressed.steady(
                     parameters.preload.tolerance, context.timers));
                 }
               catch (const ComputationError &error)
@@ -93,12 +92,31 @@ namespace squeal
       return result;
     }
 
-    unsigned int
-    n_closed(const ContactState &state)
+    /** The status of all nodes, pair after pair. */
+    std::vector<ContactStatus>
+    joined_status(const std::vector<ContactStates> &pairs)
     {
-      return state.status.size() - std::count(state.status.begin(),
-                                              state.status.end(),
-                                              ContactStatus::open);
+      std::vector<ContactStatus> result;
+      for (const ContactStates &states : pairs)
+        for (const ContactState &state : states)
+          result.insert(result.end(), state.status.begin(), state.status.end());
+      return result;
+    }
+
+    unsigned int
+    n_closed(const std::vector<ContactStatus> &status)
+    {
+      return status.size() -
+             std::count(status.begin(), status.end(), ContactStatus::open);
+    }
+
+    bool
+    has_preload_state(const SceneParameters &scene)
+    {
+      return std::any_of(
+        scene.contacts.begin(), scene.contacts.end(), [](const auto &c) {
+          return c.state == State::preload;
+        });
     }
   } // namespace
 
@@ -109,31 +127,39 @@ namespace squeal
                     SweepGrid        &grid,
                     RunContext       &context)
   {
-    const auto &contacts = parameters.scene.contacts;
-    if (parameters.scene.kind != SceneParameters::Kind::bodies ||
-        contacts.empty() || contacts[0].state != State::preload)
+    const SceneParameters &scene = parameters.scene;
+    if (scene.kind != SceneParameters::Kind::bodies ||
+        !has_preload_state(scene))
       return {};
-    const ContactStates all = states_of_points(parameters, grid, context);
+    const auto all = states_of_points(parameters, grid, context);
     std::map<std::vector<ContactStatus>, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < all.size(); ++i)
-      members[all[i].status].push_back(i);
-    ContactStates             different;
-    std::vector<unsigned int> state_of_point(all.size());
-    unsigned int              fewest = all[0].status.size(), most = 0;
+      members[joined_status(all[i])].push_back(i);
+    // State k of every pair holds where the contact of all pairs is the k-th.
+    std::vector<ContactStates> different(scene.contacts.size());
+    std::vector<unsigned int>  state_of_point(all.size());
+    unsigned int               fewest = -1u, most = 0, n_states = 0;
+    std::size_t                n_nodes = 0;
     for (const auto &[status, points] : members)
       {
         for (const std::size_t i : points)
-          state_of_point[i] = different.size();
-        different.push_back(all[points[points.size() / 2]]);
-        fewest = std::min(fewest, n_closed(different.back()));
-        most   = std::max(most, n_closed(different.back()));
+          state_of_point[i] = n_states;
+        const auto &middle = all[points[points.size() / 2]];
+        for (std::size_t pair = 0; pair < different.size(); ++pair)
+          if (scene.contacts[pair].state == State::preload)
+            different[pair].insert(
+              different[pair].end(), middle[pair].begin(), middle[pair].end());
+        ++n_states;
+        n_nodes = status.size();
+        fewest  = std::min(fewest, n_closed(status));
+        most    = std::max(most, n_closed(status));
       }
     context.log.info(
-      "  contact of steady sliding: " + std::to_string(different.size()) +
+      "  contact of steady sliding: " + std::to_string(n_states) +
       " different states at " + std::to_string(all.size()) + " points, " +
       std::to_string(fewest) + " to " + std::to_string(most) + " of " +
-      std::to_string(all[0].status.size()) + " points closed");
+      std::to_string(n_nodes) + " points closed");
     grid.set_states(state_of_point);
-    return {different};
+    return different;
   }
 } // namespace squeal

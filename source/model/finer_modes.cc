@@ -51,8 +51,7 @@ namespace squeal
       if (!has_preload)
         return {};
       if (!all_grids)
-        return {ContactStates{
-          preload_state(model.parameters(), fine, bodies, timers)}};
+        return preload_states(model.parameters(), fine, bodies, timers);
       std::vector<ContactStates> result;
       for (const ContactState &state : model.linearized().states)
         result.push_back({state});

@@ -106,8 +106,7 @@ namespace squeal
       for (const auto &contact : all_parameters.scene.contacts)
         if (states.empty() &&
             contact.state == ContactParameters::State::preload)
-          states = {ContactStates{
-            preload_state(all_parameters, *space, bodies, timers)}};
+          states = preload_states(all_parameters, *space, bodies, timers);
       Timers::Section section(timers, "Assemble: springs and contact");
       system = linearized_system(*space, bodies, states);
     }

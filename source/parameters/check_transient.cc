@@ -20,30 +20,13 @@ namespace squeal
       using Kind     = SupportParameters::Kind;
       using State    = ContactParameters::State;
 
-      /** Steady sliding puts the normal along +z. Faces of mesh files are
-       * judged when they are read. */
-      void
-      require_level_face(const ContactParameters &contact,
-                         const BodyParameters    &target)
+      bool
+      slides(const SceneParameters &scene)
       {
-        if (target.shape == BodyParameters::Shape::gmsh ||
-            target.shape == BodyParameters::Shape::rigid)
-          return;
-        const auto face = flat_face(target, contact.target_face);
-        if (face && face->axis == 2 && face->sign > 0)
-          return;
-        throw InputError(
-          "contact " + contact.name + ": the target face " +
-          in_quotes(contact.target_face) + " of body " +
-          in_quotes(target.name) +
-          (face ? std::string(" looks along ") + (face->sign > 0 ? "+" : "-") +
-                    "xyz"[face->axis]
-                : " is curved") +
-          ": steady sliding and transients are for target faces that look "
-          "along +z; turn the scene until the target lies under its source");
+        return std::any_of(scene.contacts.begin(),
+                           scene.contacts.end(),
+                           [](const auto &c) { return c.sliding_speed > 0.; });
       }
-
-
 
       /** What steady sliding needs of a scene. */
       void
@@ -52,36 +35,47 @@ namespace squeal
         const SceneParameters &scene = p.scene;
         if (scene.kind != SceneParameters::Kind::bodies)
           refuse_entry("Scene", "Kind", "= matrices has no steady sliding");
-        if (scene.contacts.size() != 1)
+        if (scene.contacts.empty())
           refuse_entry("Scene",
                        "Contacts",
-                       "has " + std::to_string(scene.contacts.size()) +
-                         " pairs: steady sliding and transients are computed "
-                         "for one");
-        const ContactParameters &c       = scene.contacts[0];
-        const std::string        section = "Scene/Contact " + c.name;
-        if (c.target_body == "ground")
-          refuse_entry(section,
-                       "Target body",
-                       "= ground: steady sliding needs meshed bodies");
-        require_level_face(
-          c, require_body(scene, c.target_body, section, "Target body"));
-        if (c.formulation == ContactParameters::Formulation::springs &&
-            c.layout == ContactParameters::SpringLayout::quadrature)
-          refuse_entry(section,
-                       "Layout",
-                       "= quadrature: steady sliding is computed for grids of "
-                       "springs and for mortar contacts");
-        if (c.friction_slope != 0.)
-          refuse_entry(section,
-                       "Friction slope",
-                       "must be 0: steady sliding and transients take the "
-                       "coefficient over the slip rate from 'Friction law'");
+                       "is empty: steady sliding and transients need a pair");
+        for (const ContactParameters &c : scene.contacts)
+          {
+            const std::string section = "Scene/Contact " + c.name;
+            if (c.target_body == "ground")
+              refuse_entry(section,
+                           "Target body",
+                           "= ground: steady sliding needs meshed bodies");
+            require_body(scene, c.target_body, section, "Target body");
+            if (c.friction_slope != 0.)
+              refuse_entry(section,
+                           "Friction slope",
+                           "must be 0: steady sliding and transients take the "
+                           "coefficient over the slip rate from 'Friction "
+                           "law'");
+          }
         if (scene.loads.empty())
           refuse_entry("Scene",
                        "Loads",
                        "is empty: name the force that presses the bodies "
                        "together and add its section 'Load <name>'");
+      }
+
+      /** Wear needs sliding; without any, the speed does not matter. */
+      void
+      check_run_in(const Parameters &p)
+      {
+        if (p.preload.run_in != PreloadParameters::RunIn::archard ||
+            !slides(p.scene))
+          return;
+        for (const ContactParameters &c : p.scene.contacts)
+          if (c.sliding_speed == 0.)
+            refuse_entry("Preload",
+                         "Run-in",
+                         "= archard: nothing wears in contact " +
+                           in_quotes(c.name) +
+                           ", whose 'Sliding speed' is 0; run-in is computed "
+                           "for scenes whose pairs all slide");
       }
 
       void
@@ -144,11 +138,13 @@ namespace squeal
                        "must not be below 'Eigenvalues/Highest frequency'");
         if (t.history_start > t.end_time)
           refuse_entry("Transient", "History start", "is after 'End time'");
-        if (!(p.scene.contacts[0].sliding_speed > 0.))
-          refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
+        if (!slides(p.scene))
+          refuse_entry(p.scene.contacts.size() == 1
+                         ? "Scene/Contact " + p.scene.contacts.back().name
+                         : "Scene/Contacts",
                        "Sliding speed",
-                       "must be greater than 0 for a transient; let it fall by "
-                       "'Transient/Final speed ratio'");
+                       "must be greater than 0 for a transient, of one pair at "
+                       "least; let it fall by 'Transient/Final speed ratio'");
       }
 
       void
@@ -172,12 +168,13 @@ namespace squeal
                        "Cut-off damping",
                        "belongs to the reduced integrator, whose modes end at "
                        "'Cut-off'");
-        if (all_unknowns && p.scene.contacts[0].formulation ==
-                              ContactParameters::Formulation::springs)
-          refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
-                       "Formulation",
-                       "= springs: the integrators of the finite elements "
-                       "need mortar contact");
+        for (const ContactParameters &c : p.scene.contacts)
+          if (all_unknowns &&
+              c.formulation == ContactParameters::Formulation::springs)
+            refuse_entry("Scene/Contact " + c.name,
+                         "Formulation",
+                         "= springs: the integrators of the finite elements "
+                         "need mortar contact");
       }
 
       /** Whether anything but the contact joins the body to another one. */
@@ -198,6 +195,51 @@ namespace squeal
                            });
       }
 
+      [[noreturn]] void
+      refuse_corotating(const std::string &text)
+      {
+        refuse_entry("Transient", "Disc frame", "= corotating " + text);
+      }
+
+      /** A pair that slides because the mesh of its target turns about z. */
+      void
+      check_turning_pair(const SceneParameters   &scene,
+                         const ContactParameters &c)
+      {
+        if (c.formulation != ContactParameters::Formulation::mortar)
+          refuse_corotating("needs 'Scene/Contact " + c.name +
+                            "/Formulation = mortar'");
+        if (c.friction_direction != ContactParameters::FrictionDirection::slip)
+          refuse_corotating("needs 'Scene/Contact " + c.name +
+                            "/Friction direction = slip': the target turns "
+                            "about z");
+        for (const auto &body : scene.bodies)
+          if (body.name == c.target_body)
+            {
+              if (body.shape == BodyParameters::Shape::rigid)
+                refuse_corotating("needs a meshed target: body '" + body.name +
+                                  "' is rigid");
+              if (body.rotation_speed != 0.)
+                refuse_corotating("has the turning in its mesh: set "
+                                  "'Scene/Body " +
+                                  body.name + "/Rotation speed = 0'");
+              if (body.rotation_axis[0] != 0. || body.rotation_axis[1] != 0.)
+                refuse_corotating("turns meshes about z: the 'Rotation axis' "
+                                  "of body '" +
+                                  body.name + "' is another one");
+            }
+        if (is_joined(scene, c.target_body))
+          refuse_corotating("cannot turn body '" + c.target_body +
+                            "': a tie or a spring joins it to another body");
+        for (const auto &other : scene.contacts)
+          if (other.source_body == c.target_body ||
+              (other.target_body == c.target_body &&
+               !(other.sliding_speed > 0.)))
+            refuse_corotating("cannot turn body '" + c.target_body +
+                              "': contact " + in_quotes(other.name) +
+                              " holds it as a pair at rest or as a source");
+      }
+
       /** A target whose mesh turns. */
       void
       check_disc_frame(const Parameters &p)
@@ -205,9 +247,6 @@ namespace squeal
         const TransientParameters &t = p.transient;
         if (t.disc_frame != TransientParameters::DiscFrame::corotating)
           return;
-        const auto refuse = [](const std::string &text) {
-          refuse_entry("Transient", "Disc frame", "= corotating " + text);
-        };
         for (const auto &[name, value] :
              choices(TransientParameters::Integrator()))
           if (value == TransientParameters::Integrator::reduced &&
@@ -215,28 +254,14 @@ namespace squeal
                                      : std::find(t.integrators.begin(),
                                                  t.integrators.end(),
                                                  name) != t.integrators.end()))
-            refuse("needs 'Integrator = explicit' or 'implicit': the " + name +
-                   " model holds the disc's flexibility at the contact of the "
-                   "start only");
-        const ContactParameters &c = p.scene.contacts[0];
-        if (c.formulation != ContactParameters::Formulation::mortar)
-          refuse("needs 'Scene/Contact " + c.name + "/Formulation = mortar'");
-        if (c.friction_direction != ContactParameters::FrictionDirection::slip)
-          refuse("needs 'Scene/Contact " + c.name +
-                 "/Friction direction = slip': the target turns about z");
-        for (const auto &body : p.scene.bodies)
-          if (body.name == c.target_body)
-            {
-              if (body.shape == BodyParameters::Shape::rigid)
-                refuse("needs a meshed target: body '" + body.name +
-                       "' is rigid");
-              if (body.rotation_speed != 0.)
-                refuse("has the turning in its mesh: set 'Scene/Body " +
-                       body.name + "/Rotation speed = 0'");
-            }
-        if (is_joined(p.scene, c.target_body))
-          refuse("cannot turn body '" + c.target_body +
-                 "': a tie or a spring joins it to another body");
+            refuse_corotating("needs 'Integrator = explicit' or 'implicit': "
+                              "the " +
+                              name +
+                              " model holds the disc's flexibility at the "
+                              "contact of the start only");
+        for (const ContactParameters &c : p.scene.contacts)
+          if (c.sliding_speed > 0.)
+            check_turning_pair(p.scene, c);
       }
 
       void
@@ -266,13 +291,14 @@ namespace squeal
         if (t.start == TransientParameters::Start::ramp && t.compare_with_cea)
           refuse_entry(
             "Transient", "Compare with CEA", "needs 'Start = steady sliding'");
-        const ContactParameters &c = p.scene.contacts[0];
-        if (!c.transverse_slip_term && t.compare_with_cea)
-          refuse_entry("Scene/Contact " + c.name,
-                       "Transverse slip term",
-                       "must be true with 'Transient/Compare with CEA': in "
-                       "time friction turns with the slip rate, and it must "
-                       "in the eigenvalues");
+        for (const ContactParameters &c : p.scene.contacts)
+          if (c.sliding_speed > 0. && !c.transverse_slip_term &&
+              t.compare_with_cea)
+            refuse_entry("Scene/Contact " + c.name,
+                         "Transverse slip term",
+                         "must be true with 'Transient/Compare with CEA': in "
+                         "time friction turns with the slip rate, and it must "
+                         "in the eigenvalues");
         if (t.final_speed_ratio != 1. && t.compare_with_cea)
           refuse_entry("Transient",
                        "Compare with CEA",
@@ -303,22 +329,23 @@ namespace squeal
     void
     check_transient(const Parameters &p)
     {
-      const bool has_preload_state =
-        std::any_of(p.scene.contacts.begin(),
-                    p.scene.contacts.end(),
-                    [](const auto &c) { return c.state == State::preload; });
-      if (has_preload_state && p.analysis == Analysis::work_precision)
-        refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
-                     "Contact state",
-                     "= preload holds for one mesh: it is not available in "
-                     "ladders");
-      if (has_preload_state && p.analysis == Analysis::sweep &&
-          p.scene.contacts[0].formulation !=
-            ContactParameters::Formulation::springs)
-        refuse_entry("Scene/Contact " + p.scene.contacts[0].name,
-                     "Formulation",
-                     "must be springs: contact states that change over a "
-                     "sweep need it");
+      bool has_preload_state = false;
+      for (const ContactParameters &c : p.scene.contacts)
+        if (c.state == State::preload)
+          {
+            has_preload_state = true;
+            if (p.analysis == Analysis::work_precision)
+              refuse_entry("Scene/Contact " + c.name,
+                           "Contact state",
+                           "= preload holds for one mesh: it is not available "
+                           "in ladders");
+            if (p.analysis == Analysis::sweep &&
+                c.formulation != ContactParameters::Formulation::springs)
+              refuse_entry("Scene/Contact " + c.name,
+                           "Formulation",
+                           "must be springs: contact states that change over a "
+                           "sweep need it");
+          }
       const bool is_pressed =
         p.analysis == Analysis::preload || p.analysis == Analysis::transient;
       if ((is_pressed || has_preload_state) &&
@@ -337,7 +364,10 @@ namespace squeal
                      "= lumped: errors are estimated for consistent masses; "
                      "set 'Estimate error = false' and no refinement by it");
       if (is_pressed || has_preload_state)
-        check_pressed_scene(p);
+        {
+          check_pressed_scene(p);
+          check_run_in(p);
+        }
       if (p.analysis == Analysis::preload)
         check_stiffness(p);
       if (p.analysis == Analysis::transient)

@@ -56,14 +56,27 @@ namespace squeal
 
   ContactMap::ContactMap(const std::vector<std::array<double, 3>> &p,
                          const Values                             &areas)
+    : ContactMap(p, areas, in_plane(p))
+  {
+    axis_labels =
+      "set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)' offset -1";
+  }
+
+  ContactMap::ContactMap(const std::vector<std::array<double, 3>> &p,
+                         const Values                             &areas,
+                         const std::vector<std::array<double, 2>> &where)
     : points(p)
     , areas(areas)
-    , polygons(delaunay_polygons(in_plane(p)))
+    , places(where.begin(), where.end())
+    , axis_labels(
+        "set xlabel 'across the sliding in mm'\nset ylabel 'along the "
+        "sliding in mm' offset -1")
+    , polygons(delaunay_polygons(places))
   {
     std::vector<double> reaches;
     for (const double area : areas)
       reaches.push_back(reach * std::sqrt(area));
-    cells = nearest_cells(in_plane(points), reaches);
+    cells = nearest_cells(places, reaches);
   }
 
 
@@ -86,8 +99,7 @@ namespace squeal
                 "'#6baed6', 0.75 '#2171b5', 0.9 '#d55e00', 1 '#7f2704')");
     drawing.add("set view map\nset size ratio -1\nunset key\nunset ztics");
     drawing.add("set style fill solid noborder");
-    drawing.add(
-      "set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)' offset -1");
+    drawing.add(axis_labels);
     // One scale for all arrows: those of one traction are of one length,
     // whatever the panel and the cell of the node.
     double longest = 0.;
@@ -111,8 +123,8 @@ namespace squeal
         std::string arrows;
         for (std::size_t j = 0; j < panel.arrows_x.size() && longest > 0.; ++j)
           arrows +=
-            plot_number(1e3 * points[j][0]) + ' ' +
-            plot_number(1e3 * points[j][1]) + ' ' +
+            plot_number(1e3 * places[j][0]) + ' ' +
+            plot_number(1e3 * places[j][1]) + ' ' +
             plot_number(1e3 * length / longest * panel.arrows_x[j]) + ' ' +
             plot_number(1e3 * length / longest * panel.arrows_y[j]) + '\n';
         drawing.add("set title " + in_quotes(panel.title));

@@ -28,16 +28,53 @@ namespace squeal
           file.text_attribute("format") != "squeal contact history")
         refuse(file.path(), "is no contact history (attribute 'format')");
       const double version = file.number_attribute("format_version");
-      if (version != HistoryWriter::format_version)
+      if (version != HistoryWriter::format_version &&
+          version != HistoryWriter::version_of_pairs)
         refuse(file.path(),
                "has format version " + shortest_text(version) +
                  "; this program reads " +
-                 std::to_string(HistoryWriter::format_version));
+                 std::to_string(HistoryWriter::format_version) + " and " +
+                 std::to_string(HistoryWriter::version_of_pairs));
       if (!file.has_attribute("complete") ||
           file.number_attribute("complete") != 1.)
         refuse(file.path(),
                "is incomplete: the run that wrote it has not "
                "ended; make it again");
+    }
+
+
+
+    /** Names of the pairs; none in version 1. */
+    std::vector<std::string>
+    pair_names(const Hdf5File &file)
+    {
+      if (file.number_attribute("format_version") ==
+          HistoryWriter::format_version)
+        return {};
+      return file.read_texts("pair_names");
+    }
+
+    /** Where the pair asked for is. */
+    std::string
+    group_of(const Hdf5File &file, const std::string &pair)
+    {
+      const auto  names = pair_names(file);
+      std::string known;
+      for (const std::string &name : names)
+        known += (known.empty() ? "" : ", ") + name;
+      if (names.empty())
+        {
+          if (!pair.empty())
+            refuse(file.path(),
+                   "has one contact pair without a name, not '" + pair + "'");
+          return "";
+        }
+      if (std::find(names.begin(), names.end(), pair) == names.end())
+        refuse(file.path(),
+               pair.empty()
+                 ? "has several contact pairs: name one of " + known
+                 : "has no contact pair '" + pair + "'; there are " + known);
+      return "pairs/" + pair + "/";
     }
 
 
@@ -92,7 +129,11 @@ namespace squeal
                  "is damaged: its checksum is another one; make it again");
       }
     else if (input_file_fault(path).empty() && ends_by_signal([&]() {
-               HistoryReader(path, Accepted()).read_to_end();
+               const auto names =
+                 pair_names(Hdf5File(path, Hdf5File::Mode::read));
+               for (const std::string &name :
+                    names.empty() ? std::vector<std::string>{""} : names)
+                 HistoryReader(path, name, Accepted()).read_to_end();
              }))
       refuse(path, "is damaged: the HDF5 library crashes when it reads it");
     return path;
@@ -100,47 +141,79 @@ namespace squeal
 
 
 
-  HistoryReader::HistoryReader(const std::string &path)
-    : HistoryReader(accepted(path), Accepted())
+  HistoryReader::HistoryReader(const std::string &path, const std::string &pair)
+    : HistoryReader(accepted(path), pair, Accepted())
   {
   }
 
 
 
-  HistoryReader::HistoryReader(const std::string &path, Accepted)
+  std::vector<std::string>
+  HistoryReader::pairs_of(const std::string &path)
+  {
+    const Hdf5File file(accepted(path), Hdf5File::Mode::read);
+    check_format(file);
+    return pair_names(file);
+  }
+
+
+
+  HistoryReader::HistoryReader(const std::string &path,
+                               const std::string &pair,
+                               Accepted)
     : file(path, Hdf5File::Mode::read)
   {
     check_format(file);
+    group     = group_of(file, pair);
+    what.pair = pair;
+    read_layout();
+  }
+
+
+
+  void
+  HistoryReader::read_layout()
+  {
     what.name = file.has_attribute("name") ? file.text_attribute("name") : "";
-    const std::vector<double> points = file.read("nodes/coordinates");
-    what.areas                       = file.read("nodes/area");
+    const std::vector<double> points = file.read(group + "nodes/coordinates");
+    what.areas                       = file.read(group + "nodes/area");
     const std::uint64_t n            = what.areas.size();
     if (n == 0)
-      refuse(path, "has no contact nodes");
-    if (file.dimensions("nodes/coordinates") != Hdf5File::Dimensions({n, 3}))
-      refuse(path, "has another number of coordinates than of areas");
-    check_numbers(path, "nodes/coordinates", points);
+      refuse(file.path(), "has no contact nodes");
+    if (file.dimensions(group + "nodes/coordinates") !=
+        Hdf5File::Dimensions({n, 3}))
+      refuse(file.path(), "has another number of coordinates than of areas");
+    check_numbers(file.path(), "nodes/coordinates", points);
+    if (file.has(group + "nodes/axes"))
+      {
+        const std::vector<double> axes = file.read(group + "nodes/axes");
+        if (axes.size() != 9)
+          refuse(file.path(), "has 'nodes/axes' that are not three directions");
+        check_numbers(file.path(), "nodes/axes", axes);
+        for (unsigned int i = 0; i < 9; ++i)
+          what.axes[i / 3][i % 3] = axes[i];
+      }
     for (std::uint64_t i = 0; i < n; ++i)
       {
         if (!(what.areas[i] > 0.) || !std::isfinite(what.areas[i]))
-          refuse(path,
+          refuse(file.path(),
                  "has a node with an area that is not positive: node " +
                    std::to_string(i));
         what.points.push_back(
           {{points[3 * i], points[3 * i + 1], points[3 * i + 2]}});
       }
 
-    const Hdf5File::Dimensions times = file.dimensions("samples/time");
+    const Hdf5File::Dimensions times = file.dimensions(group + "samples/time");
     samples                          = times.empty() ? 0 : times[0];
     if (samples < 2)
-      refuse(path, "has fewer than two samples");
+      refuse(file.path(), "has fewer than two samples");
     check_shape("samples/time", {});
     check_shape("samples/pressure", {n});
     check_shape("samples/traction", {n, 2});
-    what.has_slip_rate  = file.has("samples/slip_rate");
-    what.has_gap        = file.has("samples/gap");
-    what.has_status     = file.has("samples/status");
-    what.has_resultants = file.has("samples/resultants");
+    what.has_slip_rate  = file.has(group + "samples/slip_rate");
+    what.has_gap        = file.has(group + "samples/gap");
+    what.has_status     = file.has(group + "samples/status");
+    what.has_resultants = file.has(group + "samples/resultants");
     if (what.has_slip_rate)
       check_shape("samples/slip_rate", {n, 2});
     if (what.has_gap)
@@ -149,15 +222,19 @@ namespace squeal
       check_shape("samples/status", {n});
     if (what.has_resultants)
       check_shape("samples/resultants", {3});
-    if (file.has("probes/values"))
+    if (file.has(group + "probes/values"))
       {
-        what.probe_names = file.read_texts("probes/names");
+        what.probe_names = file.read_texts(group + "probes/names");
         check_shape("probes/values", {what.probe_names.size()});
       }
     if (file.has("energies/values"))
       {
-        what.energy_names = file.read_texts("energies/names");
-        check_shape("energies/values", {what.energy_names.size()});
+        what.energy_names             = file.read_texts("energies/names");
+        Hdf5File::Dimensions expected = {samples, what.energy_names.size()};
+        if (file.dimensions("energies/values") != expected)
+          refuse(file.path(),
+                 "has a dataset 'energies/values' that does not fit its "
+                 "samples");
       }
   }
 
@@ -169,7 +246,7 @@ namespace squeal
   {
     Hdf5File::Dimensions expected = row;
     expected.insert(expected.begin(), samples);
-    if (file.dimensions(name) != expected)
+    if (file.dimensions(group + name) != expected)
       refuse(file.path(),
              "has a dataset '" + name +
                "' that does not fit its nodes and samples");
@@ -205,8 +282,8 @@ namespace squeal
   HistoryReader::time_range() const
   {
     std::vector<double> first, last;
-    file.read_rows("samples/time", 0, 1, first);
-    file.read_rows("samples/time", samples - 1, 1, last);
+    file.read_rows(group + "samples/time", 0, 1, first);
+    file.read_rows(group + "samples/time", samples - 1, 1, last);
     return {{first[0], last[0]}};
   }
 
@@ -220,7 +297,7 @@ namespace squeal
     while (lower < upper)
       {
         const std::uint64_t middle = (lower + upper) / 2;
-        file.read_rows("samples/time", middle, 1, value);
+        file.read_rows(group + "samples/time", middle, 1, value);
         if (value[0] < time)
           lower = middle + 1;
         else
@@ -237,13 +314,18 @@ namespace squeal
                       HistorySamples     &s) const
   {
     s.clear();
-    const auto get = [&](const std::string   &name,
-                         const bool           is_there,
-                         std::vector<double> &values) {
+    const auto get_at = [&](const std::string   &name,
+                            const bool           is_there,
+                            std::vector<double> &values) {
       if (!is_there)
         return;
       file.read_rows(name, first, n, values);
       check_numbers(file.path(), name, values);
+    };
+    const auto get = [&](const std::string   &name,
+                         const bool           is_there,
+                         std::vector<double> &values) {
+      get_at(group + name, is_there, values);
     };
     get("samples/time", true, s.time);
     for (std::size_t i = 1; i < s.time.size(); ++i)
@@ -259,7 +341,7 @@ namespace squeal
     check_states(file.path(), s.status, s);
     get("samples/resultants", what.has_resultants, s.resultants);
     get("probes/values", !what.probe_names.empty(), s.probes);
-    get("energies/values", !what.energy_names.empty(), s.energies);
+    get_at("energies/values", !what.energy_names.empty(), s.energies);
   }
 
 
@@ -267,11 +349,12 @@ namespace squeal
   std::vector<StatusChange>
   HistoryReader::status_changes() const
   {
-    if (!file.has("status_changes/time"))
+    const std::string of_pair = group + "status_changes/";
+    if (!file.has(of_pair + "time"))
       return {};
-    const std::vector<double> times  = file.read("status_changes/time");
-    const std::vector<double> nodes  = file.read("status_changes/node");
-    const std::vector<double> states = file.read("status_changes/status");
+    const std::vector<double> times  = file.read(of_pair + "time");
+    const std::vector<double> nodes  = file.read(of_pair + "node");
+    const std::vector<double> states = file.read(of_pair + "status");
     if (nodes.size() != times.size() || states.size() != times.size())
       refuse(file.path(), "has status changes of different numbers");
     std::vector<StatusChange> changes(times.size());

@@ -33,56 +33,107 @@ namespace squeal
 
 
 
-  HistoryWriter::HistoryWriter(const std::string &path, const HistoryLayout &l)
-    : layout(l)
+  namespace
+  {
+    /** The group of a pair: the root where there is but one. */
+    std::string
+    group_of(const std::vector<HistoryLayout> &layouts, const std::size_t pair)
+    {
+      return layouts.size() == 1 ? "" : "pairs/" + layouts[pair].pair + "/";
+    }
+  } // namespace
+
+
+
+  HistoryWriter::HistoryWriter(const std::string   &path,
+                               const HistoryLayout &layout)
+    : HistoryWriter(path, std::vector<HistoryLayout>{layout})
+  {
+  }
+
+
+
+  HistoryWriter::HistoryWriter(const std::string                &path,
+                               const std::vector<HistoryLayout> &pairs)
+    : layouts(pairs)
     , target(path)
     , file(std::make_unique<Hdf5File>(target.temporary(),
                                       Hdf5File::Mode::create_sealed))
   {
-    const std::uint64_t n = layout.n_nodes();
-    AssertDimension(layout.areas.size(), n);
+    Assert(!layouts.empty(), dealii::ExcInternalError());
+    const HistoryLayout &any = layouts.back();
     file->write_attribute("format", "squeal contact history");
-    file->write_attribute("format_version", double(format_version));
-    file->write_attribute("name", layout.name);
-    std::vector<double> points;
-    for (const auto &point : layout.points)
-      points.insert(points.end(), point.begin(), point.end());
-    file->write("nodes/coordinates", {n, 3}, points);
-    file->write("nodes/area", {n}, layout.areas);
-    file->create_growing("samples/time", {}, Kind::real64, 4096);
-    file->create_growing("samples/pressure", {n}, Kind::real32, n_chunk);
-    file->create_growing("samples/traction", {n, 2}, Kind::real32, n_chunk);
-    if (layout.has_slip_rate)
-      file->create_growing("samples/slip_rate", {n, 2}, Kind::real32, n_chunk);
-    if (layout.has_gap)
-      file->create_growing("samples/gap", {n}, Kind::real32, n_chunk);
-    if (layout.has_status)
-      file->create_growing("samples/status", {n}, Kind::integer8, n_chunk);
-    if (layout.has_resultants)
-      file->create_growing("samples/resultants", {3}, Kind::real64, 4096);
-    if (!layout.probe_names.empty())
+    file->write_attribute(
+      "format_version",
+      double(layouts.size() == 1 ? format_version : version_of_pairs));
+    file->write_attribute("name", any.name);
+    if (layouts.size() > 1)
       {
-        file->write("probes/names", layout.probe_names);
-        file->create_growing(
-          "probes/values", {layout.probe_names.size()}, Kind::real64, 4096);
+        std::vector<std::string> names;
+        for (const HistoryLayout &layout : layouts)
+          names.push_back(layout.pair);
+        file->write("pair_names", names);
       }
-    if (!layout.energy_names.empty())
+    for (std::size_t i = 0; i < layouts.size(); ++i)
+      create(layouts[i], group_of(layouts, i));
+    if (!any.energy_names.empty())
       {
-        file->write("energies/names", layout.energy_names);
+        file->write("energies/names", any.energy_names);
         file->create_growing(
-          "energies/values", {layout.energy_names.size()}, Kind::real64, 4096);
+          "energies/values", {any.energy_names.size()}, Kind::real64, 4096);
       }
-    file->create_growing("status_changes/time", {}, Kind::real64, 4096);
-    file->create_growing("status_changes/node", {}, Kind::integer32, 4096);
-    file->create_growing("status_changes/status", {}, Kind::integer8, 4096);
   }
 
 
 
   void
-  HistoryWriter::append(const HistorySamples &s)
+  HistoryWriter::create(const HistoryLayout &layout, const std::string &group)
   {
-    const auto add = [&](const std::string         &name,
+    const std::uint64_t n = layout.n_nodes();
+    AssertDimension(layout.areas.size(), n);
+    std::vector<double> points, axes;
+    for (const auto &point : layout.points)
+      points.insert(points.end(), point.begin(), point.end());
+    for (const auto &axis : layout.axes)
+      axes.insert(axes.end(), axis.begin(), axis.end());
+    file->write(group + "nodes/coordinates", {n, 3}, points);
+    file->write(group + "nodes/area", {n}, layout.areas);
+    if (layout.axes != HistoryLayout().axes)
+      file->write(group + "nodes/axes", {3, 3}, axes);
+    const auto grows = [&](const std::string          &name,
+                           const Hdf5File::Dimensions &row,
+                           const Kind                  kind,
+                           const std::uint64_t         n_together) {
+      file->create_growing(group + name, row, kind, n_together);
+    };
+    grows("samples/time", {}, Kind::real64, 4096);
+    grows("samples/pressure", {n}, Kind::real32, n_chunk);
+    grows("samples/traction", {n, 2}, Kind::real32, n_chunk);
+    if (layout.has_slip_rate)
+      grows("samples/slip_rate", {n, 2}, Kind::real32, n_chunk);
+    if (layout.has_gap)
+      grows("samples/gap", {n}, Kind::real32, n_chunk);
+    if (layout.has_status)
+      grows("samples/status", {n}, Kind::integer8, n_chunk);
+    if (layout.has_resultants)
+      grows("samples/resultants", {3}, Kind::real64, 4096);
+    if (!layout.probe_names.empty())
+      {
+        file->write(group + "probes/names", layout.probe_names);
+        grows("probes/values", {layout.probe_names.size()}, Kind::real64, 4096);
+      }
+    grows("status_changes/time", {}, Kind::real64, 4096);
+    grows("status_changes/node", {}, Kind::integer32, 4096);
+    grows("status_changes/status", {}, Kind::integer8, 4096);
+  }
+
+
+
+  void
+  HistoryWriter::append(const HistorySamples &s, const std::size_t pair)
+  {
+    const HistoryLayout &layout = layouts[pair];
+    const auto           add    = [&](const std::string         &name,
                          const std::vector<double> &values,
                          const std::size_t          row,
                          const bool                 is_there) {
@@ -92,28 +143,32 @@ namespace squeal
       if (is_there)
         file->append(name, values);
     };
-    const std::size_t n = layout.n_nodes();
-    add("samples/time", s.time, 1, true);
-    add("samples/pressure", s.pressure, n, true);
-    add("samples/traction", s.traction, 2 * n, true);
-    add("samples/slip_rate", s.slip_rate, 2 * n, layout.has_slip_rate);
-    add("samples/gap", s.gap, n, layout.has_gap);
-    add("samples/status", s.status, n, layout.has_status);
-    add("samples/resultants", s.resultants, 3, layout.has_resultants);
-    add("probes/values",
+    const std::string group = group_of(layouts, pair);
+    const std::size_t n     = layout.n_nodes();
+    add(group + "samples/time", s.time, 1, true);
+    add(group + "samples/pressure", s.pressure, n, true);
+    add(group + "samples/traction", s.traction, 2 * n, true);
+    add(group + "samples/slip_rate", s.slip_rate, 2 * n, layout.has_slip_rate);
+    add(group + "samples/gap", s.gap, n, layout.has_gap);
+    add(group + "samples/status", s.status, n, layout.has_status);
+    add(group + "samples/resultants", s.resultants, 3, layout.has_resultants);
+    add(group + "probes/values",
         s.probes,
         layout.probe_names.size(),
         !layout.probe_names.empty());
-    add("energies/values",
-        s.energies,
-        layout.energy_names.size(),
-        !layout.energy_names.empty());
+    // Those of the system, once.
+    if (pair == 0)
+      add("energies/values",
+          s.energies,
+          layout.energy_names.size(),
+          !layout.energy_names.empty());
   }
 
 
 
   void
-  HistoryWriter::append(const std::vector<StatusChange> &changes)
+  HistoryWriter::append(const std::vector<StatusChange> &changes,
+                        const std::size_t                pair)
   {
     std::vector<double> times, nodes, states;
     for (const StatusChange &change : changes)
@@ -122,9 +177,10 @@ namespace squeal
         nodes.push_back(static_cast<double>(change.node));
         states.push_back(static_cast<double>(change.status));
       }
-    file->append("status_changes/time", times);
-    file->append("status_changes/node", nodes);
-    file->append("status_changes/status", states);
+    const std::string group = group_of(layouts, pair) + "status_changes/";
+    file->append(group + "time", times);
+    file->append(group + "node", nodes);
+    file->append(group + "status", states);
   }
 
 

@@ -132,9 +132,8 @@ namespace squeal
   void
   FullTransient::set_turn()
   {
-    B = way[0] == 0.
-          ? model.relative_motion
-          : model.turning->relative_motion(model.turning->angle(way[0]));
+    B = way[0] == 0. ? model.relative_motion
+                     : model.turning->relative_motion(way[0]);
     solver->set_operator(symmetric_delassus());
   }
 

@@ -19,13 +19,11 @@ namespace squeal
                                  const Eigen::VectorXd &speed_ratio)
     : added(drive.friction)
     , speed(drive.speed)
-    , law(drive.law && !drive.law->is_constant() ? drive.law : nullptr)
+    , laws(drive.laws)
+    , by_slip_rate(laws && !laws->is_constant())
     , ratio(speed_ratio)
   {
-    if (drive.law && !law)
-      added = [constant = drive.law->at_rest(), f = drive.friction](
-                const double time) { return constant + f(time); };
-    if (law)
+    if (by_slip_rate)
       slip_rate = Eigen::VectorXd::Constant(ratio.size(), sticks);
   }
 
@@ -34,14 +32,14 @@ namespace squeal
   void
   LaggedFriction::start(const Eigen::VectorXd &rate)
   {
-    if (!law)
+    if (!by_slip_rate)
       return;
     const double v = speed(0.);
     for (Eigen::Index j = 0; j < ratio.size(); ++j)
       {
         const double slip =
           std::hypot(rate[3 * j + 1] + v * ratio[j], rate[3 * j + 2]);
-        slip_rate[j] = slip > rounding * std::abs(v * ratio[j]) ? slip : sticks;
+        slip_rate[j] = slip > rounding * std::abs(v) ? slip : sticks;
       }
   }
 
@@ -50,15 +48,20 @@ namespace squeal
   void
   LaggedFriction::set(const double time, ContactStep &step) const
   {
-    step.friction = std::max(0., added(time));
-    if (!law)
-      return;
+    if (!laws)
+      {
+        step.friction = std::max(0., added(time));
+        return;
+      }
+    const double more = added(time);
     step.nodal_friction.resize(ratio.size());
     for (Eigen::Index j = 0; j < ratio.size(); ++j)
-      step.nodal_friction[j] = std::max(
-        0.,
-        added(time) + (slip_rate[j] < 0. ? law->at_rest()
-                                         : law->coefficient(slip_rate[j])));
+      {
+        const bool   is_known = by_slip_rate && slip_rate[j] >= 0.;
+        const double mu       = is_known ? laws->of(j).coefficient(slip_rate[j])
+                                         : laws->of(j).at_rest();
+        step.nodal_friction[j] = std::max(0., mu + (ratio[j] > 0. ? more : 0.));
+      }
   }
 
 
@@ -68,7 +71,7 @@ namespace squeal
                        const Eigen::VectorXd            &motion,
                        const std::vector<ContactStatus> &status)
   {
-    if (!law)
+    if (!by_slip_rate)
       return;
     for (Eigen::Index j = 0; j < ratio.size(); ++j)
       {

@@ -17,12 +17,12 @@ namespace squeal
 
 
   ReducedContactModel
-  reduce_contact_model(const Pencil          &pencil,
-                       const ReductionBasis  &basis,
-                       const double           cut_off,
-                       const ContactGeometry &geometry,
-                       const Block           &load,
-                       const Block           &observers)
+  reduce_contact_model(const Pencil         &pencil,
+                       const ReductionBasis &basis,
+                       const double          cut_off,
+                       const ContactNodes   &nodes,
+                       const Block          &load,
+                       const Block          &observers)
   {
     ReducedContactModel model;
     double              alpha, beta;
@@ -35,7 +35,7 @@ namespace squeal
     model.omega_squared   = basis.omega_squared;
     model.damping = (alpha + beta * model.omega_squared.array()).matrix();
 
-    const Functionals B = relative_motion(geometry);
+    const Functionals B = nodes.relative_motion();
     model.participation = B.apply(basis.shapes);
     model.load          = inner_products(space, basis.shapes, load);
 
@@ -45,10 +45,11 @@ namespace squeal
       B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))));
     const Eigen::MatrixXd G = B.apply(responses);
     model.flexibility       = 0.5 * (G + G.transpose());
-    model.load_motion       = B.apply(residual_response(load));
-    model.initial_gap       = Eigen::VectorXd::Zero(geometry.points.size());
-    model.speed_ratio       = Eigen::Map<const Eigen::VectorXd>(
-      geometry.speed_ratio.data(), geometry.speed_ratio.size());
+    // Springs give way: their compliance adds to that of the bodies.
+    model.flexibility.diagonal() += nodes.compliance();
+    model.load_motion = B.apply(residual_response(load));
+    model.initial_gap = Eigen::VectorXd::Zero(nodes.n_nodes());
+    model.speed_ratio = nodes.speed_ratio();
     if (observers.cols() > 0)
       {
         const Block responses_of_observers = residual_response(observers);
@@ -85,19 +86,23 @@ namespace squeal
 
 
   std::vector<ModalForce>
-  modal_forces(const Pencil          &pencil,
-               const ReductionBasis  &basis,
-               const ContactGeometry &geometry,
-               const Block           &forces)
+  modal_forces(const Pencil         &pencil,
+               const ReductionBasis &basis,
+               const Functionals    &relative_motion,
+               const Block          &forces,
+               const Block          &observers)
   {
+    const RowSpace        &space = *pencil.space();
     const ResidualResponse residual_response(pencil, basis);
-    const Functionals      B = relative_motion(geometry);
-    const Eigen::MatrixXd  modal =
-      inner_products(*pencil.space(), basis.shapes, forces);
-    const Eigen::MatrixXd   motion = B.apply(residual_response(forces));
+    const Block            responses = residual_response(forces);
+    const Eigen::MatrixXd  modal = inner_products(space, basis.shapes, forces),
+                          motion = relative_motion.apply(responses),
+                          observed =
+                            inner_products(space, observers, responses);
     std::vector<ModalForce> result;
     for (Eigen::Index i = 0; i < forces.cols(); ++i)
-      result.push_back({modal.col(i), motion.col(i), forces.col(i)});
+      result.push_back(
+        {modal.col(i), motion.col(i), forces.col(i), observed.col(i)});
     return result;
   }
 } // namespace squeal

@@ -278,7 +278,12 @@ namespace squeal
   Eigen::VectorXd
   ReducedTransient::observed_motion() const
   {
-    return model.observed.evaluate(q, drive.load(time()), lambda);
+    Eigen::VectorXd motion =
+      model.observed.evaluate(q, drive.load(time()), lambda);
+    for (const auto &force : drive.forces)
+      if (const double factor = force.factor(time()); factor != 0.)
+        motion += factor * force.force.observed;
+    return motion;
   }
 
   Eigen::VectorXd

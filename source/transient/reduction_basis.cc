@@ -56,24 +56,11 @@ namespace squeal
 
 
 
-  Functionals
-  relative_motion(const ContactGeometry &geometry)
-  {
-    std::vector<Functionals::Row> rows;
-    for (std::size_t j = 0; j < geometry.points.size(); ++j)
-      for (const auto &part :
-           {geometry.normal, geometry.tangential, geometry.transverse})
-        rows.push_back(part->rows()[j]);
-    return Functionals(geometry.normal->space_pointer(), std::move(rows));
-  }
-
-
-
   ReductionBasis
-  reduction_basis(const Pencil          &pencil,
-                  const UndampedModes   &modes,
-                  const ContactGeometry &geometry,
-                  const double           interface_cut_off)
+  reduction_basis(const Pencil        &pencil,
+                  const UndampedModes &modes,
+                  const Functionals   &relative_motion,
+                  const double         interface_cut_off)
   {
     ReductionBasis basis;
     basis.n_modes       = modes.n_certified;
@@ -84,8 +71,7 @@ namespace squeal
       if (basis.omega_squared[k] < std::pow(2. * M_PI * rigid_frequency, 2))
         basis.omega_squared[k] = 0.;
     if (interface_cut_off > 0.)
-      append_ritz_vectors(
-        pencil, relative_motion(geometry), interface_cut_off, basis);
+      append_ritz_vectors(pencil, relative_motion, interface_cut_off, basis);
     return basis;
   }
 

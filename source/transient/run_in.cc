@@ -2,6 +2,9 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/transient/run_in.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace squeal
 {
   namespace
@@ -17,29 +20,43 @@ namespace squeal
            const std::vector<double> &areas,
            const Eigen::VectorXd     &friction)
   {
-    const unsigned int n      = model.n_nodes();
-    Eigen::VectorXd    forces = Eigen::VectorXd::Zero(3 * n);
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        forces[3 * j]     = areas[j] / model.speed_ratio[j];
-        forces[3 * j + 1] = friction[j] * forces[3 * j];
-      }
-    // Their size by the balance of the motions that nothing holds.
-    const Eigen::VectorXd pushed  = model.participation.transpose() * forces;
-    double                product = 0., square = 0., load_square = 0.;
+    const unsigned int n = model.n_nodes();
+    if (!(model.speed_ratio.minCoeff() > 0.))
+      throw InputError("Preload/Run-in: = archard needs pairs that all slide: "
+                       "in one at rest nothing wears");
+    // Columns: the forces by every free motion, and what they do to it.
+    std::vector<int> free;
     for (unsigned int k = 0; k < model.n_modes(); ++k)
       if (model.omega_squared[k] == 0.)
-        {
-          product += pushed[k] * model.load[k];
-          square += pushed[k] * pushed[k];
-          load_square += model.load[k] * model.load[k];
-        }
-    if (!(product > 0.) ||
-        load_square - product * product / square > balance * load_square)
+        free.push_back(k);
+    Eigen::MatrixXd by_motion = Eigen::MatrixXd::Zero(3 * n, free.size());
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        by_motion.row(3 * j) = areas[j] / model.speed_ratio[j] *
+                               model.participation.row(3 * j)(free);
+        by_motion.row(3 * j + 1) = friction[j] * by_motion.row(3 * j);
+      }
+    const Eigen::MatrixXd pushed =
+      model.participation(Eigen::all, free).transpose() * by_motion;
+    const Eigen::VectorXd load = model.load(free);
+    Eigen::VectorXd       w    = Eigen::VectorXd::Zero(free.size());
+    if (!free.empty())
+      {
+        // Motions across the normals push nothing: no equation for those.
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> balance_of_all;
+        balance_of_all.setThreshold(1e-8);
+        w = balance_of_all.compute(pushed).solve(load);
+      }
+    const Eigen::VectorXd forces = by_motion * w;
+    double                least  = std::numeric_limits<double>::infinity();
+    for (unsigned int j = 0; j < n; ++j)
+      least = std::min(least, forces[3 * j]);
+    const double left = (pushed * w - load).squaredNorm();
+    if (free.empty() || !(least > 0.) ||
+        !(left <= balance * load.squaredNorm()))
       throw InputError("Preload/Run-in: wear goes on until nothing presses any "
                        "more unless a load on a body that is free along the "
                        "normal follows it");
-    forces *= product / square;
 
     Eigen::VectorXd motion = model.load_motion - model.flexibility * forces;
     for (unsigned int k = 0; k < model.n_modes(); ++k)

@@ -173,6 +173,194 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Loads at rest before the targets slide, in equal shares. */
+    constexpr unsigned int pressing_steps = 10;
+    /** What the friction of sliding nodes may still be off its direction and
+     * its limit before the target slides on without end. */
+    constexpr double nearly_settled = 1e-6;
+    /** Doublings of the way that the targets slide, at most. */
+    constexpr unsigned int most_ways = 200;
+
+    /** A step in which nothing has moved yet. */
+    ContactStep
+    first_step(const ReducedContactModel &model, const double speed)
+    {
+      ContactStep step;
+      step.previous_motion = Eigen::VectorXd::Zero(model.participation.rows());
+      step.duration        = 0.;
+      step.friction        = 0.;
+      step.speed           = speed;
+      return step;
+    }
+
+    /** Everything at rest: states at the ends of @p n_steps equal parts of the
+     * load up to the share @p last. */
+    std::vector<SteadySliding>
+    press(StaticContact         &contact,
+          const Eigen::VectorXd &friction,
+          const unsigned int     n_steps,
+          const double           last,
+          ContactStep            step)
+    {
+      std::vector<SteadySliding> states;
+      SteadySliding              now = contact.untouched();
+      for (unsigned int k = 1; k <= n_steps; ++k)
+        {
+          // What sticks depends on the way there, so that the load is halved
+          // only where it has to be.
+          const double end = last * k / n_steps;
+          double reached = last * (k - 1) / n_steps, increment = end - reached;
+          while (reached < end)
+            {
+              const double  share  = std::min(reached + increment, end);
+              SteadySliding next   = now;
+              step.previous_motion = now.motion;
+              // The first touch is sought without friction.
+              step.nodal_friction = Eigen::VectorXd::Zero(friction.size());
+              if (reached == 0. && !contact.solve(step, share, next))
+                throw_none(true, 0.);
+              step.nodal_friction = friction;
+              if (contact.solve(step, share, next))
+                {
+                  now     = next;
+                  reached = share;
+                  continue;
+                }
+              increment *= 0.5;
+              if (increment * n_steps < 1e-3 * last)
+                throw ComputationError(
+                  "the contact at rest has no solution at " +
+                  rounded_text(100. * share, 4) + " % of the load");
+            }
+          states.push_back(now);
+        }
+      return states;
+    }
+
+    /** All nodes slide: friction comes in steps, from the solution without it,
+     * which is unique; all nodes by the same share. */
+    SteadySliding
+    slide_everywhere(StaticContact             &contact,
+                     const ReducedContactModel &model,
+                     const Eigen::VectorXd     &friction,
+                     const double               load_factor)
+    {
+      // The target slides so far that the slip has its direction.
+      ContactStep step      = first_step(model, 1.);
+      step.duration         = 1e6;
+      SteadySliding result  = contact.untouched();
+      const double  largest = friction.maxCoeff();
+      double        reached = 0., increment = largest;
+      for (bool first = true; first || reached < largest; first = false)
+        {
+          step.friction = first ? 0. : std::min(reached + increment, largest);
+          step.nodal_friction =
+            step.friction * (largest > 0. ? friction / largest : friction);
+          SteadySliding next   = result;
+          const bool    solved = contact.solve(step, load_factor, next);
+          if (!solved && (first || increment < 1e-3 * largest))
+            throw_none(first, reached);
+          if (!solved)
+            {
+              increment *= 0.5;
+              continue;
+            }
+          result  = next;
+          reached = step.friction;
+        }
+      return result;
+    }
+
+    /** How far the friction of the sliding nodes is from that of sliding on
+     * along V, over what it may be. */
+    double
+    distance_to_sliding(const ReducedContactModel &model,
+                        const SteadySliding       &state,
+                        const Eigen::VectorXd     &friction)
+    {
+      double worst = 0.;
+      for (unsigned int j = 0; j < model.n_nodes(); ++j)
+        if (const double limit = friction[j] * state.forces[3 * j];
+            model.speed_ratio[j] > 0. && limit > 0.)
+          worst =
+            std::max(worst, std::abs(1. - state.forces[3 * j + 1] / limit));
+      return worst;
+    }
+
+    /** A way over which the sliding pairs only begin to slip, m. */
+    double
+    first_way(const ReducedContactModel &model,
+              const SteadySliding       &pressed,
+              const Eigen::VectorXd     &friction)
+    {
+      double way = 0.;
+      for (unsigned int j = 0; j < model.n_nodes(); ++j)
+        if (model.speed_ratio[j] > 0.)
+          way = std::max(way,
+                         friction[j] * pressed.forces[3 * j] *
+                           model.flexibility(3 * j + 1, 3 * j + 1));
+      return way > 0. ? way : 1e-9;
+    }
+
+    /** Some nodes are at rest: loads first, then the others slide. */
+    SteadySliding
+    slide_after_pressing(StaticContact             &contact,
+                         const ReducedContactModel &model,
+                         const Eigen::VectorXd     &friction,
+                         const double               load_factor)
+    {
+      SteadySliding now =
+        press(
+          contact, friction, pressing_steps, load_factor, first_step(model, 0.))
+          .back();
+      ContactStep step    = first_step(model, 1.);
+      step.nodal_friction = friction;
+      step.duration       = first_way(model, now, friction);
+      const double least  = 1e-6 * step.duration;
+      for (unsigned int k = 0; k < most_ways; ++k)
+        {
+          SteadySliding next   = now;
+          step.previous_motion = now.motion;
+          if (!contact.solve(step, load_factor, next))
+            {
+              step.duration *= 0.25;
+              if (step.duration < least)
+                throw ComputationError(
+                  "there is no steady sliding: the friction wedges or sprags "
+                  "while the targets begin to slide");
+              continue;
+            }
+          now = next;
+          if (step.duration == 1e6)
+            return now;
+          // Without end once they slip all along V.
+          step.duration =
+            distance_to_sliding(model, now, friction) < nearly_settled
+              ? 1e6
+              : 2. * step.duration;
+        }
+      throw ComputationError("there is no steady sliding: the targets drag "
+                             "something on and on that nothing holds");
+    }
+
+    /** Nothing moves in pairs at rest: what has friction sticks there. */
+    void
+    set_resting_status(const ReducedContactModel &model,
+                       const Eigen::VectorXd     &friction,
+                       SteadySliding             &state)
+    {
+      for (unsigned int j = 0; j < model.n_nodes(); ++j)
+        if (model.speed_ratio[j] == 0. &&
+            state.status[j] != ContactStatus::open)
+          state.status[j] =
+            friction[j] > 0. ? ContactStatus::stick : ContactStatus::slip;
+    }
+  } // namespace
+
+
+
   SteadySliding
   steady_sliding(const ReducedContactModel &model,
                  const Eigen::VectorXd     &friction,
@@ -180,35 +368,13 @@ namespace squeal
                  const double               tolerance)
   {
     StaticContact contact(model, tolerance);
-    // The target slides so far that the slip has its direction.
-    ContactStep step;
-    step.previous_motion = Eigen::VectorXd::Zero(model.participation.rows());
-    step.duration        = 1e6;
-    step.speed           = 1.;
-    SteadySliding result = contact.untouched();
-    // Friction comes in steps, from the solution without it, which is unique;
-    // all nodes by the same share.
-    const double largest = friction.maxCoeff();
-    double       reached = 0., increment = largest;
-    for (bool first = true; first || reached < largest; first = false)
-      {
-        step.friction = first ? 0. : std::min(reached + increment, largest);
-        step.nodal_friction =
-          step.friction * (largest > 0. ? friction / largest : friction);
-        SteadySliding next   = result;
-        const bool    solved = contact.solve(step, load_factor, next);
-        if (!solved && (first || increment < 1e-3 * largest))
-          throw_none(first, reached);
-        if (!solved)
-          {
-            increment *= 0.5;
-            continue;
-          }
-        result  = next;
-        reached = step.friction;
-      }
+    const bool    has_resting = (model.speed_ratio.array() == 0.).any();
+    SteadySliding result =
+      has_resting ? slide_after_pressing(contact, model, friction, load_factor)
+                  : slide_everywhere(contact, model, friction, load_factor);
     if (result.n_closed() == 0)
       throw_none(true, 0.);
+    set_resting_status(model, friction, result);
     return result;
   }
 
@@ -220,61 +386,60 @@ namespace squeal
                 const unsigned int         n_steps,
                 const double               tolerance)
   {
+    return press_at_rest(
+      model,
+      NodalFriction::uniform(friction, model.n_nodes()).coefficient,
+      n_steps,
+      tolerance);
+  }
+
+  std::vector<SteadySliding>
+  press_at_rest(const ReducedContactModel &model,
+                const Eigen::VectorXd     &friction,
+                const unsigned int         n_steps,
+                const double               tolerance)
+  {
     StaticContact contact(model, tolerance);
-    ContactStep   step;
-    step.duration = 0.;
-    step.speed    = 0.;
-    std::vector<SteadySliding> states;
-    SteadySliding              now = contact.untouched();
-    for (unsigned int k = 1; k <= n_steps; ++k)
-      {
-        // What sticks depends on the way there, so that the load is halved
-        // only where it has to be.
-        const double end = double(k) / n_steps;
-        double reached = double(k - 1) / n_steps, increment = end - reached;
-        while (reached < end)
-          {
-            const double  share  = std::min(reached + increment, end);
-            SteadySliding next   = now;
-            step.previous_motion = now.motion;
-            // The first touch is sought without friction.
-            step.friction = 0.;
-            if (reached == 0. && !contact.solve(step, share, next))
-              throw_none(true, 0.);
-            step.friction = friction;
-            if (contact.solve(step, share, next))
-              {
-                now     = next;
-                reached = share;
-                continue;
-              }
-            increment *= 0.5;
-            if (increment * n_steps < 1e-3)
-              throw ComputationError("the contact at rest has no solution at " +
-                                     rounded_text(100. * share, 4) +
-                                     " % of the load");
-          }
-        states.push_back(now);
-      }
-    return states;
+    return press(contact, friction, n_steps, 1., first_step(model, 0.));
   }
 
 
 
   namespace
   {
-    /** Rows of component @p c (normal, along, across) of the closed nodes. */
-    Eigen::MatrixXd
-    closed_rows(const Eigen::MatrixXd &all,
-                const SteadySliding   &steady,
-                const int              c)
+    /** Rows of all nodal forces and motions, by what the nodes do. */
+    struct ClosedRows
     {
-      std::vector<int> rows;
-      for (std::size_t j = 0; j < steady.status.size(); ++j)
-        if (steady.status[j] != ContactStatus::open)
-          rows.push_back(3 * j + c);
-      return all(rows, Eigen::all);
-    }
+      ClosedRows(const SteadySliding &steady, const NodalFriction &friction)
+      {
+        for (std::size_t j = 0; j < steady.status.size(); ++j)
+          switch (steady.status[j])
+            {
+            case ContactStatus::open:
+              break;
+            case ContactStatus::stick:
+              for (unsigned int c = 0; c < 3; ++c)
+                kept.push_back(3 * j + c);
+              break;
+            case ContactStatus::slip:
+              slipping.push_back(j);
+              normal_of_slipping.push_back(kept.size());
+              kept.push_back(3 * j);
+              along.push_back(3 * j + 1);
+              if (friction.coefficient[j] > 0.)
+                across.push_back(3 * j + 2);
+              break;
+            }
+      }
+
+      std::vector<int> slipping; /**< nodes */
+      /** Motions that stay: the normal one of slipping nodes, all three of
+       * sticking ones. */
+      std::vector<int> kept;
+      std::vector<int> normal_of_slipping; /**< places among them */
+      /** Of slipping nodes; across the sliding of those with friction. */
+      std::vector<int> along, across;
+    };
 
     /** w^T x, and where two pairs have coalesced, so that nothing but rounding
      * is left of it, the size of that. */
@@ -333,7 +498,7 @@ namespace squeal
     x.head(2 * q.size()) << q - steady.coordinates, v;
     if (left.cols() > 2 * q.size())
       x.tail(left.cols() - 2 * q.size()) =
-        closed_rows(forces - steady.forces, steady, 2);
+        (forces - steady.forces)(rows_across);
     return left * x;
   }
 
@@ -357,68 +522,72 @@ namespace squeal
             const NodalFriction       &friction,
             const double               speed)
   {
-    const unsigned int    m = steady.n_closed(), n = model.n_modes();
-    const Eigen::MatrixXd Psi_n = closed_rows(model.participation, steady, 0),
-                          Psi_t = closed_rows(model.participation, steady, 1),
-                          Psi_s = closed_rows(model.participation, steady, 2);
-    const auto flexibility      = [&](const int row, const int column) {
-      return closed_rows(
-               closed_rows(model.flexibility, steady, row).transpose(),
-               steady,
-               column)
-        .transpose()
-        .eval();
+    const ClosedRows      rows(steady, friction);
+    const Eigen::Index    m = rows.slipping.size(), n = model.n_modes();
+    const Eigen::MatrixXd Psi_n = model.participation(rows.kept, Eigen::all),
+                          Psi_t = model.participation(rows.along, Eigen::all),
+                          Psi_s = model.participation(rows.across, Eigen::all);
+    const auto flexibility      = [&](const std::vector<int> &row,
+                                 const std::vector<int> &column) {
+      return Eigen::MatrixXd(model.flexibility(row, column));
     };
-    // mu, p_0 dmu/dv and |V|/(mu p_0) of the closed nodes.
-    Eigen::VectorXd mu(m), by_slip(m), inverse_rate(m);
-    for (unsigned int j = 0, i = 0; j < model.n_nodes(); ++j)
-      if (steady.status[j] != ContactStatus::open)
-        {
-          mu[i]      = friction.coefficient[j];
-          by_slip[i] = friction.slope[j] * steady.forces[3 * j];
-          inverse_rate[i++] =
-            speed * model.speed_ratio[j] /
-            (friction.coefficient[j] *
-             std::max(steady.forces[3 * j], 1e-6 * steady.resultant()[0] / m));
-        }
-    const auto with_friction = [&](const int row) {
-      return Eigen::MatrixXd(flexibility(row, 0) +
-                             flexibility(row, 1) * mu.asDiagonal());
+    // mu, p_0 dmu/dv and |V|/(mu p_0) of the slipping nodes.
+    const double    least = 1e-6 * steady.resultant()[0] / steady.n_closed();
+    Eigen::VectorXd mu(m), by_slip(m), inverse_rate(rows.across.size());
+    for (Eigen::Index i = 0, k = 0; i < m; ++i)
+      {
+        const int j = rows.slipping[i];
+        mu[i]       = friction.coefficient[j];
+        by_slip[i]  = friction.slope[j] * steady.forces[3 * j];
+        if (mu[i] > 0.)
+          inverse_rate[k++] = speed * model.speed_ratio[j] /
+                              (mu[i] * std::max(steady.forces[3 * j], least));
+      }
+    // Forces along the sliding follow the normal ones.
+    const auto with_friction = [&](const std::vector<int> &row) {
+      Eigen::MatrixXd result = flexibility(row, rows.kept);
+      result(Eigen::all, rows.normal_of_slipping) +=
+        flexibility(row, rows.along) * mu.asDiagonal();
+      return result;
     };
     // (G_nn + G_nt mu) lambda_n + G_ns lambda_s + G_nt p_0 mu' slip rate
     // = Psi_n q.
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(with_friction(0));
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(with_friction(rows.kept));
     const Eigen::MatrixXd                      n_by_q = factor.solve(Psi_n);
     const Eigen::MatrixXd                      n_by_s =
-      -factor.solve(Eigen::MatrixXd(flexibility(0, 2)));
-    const Eigen::MatrixXd n_by_slip =
-      -factor.solve(Eigen::MatrixXd(flexibility(0, 1) * by_slip.asDiagonal()));
-    const Eigen::MatrixXd drag = -(Psi_n + mu.asDiagonal() * Psi_t).transpose();
+      -factor.solve(flexibility(rows.kept, rows.across));
+    const Eigen::MatrixXd n_by_slip = -factor.solve(Eigen::MatrixXd(
+      flexibility(rows.kept, rows.along) * by_slip.asDiagonal()));
+    Eigen::MatrixXd       pulled    = Psi_n;
+    pulled(rows.normal_of_slipping, Eigen::all) += mu.asDiagonal() * Psi_t;
+    const Eigen::MatrixXd drag = -pulled.transpose();
     const Eigen::MatrixXd v_by_slip =
       drag * n_by_slip - Psi_t.transpose() * by_slip.asDiagonal();
     // u_s = Psi_s q - H lambda_n - G_ss lambda_s, and so along the sliding.
-    const Eigen::MatrixXd H = with_friction(2), F = with_friction(1);
-    const Eigen::MatrixXd E         = flexibility(2, 2) + H * n_by_s;
-    Eigen::MatrixXd       slip_by_v = Psi_t - F * n_by_q;
+    const Eigen::MatrixXd H = with_friction(rows.across),
+                          F = with_friction(rows.along);
+    const Eigen::MatrixXd E =
+      flexibility(rows.across, rows.across) + H * n_by_s;
+    Eigen::MatrixXd slip_by_v = Psi_t - F * n_by_q;
 
     // States q, v and, with friction, lambda_s = rate d/dt u_s.
-    const Eigen::Index n_s  = m > 0 && mu.minCoeff() > 0. ? m : 0;
+    const Eigen::Index n_s  = rows.across.size();
     const Eigen::Index size = 2 * n + n_s;
     Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(size, size);
     A.block(0, n, n, n).setIdentity();
     A.block(n, 0, n, n) = drag * n_by_q;
     A.block(n, 0, n, n).diagonal() -= model.omega_squared;
-    Eigen::MatrixXd s_rate(m, n + n_s), s_by_state = s_rate;
+    Eigen::MatrixXd s_rate(m, n + n_s), s_by_state(n_s, n + n_s);
     if (n_s > 0)
       {
         s_by_state << Psi_s - H * n_by_q,
           Eigen::MatrixXd((-inverse_rate).asDiagonal());
         // The slip rate along the sliding has a part by d/dt lambda_s.
-        s_rate =
-          (F * n_by_s + flexibility(1, 2)) * E.partialPivLu().solve(s_by_state);
+        s_rate = (F * n_by_s + flexibility(rows.along, rows.across)) *
+                 E.partialPivLu().solve(s_by_state);
         slip_by_v -= s_rate.leftCols(n);
-        A.block(n, 2 * n, n, m) =
-          drag * n_by_s - Psi_s.transpose() - v_by_slip * s_rate.rightCols(m);
+        A.block(n, 2 * n, n, n_s) =
+          drag * n_by_s - Psi_s.transpose() - v_by_slip * s_rate.rightCols(n_s);
       }
     A.block(n, n, n, n) = v_by_slip * slip_by_v;
     A.block(n, n, n, n).diagonal() -= model.damping;
@@ -426,16 +595,19 @@ namespace squeal
       {
         // What the slope adds to u_s changes with the rate of the slip.
         const Eigen::MatrixXd s_by_slip =
-          H * n_by_slip + flexibility(2, 1) * by_slip.asDiagonal();
-        Eigen::MatrixXd rate  = Eigen::MatrixXd::Zero(m, size);
-        rate.rightCols(n + m) = s_by_state;
+          H * n_by_slip +
+          flexibility(rows.across, rows.along) * by_slip.asDiagonal();
+        Eigen::MatrixXd rate    = Eigen::MatrixXd::Zero(n_s, size);
+        rate.rightCols(n + n_s) = s_by_state;
         rate -= s_by_slip * slip_by_v * A.middleRows(n, n);
-        A.bottomRows(m) = Eigen::MatrixXd(E - s_by_slip * s_rate.rightCols(n_s))
-                            .partialPivLu()
-                            .solve(rate);
+        A.bottomRows(n_s) =
+          Eigen::MatrixXd(E - s_by_slip * s_rate.rightCols(n_s))
+            .partialPivLu()
+            .solve(rate);
       }
     LinearizedMotion result = motion_of(A, n);
     result.across           = A.bottomRightCorner(n_s, n_s);
+    result.rows_across      = rows.across;
     return result;
   }
 } // namespace squeal

@@ -261,8 +261,8 @@ namespace
              a.frames[k].coordinates == b.frames[k].coordinates &&
              a.frames[k].forces == b.frames[k].forces &&
              a.frames[k].unknowns == b.frames[k].unknowns;
-    check(same && a.frame_nodes.pressure == b.frame_nodes.pressure &&
-            a.frame_nodes.slip_rate == b.frame_nodes.slip_rate,
+    check(same && a.frame_nodes[0].pressure == b.frame_nodes[0].pressure &&
+            a.frame_nodes[0].slip_rate == b.frame_nodes[0].slip_rate,
           "every bit of the frames, " + integrator);
     check((integrator == "implicit") == (a.frames[0].unknowns.size() > 0),
           "a full model gives all its unknowns");

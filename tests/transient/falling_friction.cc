@@ -106,9 +106,9 @@ namespace
       *pencil,
       undamped_modes(*pencil,
                      ShiftedInverse(*pencil, std::pow(2. * M_PI * 1., 2))),
-      separated.contacts[0]));
-    full.relative_motion = std::make_shared<const Functionals>(
-      relative_motion(separated.contacts[0]));
+      relative_motion(separated.contacts)));
+    full.relative_motion =
+      std::make_shared<const Functionals>(relative_motion(separated.contacts));
     // The normal row is minus the motion along z.
     full.load = full.relative_motion->apply_transposed(
       Eigen::MatrixXd(Eigen::Vector3d(1., 0., 0.)));

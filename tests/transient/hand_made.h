@@ -68,7 +68,7 @@ namespace squeal
     drive_by(const ContactParameters &contact, const double belt_speed)
     {
       TransientDrive d = steady_drive(0., belt_speed);
-      d.law            = std::make_shared<const FrictionLaw>(contact);
+      d.laws = std::make_shared<const FrictionLaws>(FrictionLaw(contact));
       return d;
     }
   } // namespace testing

@@ -44,18 +44,19 @@ namespace squeal
         , discretization(scene, parameters(lumped), degree, MPI_COMM_SELF)
         , bodies(assemble_bodies(discretization))
         , separated(separated_system(discretization, bodies))
+        , nodes(scene.contacts, separated.contacts)
         , pencil(separated.system, scene)
         , basis(reduction_basis(
             pencil,
             undamped_modes(
               pencil,
               ShiftedInverse(pencil, std::pow(2. * M_PI * cut_off, 2))),
-            separated.contacts[0],
+            nodes.relative_motion(),
             interface_cut_off))
         , model(reduce_contact_model(pencil,
                                      basis,
                                      cut_off,
-                                     separated.contacts[0],
+                                     nodes,
                                      separated.restrict_forces(load_vector(
                                        discretization,
                                        PointEvaluator(discretization),
@@ -76,6 +77,7 @@ namespace squeal
       Discretization            discretization;
       std::vector<BodyMatrices> bodies;
       LinearizedSystem          separated;
+      ContactNodes              nodes;
       Pencil                    pencil;
       ReductionBasis            basis;
       ReducedContactModel       model;
@@ -86,10 +88,10 @@ namespace squeal
     full_model(const Reduced &r)
     {
       FullContactModel full;
-      full.pencil          = std::make_shared<const Pencil>(r.pencil);
-      full.basis           = std::make_shared<const ReductionBasis>(r.basis);
-      full.relative_motion = std::make_shared<const Functionals>(
-        relative_motion(r.separated.contacts[0]));
+      full.pencil = std::make_shared<const Pencil>(r.pencil);
+      full.basis  = std::make_shared<const ReductionBasis>(r.basis);
+      full.relative_motion =
+        std::make_shared<const Functionals>(r.nodes.relative_motion());
       full.load =
         r.separated
           .restrict_forces(load_vector(r.discretization,

@@ -8,7 +8,7 @@
 #include "worst.h"
 
 #include <squeal/base/exceptions.h>
-#include <squeal/contact/turning_contact.h>
+#include <squeal/contact/turning_contacts.h>
 #include <squeal/transient/explicit_transient.h>
 #include <squeal/transient/implicit_transient.h>
 
@@ -74,15 +74,16 @@ namespace
   Static
   press(const Reduced &r, TurningContact &turning, const double angle)
   {
-    FullContactModel full     = full_model(r);
-    full.relative_motion      = turning.relative_motion(angle);
-    const auto          model = reduce_contact_model(r.pencil,
-                                            r.basis,
-                                            r.model.cut_off,
-                                            turning.geometry(angle),
-                                            Block(full.load));
-    const SteadySliding s     = steady_sliding(model, mu);
-    const auto          sum   = s.resultant();
+    FullContactModel full = full_model(r);
+    full.relative_motion  = turning.relative_motion(angle);
+    const auto model      = reduce_contact_model(
+      r.pencil,
+      r.basis,
+      r.model.cut_off,
+      ContactNodes(r.scene.contacts, {turning.geometry(angle)}),
+      Block(full.load));
+    const SteadySliding s   = steady_sliding(model, mu);
+    const auto          sum = s.resultant();
     check_close(sum[0], load, 1e-9, "the pad carries the load");
     check_close(sum[1], mu * load, 1e-9, "and its friction");
     Eigen::Vector2d centre(0., 0.);
@@ -284,7 +285,8 @@ namespace
         const Reduced         r(scene, 12e3, 0., true, 1);
         const double          dt    = stable_step(r);
         FullContactModel      still = full_model(r), turning = still;
-        turning.turning = turning_contact(r, 250);
+        turning.turning =
+          std::make_shared<TurningContacts>(turning_contact(r, 250));
         ExplicitTransient eulerian(
           still, dt, drive(4e-4), load / r.model.n_nodes()),
           corotating(turning, dt, drive(4e-4), load / r.model.n_nodes());
@@ -339,9 +341,10 @@ namespace
         scene.damping         = {};
         const Reduced    r(scene, 12e3, 0., true, 1);
         FullContactModel full = full_model(r);
-        full.turning          = turning_contact(r, 250);
-        TransientDrive d      = drive(0.);
-        d.friction            = [](double) { return 0.; };
+        full.turning =
+          std::make_shared<TurningContacts>(turning_contact(r, 250));
+        TransientDrive d = drive(0.);
+        d.friction       = [](double) { return 0.; };
         ExplicitTransient motion(
           full, stable_step(r), d, load / r.model.n_nodes());
         const SteadySliding s = steady_sliding(r.model, 0.);
@@ -377,13 +380,13 @@ namespace
     const double  dt = stable_step(r), h = dt / .9 * .5;
     const auto    explicit_run = [&]() -> std::unique_ptr<TransientIntegrator> {
       FullContactModel m = full_model(r);
-      m.turning          = turning_contact(r, 20);
+      m.turning = std::make_shared<TurningContacts>(turning_contact(r, 20));
       return std::make_unique<ExplicitTransient>(
         m, h, drive(1e-4), load / r.model.n_nodes());
     };
     const auto implicit_run = [&]() -> std::unique_ptr<TransientIntegrator> {
       FullContactModel m = full_model(r);
-      m.turning          = turning_contact(r, 20);
+      m.turning = std::make_shared<TurningContacts>(turning_contact(r, 20));
       return std::make_unique<ImplicitTransient>(
         m, 4e-6, drive(1e-4), load / r.model.n_nodes());
     };
@@ -433,9 +436,9 @@ namespace
     const double        period = 2. * M_PI * .1075 / speed;
     const SteadySliding steady = steady_sliding(r.model, mu);
     FullContactModel    full   = full_model(r);
-    full.turning               = turning_contact(r, 100);
-    TransientDrive turning     = drive(0.);
-    turning.speed              = [speed](double) { return speed; };
+    full.turning = std::make_shared<TurningContacts>(turning_contact(r, 100));
+    TransientDrive turning = drive(0.);
+    turning.speed          = [speed](double) { return speed; };
     ExplicitTransient run(
       full, stable_step(r), turning, load / r.model.n_nodes());
     run.start(steady.coordinates,

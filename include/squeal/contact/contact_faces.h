@@ -14,14 +14,6 @@ namespace squeal
    * contact_frames(), and where the source body has no faces of that name.
    */
   void check_contact_faces(const Discretization &discretization);
-
-  /**
-   * Steady sliding and transients put the normal along +z: throws InputError
-   * that names contact and normal where a target face looks elsewhere by more
-   * than 1e-3.
-   */
-  void require_upward(const ContactParameters &contact,
-                      const ContactGeometry   &geometry);
 } // namespace squeal
 
 #endif

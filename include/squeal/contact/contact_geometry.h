@@ -64,6 +64,10 @@ namespace squeal
                                         const PointEvaluator    &evaluator,
                                         const ContactParameters &contact);
 
+  /** The relative motion of the points of @p contacts, one pair after the
+   * other: three rows a point, normal, along and across the sliding. */
+  Functionals relative_motion(const std::vector<ContactGeometry> &contacts);
+
   /** Full slip or full stick with an even pressure. */
   ContactState uniform_state(const ContactGeometry &geometry,
                              const ContactStatus    status);

@@ -66,8 +66,8 @@ namespace squeal
   };
   /** The contact states are those of the scene's parameters (the whole face
    * slips or sticks under an even pressure) unless @p states are given, one
-   * list a pair. Throws InputError for several states of a mortar pair: each
-   * of them has unknowns of its own. */
+   * list a pair, empty for those of the parameters. Throws InputError for
+   * several states of a mortar pair: each of them has unknowns of its own. */
   LinearizedSystem linearized_system(
     const Discretization             &discretization,
     const std::vector<BodyMatrices>  &bodies,

@@ -59,6 +59,34 @@ namespace squeal
     std::vector<double>            speeds, coefficients;
   };
 
+  /**
+   * The laws of the nodes of several pairs, one pair after the other. The last
+   * one goes on for as many nodes as are asked for.
+   */
+  class FrictionLaws
+  {
+  public:
+    /** One for all nodes. */
+    FrictionLaws(FrictionLaw law);
+
+    /** From node @p first on, which is not below those of the laws so far. */
+    void append(FrictionLaw law, const unsigned int first);
+
+    const FrictionLaw &of(const unsigned int node) const;
+    /** Whether no law depends on the slip rate. */
+    bool is_constant() const;
+    /** mu of @p n_nodes nodes that stick. */
+    Eigen::VectorXd at_rest(const unsigned int n_nodes) const;
+    /** As FrictionLaw::in_sliding(), each node by its law; nodes without speed
+     * stick. */
+    NodalFriction in_sliding(const Eigen::VectorXd &speed_ratio,
+                             const double           speed) const;
+
+  private:
+    std::vector<FrictionLaw>  laws;
+    std::vector<unsigned int> starts;
+  };
+
   /** mu in steady sliding at |V| times @p speed_ratio, with the sign of the
    * pair's friction coefficient: negative where the target turns backwards. */
   double signed_coefficient(const ContactParameters &contact,

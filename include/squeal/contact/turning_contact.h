@@ -44,7 +44,8 @@ namespace squeal
     ContactGeometry geometry(const double angle);
     /** The angle where the target's surface has moved by @p way at the centre
      * of the source face, m. */
-    double angle(const double way) const;
+    double             angle(const double way) const;
+    const std::string &target_body() const;
 
     /** All unknowns that some angle has to do with, ascending. */
     std::vector<unsigned int> unknowns() const;
@@ -59,6 +60,7 @@ namespace squeal
 
     TurningMortar   turning;
     ContactGeometry start;
+    std::string     target;
     double          angle_per_way; /**< rad/m */
     double          spacing;       /**< of knots, rad; 0: none */
     /** Unknowns of the nodes: x, y, z of all sources, then of all targets. */

@@ -2,8 +2,8 @@
 #ifndef squeal_model_pressed_model_h
 #define squeal_model_pressed_model_h
 
+#include <squeal/contact/contact_nodes.h>
 #include <squeal/contact/contact_terms.h>
-#include <squeal/contact/friction_law.h>
 #include <squeal/model/model.h>
 #include <squeal/transient/full_transient.h>
 #include <squeal/transient/steady_sliding.h>
@@ -16,27 +16,32 @@ namespace squeal
   class Timers;
 
   /**
-   * A scene of bodies with its one contact pair cut open, in modes up to a
+   * A scene of bodies with its contact pairs cut open, in modes up to a
    * cut-off: what steady sliding and transients are computed with.
    *
-   * The sliding direction is turned where the friction coefficient is negative
-   * (the target turns backwards), so that friction() >= 0.
+   * The sliding direction of a pair is turned where its friction coefficient is
+   * negative (the target turns backwards).
    */
   class PressedModel
   {
   public:
-    /** Observed motions, each along z or of the source body's centre. */
+    /** Observed motions of every pair. */
     enum Observer
     {
-      target_at_contact, /**< mean z of the target at the contact nodes, m */
-      loaded_face,       /**< mean z of the face of the first load, m */
-      far_face,          /**< mean z of the source's face away from the contact;
-                              of its centre where it has none, m */
+      target_at_contact, /**< of the target at the contact nodes along their
+                              normals, mean, m */
+      loaded_face,       /**< of the face of the load that presses the pair on,
+                              against the load, mean, m */
+      far_face,          /**< of the source's face away from the contact along
+                              the normals, mean; of its centre where it has
+                              none, m */
       centre_x,          /**< of the source body's centre, m */
       centre_y,
       centre_z,
       n_observers
     };
+    /** Where an observer of pair number @p pair stands among all of them. */
+    static unsigned int observer(const unsigned int pair, const Observer what);
 
     /** References are kept. Motions of the contact itself have mass up to
      * @p interface_cut_off, Hz; 0: none. */
@@ -47,17 +52,16 @@ namespace squeal
                  Timers                          &timers,
                  const double                     interface_cut_off = 0.);
 
-    const ContactGeometry     &geometry() const;
+    const ContactNodes        &nodes() const;
     const ReducedContactModel &model() const;
-    /** The size of the friction coefficient of the parameters. */
-    double friction() const;
-    /** Another one >= 0 for the same direction of sliding. Throws InputError
-     * where a table gives the coefficients. */
-    void          set_friction(const double friction);
-    FrictionLaw   friction_law() const;
+    /** Other coefficients of friction >= 0 of the pairs for the same directions
+     * of sliding; as ContactNodes::set_coefficients(). */
+    void          set_friction(const std::vector<double> &of_pairs);
     NodalFriction sliding_friction() const; /**< in steady sliding */
-    double        speed() const;            /**< |V|, m/s */
-    unsigned int  n_unknowns() const;
+    /** The largest sliding speed of a pair, m/s, that the speeds of nodes are
+     * measured by. */
+    double       speed() const;
+    unsigned int n_unknowns() const;
 
     /** Forces of @p load as modal forces. */
     ModalForce force(const LoadParameters &load) const;
@@ -69,10 +73,11 @@ namespace squeal
     Eigen::VectorXd disturbance(const double energy) const;
 
     /**
-     * Steady sliding under the full load. Where a support is `held` it is that
-     * of the same scene with the support guided, whose position along z is
-     * kept: then the model's load becomes what does that. To be called before
-     * a transient.
+     * Steady sliding under the full load; where no pair slides, the contact at
+     * rest, pressed on in the steps of the parameters. Where a support is
+     * `held` it is that of the same scene with the support guided, whose
+     * position along z is kept: then the model's load becomes what does that.
+     * To be called before a transient.
      */
     SteadySliding steady(const double tolerance, Timers &timers);
 
@@ -83,11 +88,12 @@ namespace squeal
      * by column. */
     Block expand(const Block &unknowns) const;
 
-    /** The contact state that @p steady gives to linearised operators. */
-    ContactState state_of(const SteadySliding &steady) const;
+    /** The contact states that @p steady gives to linearised operators, one
+     * list a pair. */
+    std::vector<ContactStates> states_of(const SteadySliding &steady) const;
 
   private:
-    Block observers(const std::vector<BodyMatrices> &bodies) const;
+    SteadySliding steady_of_this(const double tolerance) const;
     /** Nodal forces at random at some points of every body. */
     Block struck_points() const;
 
@@ -95,21 +101,24 @@ namespace squeal
     const SceneParameters                &scene;
     const Discretization                 &discretization;
     LinearizedSystem                      separated;
+    ContactNodes                          contact_nodes;
     std::shared_ptr<const Pencil>         pencil;
     std::shared_ptr<const ReductionBasis> basis;
     Block                                 load, observed; /**< nodal forces */
     Eigen::VectorXd struck; /**< velocities of a disturbance, of unit size */
     ReducedContactModel reduced;
-    double              cut_off, interface_cut_off, mu;
+    double              cut_off, interface_cut_off;
     struct MovingScene;
     std::shared_ptr<MovingScene> moving; /**< of held supports */
   };
 
-  /** The contact state of a scene's steady sliding. */
-  ContactState preload_state(const Parameters                &parameters,
-                             const Discretization            &discretization,
-                             const std::vector<BodyMatrices> &bodies,
-                             Timers                          &timers);
+  /** The contact states of a scene's steady sliding, one list a pair; empty
+   * for pairs whose state is that of the parameters. */
+  std::vector<ContactStates> preload_states(
+    const Parameters                &parameters,
+    const Discretization            &discretization,
+    const std::vector<BodyMatrices> &bodies,
+    Timers                          &timers);
 
   /** Whether some support is `held`. */
   bool has_held_support(const SceneParameters &scene);

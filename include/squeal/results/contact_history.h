@@ -14,11 +14,17 @@
 
 namespace squeal
 {
-  /** What a contact history is about; doc/history_format.md. */
+  /** What a contact history tells of one pair; doc/history_format.md. */
   struct HistoryLayout
   {
-    std::string                        name;   /**< of the run */
-    std::vector<std::array<double, 3>> points; /**< m, one a node */
+    std::string name; /**< of the run */
+    std::string pair; /**< of the contact pair; empty where there is one */
+    /** Where the axes x, y and z of this history point to: two directions in
+     * the face and its normal. */
+    std::array<std::array<double, 3>, 3> axes{
+      {{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
+    /** Along them, m, one a node. */
+    std::vector<std::array<double, 3>> points;
     std::vector<double>                areas; /**< m^2, tributary, one a node */
     std::vector<std::string> probe_names;  /**< with unit, "pad_ay_m_per_s2" */
     std::vector<std::string> energy_names; /**< with unit, "kinetic_j" */
@@ -68,28 +74,36 @@ namespace squeal
   /**
    * Writes a contact history, in pieces; the file has its name only after
    * finish(). Fields of nodes are kept as 32-bit numbers, all else in double.
+   * One pair makes a file of version 1, several make one of version 2.
    */
   class HistoryWriter
   {
   public:
-    static constexpr int format_version = 1;
+    static constexpr int format_version = 1, version_of_pairs = 2;
     /** What sealed_file.h calls a history that squeal has written. */
     static constexpr const char *sealed_kind = "contact history";
 
     HistoryWriter(const std::string &path, const HistoryLayout &layout);
+    /** Of pairs with different names. */
+    HistoryWriter(const std::string                &path,
+                  const std::vector<HistoryLayout> &pairs);
 
-    /** Adds samples. The number of values must fit the layout. */
-    void append(const HistorySamples &samples);
+    /** Adds samples of pair number @p pair. The number of values must fit its
+     * layout. All pairs have the same times and energies. */
+    void append(const HistorySamples &samples, const std::size_t pair = 0);
 
-    void append(const std::vector<StatusChange> &changes);
+    void append(const std::vector<StatusChange> &changes,
+                const std::size_t                pair = 0);
 
     /** Marks the file as complete and gives it its name. */
     void finish();
 
   private:
-    HistoryLayout             layout;
-    AtomicFile                target;
-    std::unique_ptr<Hdf5File> file;
+    void create(const HistoryLayout &layout, const std::string &group);
+
+    std::vector<HistoryLayout> layouts;
+    AtomicFile                 target;
+    std::unique_ptr<Hdf5File>  file;
   };
 
   /**
@@ -104,7 +118,15 @@ namespace squeal
   class HistoryReader
   {
   public:
-    explicit HistoryReader(const std::string &path);
+    /** @p pair: which one to read, of a file with several. Throws InputError,
+     * naming those that are there, where it is none of them, and without one
+     * where there are several. */
+    explicit HistoryReader(const std::string &path,
+                           const std::string &pair = "");
+
+    /** The pairs of a file, empty where it has one without a name. Throws
+     * InputError as the constructor. */
+    static std::vector<std::string> pairs_of(const std::string &path);
 
     const HistoryLayout &layout() const;
 
@@ -131,7 +153,9 @@ namespace squeal
     };
 
     /** After its file has been found to be whole. */
-    HistoryReader(const std::string &path, Accepted);
+    HistoryReader(const std::string &path, const std::string &pair, Accepted);
+
+    void read_layout();
 
     /** @p path, if its file is one that can be read to its end. */
     static const std::string &accepted(const std::string &path);
@@ -143,6 +167,7 @@ namespace squeal
                      const Hdf5File::Dimensions &row) const;
 
     Hdf5File      file;
+    std::string   group; /**< of the pair, with a slash at the end */
     HistoryLayout what;
     std::uint64_t samples = 0;
   };

@@ -20,8 +20,15 @@ namespace squeal
   public:
     using Values = std::vector<double>;
 
-    ContactMap(const std::vector<std::array<double, 3>> &points, /**< m */
-               const Values                             &areas);                             /**< m^2 */
+    /** A face in the plane x, y. @p points: m; @p areas: m^2. */
+    ContactMap(const std::vector<std::array<double, 3>> &points,
+               const Values                             &areas);
+
+    /** A face that looks elsewhere, drawn at @p places: across and along the
+     * sliding, m. */
+    ContactMap(const std::vector<std::array<double, 3>> &points,
+               const Values                             &areas,
+               const std::vector<std::array<double, 2>> &places);
 
     /** One panel of a picture. */
     struct Panel
@@ -34,7 +41,7 @@ namespace squeal
     };
 
     /** Writes path.png with the panels side by side, @p n_columns in a row;
-     * the sliding direction +y points up. */
+     * the second axis points up. */
     bool plot(const Plotter            &plotter,
               const std::vector<Panel> &panels,
               const std::string        &path,
@@ -48,8 +55,10 @@ namespace squeal
   private:
     std::vector<std::array<double, 3>>    points;
     Values                                areas;
-    std::vector<std::vector<PlanarPoint>> cells;    /**< of the nodes */
-    std::vector<std::vector<int>>         polygons; /**< between nodes */
+    std::vector<PlanarPoint>              places;
+    std::string                           axis_labels; /**< of the picture */
+    std::vector<std::vector<PlanarPoint>> cells;       /**< of the nodes */
+    std::vector<std::vector<int>>         polygons;    /**< between nodes */
   };
 } // namespace squeal
 

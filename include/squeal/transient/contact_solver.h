@@ -22,7 +22,7 @@ namespace squeal
     Eigen::VectorXd previous_motion;
     double          duration; /**< s, over which the target slides on */
     double          friction; /**< mu >= 0 */
-    double          speed;    /**< |V| at the centre of the face, m/s */
+    double          speed;    /**< that those of nodes are measured by, m/s */
     /** mu >= 0 of every node; empty: `friction` at all of them. */
     Eigen::VectorXd nodal_friction = {};
 

@@ -2,7 +2,7 @@
 #ifndef squeal_transient_full_transient_h
 #define squeal_transient_full_transient_h
 
-#include <squeal/contact/turning_contact.h>
+#include <squeal/contact/turning_contacts.h>
 #include <squeal/transient/lagged_friction.h>
 
 #include <memory>
@@ -25,9 +25,9 @@ namespace squeal
     Eigen::VectorXd speed_ratio; /**< as ReducedContactModel::speed_ratio */
     /** Relative motion of the nodes that held supports add, m. */
     Eigen::VectorXd motion_offset;
-    /** B in every step where the target's mesh turns, its unknowns being
-     * displacements in axes that turn with it; null: B stays. */
-    std::shared_ptr<TurningContact> turning = {};
+    /** B in every step where meshes of targets turn, their unknowns being
+     * displacements in axes that turn with them; null: B stays. */
+    std::shared_ptr<TurningContacts> turning = {};
 
     unsigned int
     n_nodes() const
@@ -126,8 +126,7 @@ namespace squeal
     EnergyLedger    energies;
 
     std::shared_ptr<const Functionals> B; /**< at the end of the last step */
-    /** Of the target's surface at the centre so far, m; empty where its mesh
-     * does not turn. */
+    /** Speed of the drive over time so far, m; empty where no mesh turns. */
     Eigen::VectorXd way;
     Eigen::VectorXd carried; /**< what the turning alone moves the nodes in the
                                   step at hand, m */

@@ -18,7 +18,8 @@ namespace squeal
   class LaggedFriction
   {
   public:
-    /** A copy of the drive's functions is kept. */
+    /** A copy of the drive's functions is kept. @p speed_ratio: of every node
+     * over the speed of the drive. */
     LaggedFriction(const TransientDrive  &drive,
                    const Eigen::VectorXd &speed_ratio);
 
@@ -38,10 +39,11 @@ namespace squeal
     const Eigen::VectorXd &state() const;
 
   private:
-    TransientDrive::Function           added;
-    TransientDrive::Function           speed;
-    std::shared_ptr<const FrictionLaw> law;
-    Eigen::VectorXd                    ratio, slip_rate;
+    TransientDrive::Function            added;
+    TransientDrive::Function            speed;
+    std::shared_ptr<const FrictionLaws> laws;
+    bool            by_slip_rate; /**< whether some law depends on it */
+    Eigen::VectorXd ratio, slip_rate;
   };
 } // namespace squeal
 

@@ -2,6 +2,7 @@
 #ifndef squeal_transient_reduced_contact_model_h
 #define squeal_transient_reduced_contact_model_h
 
+#include <squeal/contact/contact_nodes.h>
 #include <squeal/transient/reduction_basis.h>
 
 #include <vector>
@@ -46,7 +47,7 @@ namespace squeal
                                const Eigen::VectorXd &forces) const;
     };
     Observation observed;
-    /** |V| over |V| at the centre of the face, of every node. */
+    /** |V| of every node over the speed of the drive; 0 in pairs at rest. */
     Eigen::VectorXd speed_ratio;
     double          cut_off; /**< Hz: all modes below it are there */
 
@@ -63,8 +64,9 @@ namespace squeal
   };
 
   /**
-   * Reduces the bodies of @p pencil (no contact in it) with the contact pair
-   * @p geometry under the nodal forces @p load.
+   * Reduces the bodies of @p pencil (no contact in it) with the contact nodes
+   * of all pairs, and the springs between their faces, under the nodal forces
+   * @p load.
    *
    * @param pencil     symmetric, whole-model Rayleigh damping
    * @param basis      the motions that carry mass
@@ -72,11 +74,11 @@ namespace squeal
    * @param observers  columns l of motions l^T u to be observed
    * Throws InputError where the damping is not alpha M + beta K.
    */
-  ReducedContactModel reduce_contact_model(const Pencil          &pencil,
-                                           const ReductionBasis  &basis,
-                                           const double           cut_off,
-                                           const ContactGeometry &geometry,
-                                           const Block           &load,
+  ReducedContactModel reduce_contact_model(const Pencil         &pencil,
+                                           const ReductionBasis &basis,
+                                           const double          cut_off,
+                                           const ContactNodes   &nodes,
+                                           const Block          &load,
                                            const Block &observers = {});
 
   /** The damping ratio @p ratio (f/cut_off)^8 at frequency @p f, both in Hz
@@ -88,19 +90,20 @@ namespace squeal
   /** Adds that of @p ratio at the model's cut-off to all its modes. */
   void add_cut_off_damping(ReducedContactModel &model, const double ratio);
 
-  /** What further nodal forces @p force do: their share in the modes,
-   * phi^T f, the motion of the nodes on the flexibility of the others, and f
-   * itself. */
+  /** What further nodal forces f do: their share in the modes, phi^T f, the
+   * motion of the contact nodes and of the observers on the flexibility of the
+   * others, and f itself. */
   struct ModalForce
   {
-    Eigen::VectorXd modal, motion, nodal;
+    Eigen::VectorXd modal, motion, nodal, observed;
   };
 
-  /** Columns of @p forces as modal forces of the same reduction. */
-  std::vector<ModalForce> modal_forces(const Pencil          &pencil,
-                                       const ReductionBasis  &basis,
-                                       const ContactGeometry &geometry,
-                                       const Block           &forces);
+  /** The columns of @p forces as modal forces of the same reduction. */
+  std::vector<ModalForce> modal_forces(const Pencil         &pencil,
+                                       const ReductionBasis &basis,
+                                       const Functionals    &relative_motion,
+                                       const Block          &forces,
+                                       const Block          &observers);
 } // namespace squeal
 
 #endif

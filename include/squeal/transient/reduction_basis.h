@@ -2,16 +2,12 @@
 #ifndef squeal_transient_reduction_basis_h
 #define squeal_transient_reduction_basis_h
 
-#include <squeal/contact/contact_geometry.h>
+#include <squeal/base/low_rank_matrix.h>
 #include <squeal/discretization/affine_system.h>
 #include <squeal/eigen/undamped_modes.h>
 
 namespace squeal
 {
-  /** Normal, tangential and transverse relative motion of every contact node,
-   * interleaved: the rows of B. */
-  Functionals relative_motion(const ContactGeometry &geometry);
-
   /**
    * The motions of the bodies without contact that carry mass in a reduced
    * model, orthonormal in the mass and orthogonal in the stiffness: all modes
@@ -29,11 +25,12 @@ namespace squeal
     unsigned int    n_modes;       /**< the first ones, Ritz vectors follow */
   };
 
-  /** Ritz vectors up to @p interface_cut_off, Hz; none where it is 0. */
-  ReductionBasis reduction_basis(const Pencil          &pencil,
-                                 const UndampedModes   &modes,
-                                 const ContactGeometry &geometry,
-                                 const double           interface_cut_off = 0.);
+  /** Ritz vectors up to @p interface_cut_off, Hz; none where it is 0.
+   * @p relative_motion: B of all contact nodes. */
+  ReductionBasis reduction_basis(const Pencil        &pencil,
+                                 const UndampedModes &modes,
+                                 const Functionals   &relative_motion,
+                                 const double         interface_cut_off = 0.);
 
   /** Static responses to forces without their share in a basis, on a factor
    * just below zero, where rigid motions do no harm. */

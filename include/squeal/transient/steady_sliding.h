@@ -8,8 +8,9 @@
 
 namespace squeal
 {
-  /** Steady sliding under a constant load: everything at rest but the target,
-   * which slides on; all closed nodes slip. */
+  /** Steady sliding under a constant load: everything at rest but the targets,
+   * which slide on; all closed nodes of sliding pairs slip. In pairs at rest
+   * nothing moves: their closed nodes stick, or, without friction, slip. */
   struct SteadySliding
   {
     Eigen::VectorXd            coordinates; /**< q */
@@ -26,10 +27,14 @@ namespace squeal
 
   /**
    * Solves K u + B^T lambda = f with Signorini's and Coulomb's law for the
-   * share @p load_factor of the load and a speed > 0 (whose size does not
-   * matter). Throws ComputationError where there is no steady sliding (the
+   * share @p load_factor of the load and speeds > 0, whose common size does not
+   * matter. Throws ComputationError where there is no steady sliding (the
    * friction wedges or sprags).
-   */
+   *
+   * What sticks in a pair at rest depends on the order of things. Where the
+   * model has such pairs (nodes with a speed ratio of 0) the loads come on
+   * while everything is at rest, in equal shares, and the targets slide after
+   * that, on and on until nothing changes any more. */
   SteadySliding steady_sliding(const ReducedContactModel &model,
                                const double               friction,
                                const double               load_factor = 1.,
@@ -50,17 +55,24 @@ namespace squeal
                                            const double               friction,
                                            const unsigned int         n_steps,
                                            const double tolerance = 1e-10);
+
+  /** The same with the coefficient @p friction of every node. */
+  std::vector<SteadySliding> press_at_rest(const ReducedContactModel &model,
+                                           const Eigen::VectorXd     &friction,
+                                           const unsigned int         n_steps,
+                                           const double tolerance = 1e-10);
+
   /** Eigenvalues of the motion about steady sliding with its contact state,
    * and the left vectors that pick the amplitude of each out of a motion. */
   struct LinearizedMotion
   {
     Eigen::VectorXcd lambda; /**< sigma + i omega, omega >= 0, ascending in
                                 omega */
-    /** Rows l_k: l_k (q; v; lambda across the sliding at the closed nodes) is
-     * the amplitude of pair k in a motion, scaled so that an eigenmotion of
-     * kinetic energy amplitude 1 J has amplitude 1. Where two pairs have
-     * coalesced the scale is lost in rounding, but their amplitudes still grow
-     * by lambda. */
+    /** Rows l_k: l_k (q; v; lambda across the sliding at the nodes that slip
+     * with friction) is the amplitude of pair k in a motion, scaled so that an
+     * eigenmotion of kinetic energy amplitude 1 J has amplitude 1. Where two
+     * pairs have coalesced the scale is lost in rounding, but their amplitudes
+     * still grow by lambda. */
     Eigen::MatrixXcd left;
     /** Columns: the eigenmotions of amplitude 1, left * right has a unit
      * diagonal. */
@@ -71,6 +83,8 @@ namespace squeal
     Eigen::VectorXd condition;
     /** What lambda across the sliding has part in its own rate, 1/s. */
     Eigen::MatrixXd across;
+    /** Which of all nodal forces those are. */
+    std::vector<int> rows_across;
 
     /** Amplitudes of all pairs in what a motion is away from @p steady. */
     Eigen::VectorXcd amplitudes(const SteadySliding   &steady,
@@ -80,8 +94,9 @@ namespace squeal
   };
 
   /**
-   * Closed nodes keep u_n; their friction follows the normal force and turns
-   * with the slip: along the sliding mu lambda_n and p_0 dmu/d|v_t| times the
+   * Closed nodes keep u_n. Nodes that stick keep all of u; the friction of
+   * those that slip follows the normal force and turns with the slip: along the
+   * sliding mu lambda_n and p_0 dmu/d|v_t| times the
    * slip rate there, across it mu p_0/|V| times the slip rate across.
    *
    * The slip rate that the slope sees leaves out what the slope itself does to

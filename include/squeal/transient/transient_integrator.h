@@ -16,20 +16,24 @@ namespace squeal
   struct TransientDrive
   {
     using Function = std::function<double(double)>;
-    Function friction; /**< mu; with a law what is added to its mu. A sum below
-                          0 counts as 0 */
-    Function speed;    /**< |V| at the centre, m/s; negative: turning back */
-    Function load;     /**< share of the full load */
+    Function friction; /**< mu; with laws what is added to their mu in pairs
+                          that slide. A sum below 0 counts as 0 */
+    /** Speed, m/s, that those of the nodes are measured by; negative: turning
+     * back. */
+    Function speed;
+    Function load; /**< share of the full load of the model */
 
-    /** A further force with its course in time. */
+    /** A further force with its course in time: a load with a ramp of its
+     * own, a blow. */
     struct Force
     {
       ModalForce force;
       Function   factor;
     };
     std::vector<Force> forces;
-    /** mu over the slip rate; null: mu depends on time alone. */
-    std::shared_ptr<const FrictionLaw> law = {};
+    /** mu of every node over its slip rate; null: one mu for all, which depends
+     * on time alone. */
+    std::shared_ptr<const FrictionLaws> laws = {};
   };
 
   /** Energies since the start, J. */

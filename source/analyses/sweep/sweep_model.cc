@@ -99,10 +99,17 @@ namespace squeal
   unsigned int
   SweepModel::n_closed(const SweepPoint &point) const
   {
-    const auto &status =
-      contact_states.at(0).at(sweep_grid.state_number(point)).status;
-    return status.size() -
-           std::count(status.begin(), status.end(), ContactStatus::open);
+    // Pairs without states of their own are closed everywhere.
+    unsigned int n = 0;
+    for (const ContactStates &of_pair : contact_states)
+      if (!of_pair.empty())
+        {
+          const auto &status =
+            of_pair.at(sweep_grid.state_number(point)).status;
+          n += status.size() -
+               std::count(status.begin(), status.end(), ContactStatus::open);
+        }
+    return n;
   }
 
   bool

@@ -174,8 +174,9 @@ namespace squeal
                       shown_values(axes, in_order(axes, others, frictions)),
                       top,
                       {}};
-      auto       &scene       = run.parameters.scene;
-      scene.contacts[0].state = ContactParameters::State::full;
+      auto       &scene = run.parameters.scene;
+      for (auto &contact : scene.contacts)
+        contact.state = ContactParameters::State::full;
       for (auto &support : scene.supports)
         if (!top.empty() && support.name == p.transient.top_support)
           for (const auto &[name, kind] : choices(SupportParameters::Kind()))
@@ -241,9 +242,12 @@ namespace squeal
   std::vector<std::vector<CampaignRun>>
   campaign_groups(const Parameters &p)
   {
-    if (p.scene.contacts[0].friction_coefficient < 0.)
-      throw InputError("Scene/Contact/Friction coefficient: a campaign needs "
-                       "one of at least 0");
+    // A group shares the directions of sliding, which a sign turns.
+    for (const auto &contact : p.scene.contacts)
+      if (contact.friction_coefficient < 0.)
+        throw InputError("Scene/Contact " + contact.name +
+                         "/Friction coefficient: a campaign needs one of at "
+                         "least 0");
     const auto              &axes = p.sweep.axes;
     std::vector<std::string> tops = p.transient.tops;
     if (tops.empty())

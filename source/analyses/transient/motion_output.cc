@@ -15,48 +15,58 @@ namespace squeal
 {
   namespace
   {
-    /** Components @p n of node fields at a sample, padded by zeros to three
-     * where there are two: VTK draws arrows of three. */
+    /** Numbers of nodes at a sample. */
     std::vector<double>
-    at_sample(const std::vector<double> &all,
-              const std::size_t          sample,
-              const std::size_t          n_nodes,
-              const unsigned int         n)
+    numbers_at(const std::vector<double> &all,
+               const std::size_t          sample,
+               const std::size_t          n_nodes)
     {
+      return {all.begin() + n_nodes * sample,
+              all.begin() + n_nodes * (sample + 1)};
+    }
+
+    /** Vectors of nodes at a sample, which have two components in the face, as
+     * x, y and z. */
+    std::vector<double>
+    vectors_at(const std::vector<double> &all,
+               const std::size_t          sample,
+               const std::size_t          n_nodes,
+               const FaceAxes            &axes)
+    {
+      const auto         &d = axes.directions();
       std::vector<double> result;
-      for (std::size_t j = 0; j < n_nodes; ++j)
-        {
-          for (unsigned int c = 0; c < n; ++c)
-            result.push_back(all[n * (n_nodes * sample + j) + c]);
-          if (n == 2)
-            result.push_back(0.);
-        }
+      for (std::size_t j = n_nodes * sample; j < n_nodes * (sample + 1); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          result.push_back(d[0][c] * all[2 * j] + d[1][c] * all[2 * j + 1]);
       return result;
     }
 
-    /** Fields of the contact nodes: names and units of contact.vtu. */
+    /** Fields of the contact nodes of a pair: names and units of
+     * contact.vtu. */
     void
     write_contact_frames(RunContext            &context,
+                         const std::string     &name,
                          const ContactGeometry &geometry,
                          const HistorySamples  &h)
     {
       const ContactMap                            map = contact_map(geometry);
-      const std::size_t                           n   = geometry.points.size();
+      const FaceAxes                              axes(geometry);
+      const std::size_t                           n = geometry.points.size();
       std::vector<std::pair<double, std::string>> steps;
       for (std::size_t k = 0; k < h.n_samples(); ++k)
         {
-          const std::string file = frame_file("contact", k);
+          const std::string file = frame_file(name, k);
           map.write_vtu(context.output.file(file),
-                        {{"pressure", at_sample(h.pressure, k, n, 1)},
-                         {"traction", at_sample(h.traction, k, n, 2)},
-                         {"slip_rate", at_sample(h.slip_rate, k, n, 2)},
-                         {"gap", at_sample(h.gap, k, n, 1)},
-                         {"status", at_sample(h.status, k, n, 1)},
+                        {{"pressure", numbers_at(h.pressure, k, n)},
+                         {"traction", vectors_at(h.traction, k, n, axes)},
+                         {"slip_rate", vectors_at(h.slip_rate, k, n, axes)},
+                         {"gap", numbers_at(h.gap, k, n)},
+                         {"status", numbers_at(h.status, k, n)},
                          {"area", geometry.areas}});
           steps.emplace_back(h.time[k], file);
         }
       write_atomically(
-        context.output.file("contact.pvd"),
+        context.output.file(name + ".pvd"),
         [&](std::ostream &out) { out << vtk::collection(steps); });
     }
   } // namespace
@@ -106,22 +116,29 @@ namespace squeal
   {
     if (record.frames.empty())
       return "";
-    Timers::Section section(context.timers, "Write: animation");
-    const auto     &p = context.parameters;
-    const Block     u = motion_of_frames(prepared, record, p);
+    Timers::Section     section(context.timers, "Write: animation");
+    const auto         &p = context.parameters;
+    const Block         u = motion_of_frames(prepared, record, p);
+    std::vector<double> times;
+    for (const MotionFrame &frame : record.frames)
+      times.push_back(frame.time);
     // What steady sliding and loads do is large beside the vibration: the
     // largest deviation is drawn as large as that of a shape.
     const WrittenMotion written =
       write_motion(*model.discretization(),
                    context.output,
                    "motion",
-                   record.frame_nodes.time,
+                   times,
                    u,
                    std::min(2u, model.discretization()->degree()),
                    p.output.slip_display_scale);
-    if (context.is_root)
-      write_contact_frames(
-        context, prepared.pressed.geometry(), record.frame_nodes);
+    const auto &pairs = prepared.pressed.nodes().pairs();
+    for (std::size_t i = 0; i < pairs.size() && context.is_root; ++i)
+      write_contact_frames(context,
+                           pairs.size() == 1 ? "contact"
+                                             : "contact_" + pairs[i].name(),
+                           pairs[i].geometry,
+                           record.frame_nodes[i]);
     context.record.figures.emplace_back(
       "animation",
       std::to_string(record.frames.size()) + " frames; deviation of at most " +

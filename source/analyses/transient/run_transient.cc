@@ -111,19 +111,42 @@ namespace squeal
         }
     }
 
-    /** The acceleration of the pad along z, to be listened to. */
+    /** The acceleration of the source of a pair along its normal, to be
+     * listened to. */
     void
-    write_sound(const TransientRecord &record, const std::string &path)
+    write_sound(const ContactPair     &pair,
+                const unsigned int     number,
+                const TransientRecord &record,
+                const std::string     &path)
     {
       const auto &samples = record.samples;
       if (samples.size() < 2)
         return;
+      const auto          normal = mean_frame(pair.geometry).normal;
       std::vector<double> acceleration;
-      for (const auto &sample : samples)
-        acceleration.push_back(sample.acceleration[2]);
+      for (std::size_t k = 0; k < samples.size(); ++k)
+        {
+          const double *a = record.pair(k, number).acceleration;
+          acceleration.push_back(normal[0] * a[0] + normal[1] * a[1] +
+                                 normal[2] * a[2]);
+        }
       const double rate =
         (samples.size() - 1) / (samples.back().time - samples.front().time);
       write_wav(path, prolonged(acceleration, rate, sound_seconds), rate);
+    }
+
+    void
+    write_sounds(RunContext              &context,
+                 const PreparedTransient &prepared,
+                 const TransientRecord   &record)
+    {
+      const auto &pairs = prepared.pressed.nodes().pairs();
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        write_sound(pairs[i],
+                    i,
+                    record,
+                    context.output.file(
+                      (pairs.size() == 1 ? "pad" : pairs[i].name()) + ".wav"));
     }
 
     /** Tables of the run but for that over a changing speed. */
@@ -146,9 +169,9 @@ namespace squeal
                           phase_table(record, f)};
       context.write_table("transient.csv", tables.summary);
       context.write_table("branches.csv", tables.branches);
-      context.write_table("forces.csv", force_table(record));
+      context.write_table("forces.csv", force_table(prepared, record));
       context.write_table("energy.csv", energy_table(record));
-      context.write_table("probes.csv", probe_table(record));
+      context.write_table("probes.csv", probe_table(prepared, record));
       context.write_table("zones.csv", tables.zones);
       context.write_table("phase.csv", tables.phases);
       return tables;
@@ -171,8 +194,8 @@ namespace squeal
         explained_verdict(
           f, evaluate_trigger(record, context.parameters.transient)),
         context.output.file("transient.json"));
-      write_sound(record, context.output.file("pad.wav"));
-      if (record.history.n_samples() > 0)
+      write_sounds(context, prepared, record);
+      if (record.histories.back().n_samples() > 0)
         write_contact_history(prepared,
                               record,
                               context.parameters.scene.name,
@@ -258,7 +281,7 @@ namespace squeal
       const std::string    left_out = left_out_text(f);
       context.record.figures = figures_of_run(tables.summary, f, trigger);
       const bool  has_ramp   = p.transient.final_speed_ratio != 1.;
-      const Table speeds     = speed_table(record, p);
+      const Table speeds     = speed_table(prepared, record, p);
       if (has_ramp)
         context.write_table("speeds.csv", speeds);
       const std::string animation =
@@ -366,8 +389,9 @@ namespace squeal
         !context.parameters.transient.tops.empty() ||
         !context.parameters.transient.integrators.empty())
       return run_campaign(context);
-    Parameters p              = context.parameters;
-    p.scene.contacts[0].state = ContactParameters::State::full;
+    Parameters p = context.parameters;
+    for (auto &contact : p.scene.contacts)
+      contact.state = ContactParameters::State::full;
     Model model(p, context.timers);
     model.print_summary(context.log);
     const PreparedTransient prepared(
@@ -395,7 +419,7 @@ namespace squeal
     ComplexPairs cea;
     if (p.transient.compare_with_cea)
       cea = whole_model_pairs(p,
-                              prepared.pressed.state_of(prepared.steady),
+                              prepared.pressed.states_of(prepared.steady),
                               context.log,
                               context.timers);
     report_run(context,

@@ -59,8 +59,7 @@ namespace squeal
       prepare(const CampaignRun &run)
       {
         PressedModel with = pressed;
-        with.set_friction(
-          std::abs(run.parameters.scene.contacts[0].friction_coefficient));
+        with.set_friction(friction_sizes(run.parameters.scene.contacts));
         try
           {
             return std::make_unique<PreparedTransient>(
@@ -96,7 +95,7 @@ namespace squeal
         ComplexPairs cea;
         if (run.parameters.transient.compare_with_cea)
           cea = whole_model_pairs(run.parameters,
-                                  prepared.pressed.state_of(prepared.steady),
+                                  prepared.pressed.states_of(prepared.steady),
                                   context.log,
                                   context.timers);
         const TransientFigures f = evaluate_transient(

@@ -33,8 +33,15 @@ namespace squeal
       {"load", &TransientSample::load},
       {"numerical", &TransientSample::numerical},
       {"imbalance", &TransientSample::imbalance}};
-    static_assert(sizeof(TransientSample) == (16 + 2 * 3) * sizeof(double),
-                  "every member of a sample is kept: 16 numbers, 2 vectors");
+    static_assert(sizeof(TransientSample) == 16 * sizeof(double),
+                  "every member of a sample is kept");
+
+    const Fields<PairSample> pair_fields = {
+      {"tangential", &PairSample::tangential},
+      {"radial", &PairSample::radial},
+      {"normal", &PairSample::normal}};
+    static_assert(sizeof(PairSample) == (3 + 2 * 3) * sizeof(double),
+                  "every member of a pair is kept: 3 numbers, 2 vectors");
 
     const Fields<NodeShares> node_fields = {
       {"open", &NodeShares::open},
@@ -106,31 +113,33 @@ namespace squeal
 
 
 
-    using SampleVector = double (TransientSample::*)[3];
+    using PairVector = double (PairSample::*)[3];
 
-    const std::vector<std::pair<std::string, SampleVector>> sample_vectors = {
-      {"position", &TransientSample::position},
-      {"acceleration", &TransientSample::acceleration}};
+    const std::vector<std::pair<std::string, PairVector>> pair_vectors = {
+      {"position", &PairSample::position},
+      {"acceleration", &PairSample::acceleration}};
 
     NamedNumbers
-    numbers_of(const std::vector<TransientSample> &samples)
+    numbers_of(const std::vector<PairSample> &samples)
     {
-      NamedNumbers result = by_field(samples, sample_fields);
-      for (const auto &[name, vector] : sample_vectors)
+      NamedNumbers result = by_field(samples, pair_fields);
+      for (const auto &[name, vector] : pair_vectors)
         {
           std::vector<double> values;
-          for (const TransientSample &s : samples)
+          for (const PairSample &s : samples)
             values.insert(values.end(), s.*vector, s.*vector + 3);
           result.set(name, values);
         }
       return result;
     }
 
-    std::vector<TransientSample>
-    samples_from(const NamedNumbers &numbers)
+    /** @p n samples. */
+    std::vector<PairSample>
+    pairs_from(const NamedNumbers &numbers, const std::size_t n)
     {
-      auto samples = from_fields(numbers, sample_fields);
-      for (const auto &[name, vector] : sample_vectors)
+      numbers.get("normal", n);
+      auto samples = from_fields(numbers, pair_fields);
+      for (const auto &[name, vector] : pair_vectors)
         {
           const auto &values = numbers.get(name, 3 * samples.size());
           for (std::size_t i = 0; i < samples.size(); ++i)
@@ -259,11 +268,16 @@ namespace squeal
     result.set("integrator", motion->memory());
     for (const auto &[name, counter] : counters)
       result.set("counters/" + name, kept.*counter);
-    result.set("samples", numbers_of(kept.samples));
+    result.set("samples", by_field(kept.samples, sample_fields));
+    result.set("pairs", numbers_of(kept.pairs));
     result.set("nodes", by_field(kept.nodes, node_fields));
     result.set("changes", numbers_of(kept.changes));
-    result.set("history", numbers_of(kept.history));
-    result.set("frame_nodes", numbers_of(kept.frame_nodes));
+    for (std::size_t i = 0; i < kept.histories.size(); ++i)
+      {
+        const std::string number = std::to_string(i);
+        result.set("history/" + number, numbers_of(kept.histories[i]));
+        result.set("frame_nodes/" + number, numbers_of(kept.frame_nodes[i]));
+      }
     result.set("frames", numbers_of(kept.frames));
     std::vector<double> real, imaginary, states;
     for (const std::complex<double> &a : kept.amplitudes)
@@ -291,26 +305,36 @@ namespace squeal
     for (const auto &[name, counter] : counters)
       record.*counter = memory.number("counters/" + name);
     whole_number(record.n_steps, n_steps, "counters/n_steps");
-    record.samples   = samples_from(memory.group("samples"));
+    record.samples = from_fields(memory.group("samples"), sample_fields);
+    record.pairs =
+      pairs_from(memory.group("pairs"),
+                 record.samples.size() * pressed.nodes().pairs().size());
     const auto &real = memory.get(
       "amplitudes/real", record.samples.size() * recorded.lambda.size());
     const auto &imaginary = memory.get("amplitudes/imaginary", real.size());
     for (std::size_t i = 0; i < real.size(); ++i)
       record.amplitudes.emplace_back(real[i], imaginary[i]);
     memory.get("nodes/open", n_nodes);
-    record.nodes       = from_fields(memory.group("nodes"), node_fields);
-    record.changes     = changes_from(memory.group("changes"), n_nodes);
-    record.history     = history_from(memory.group("history"), n_nodes);
-    record.frame_nodes = history_from(memory.group("frame_nodes"), n_nodes);
+    record.nodes   = from_fields(memory.group("nodes"), node_fields);
+    record.changes = changes_from(memory.group("changes"), n_nodes);
+    std::vector<double> frame_times;
+    for (const ContactPair &pair : pressed.nodes().pairs())
+      {
+        const std::string number = std::to_string(record.histories.size());
+        record.histories.push_back(
+          history_from(memory.group("history/" + number), pair.n_nodes()));
+        record.frame_nodes.push_back(
+          history_from(memory.group("frame_nodes/" + number), pair.n_nodes()));
+        frame_times = record.frame_nodes.back().time;
+      }
     MotionFrame like;
     like.coordinates = motion->coordinates();
     like.forces      = motion->forces();
     if (const Eigen::VectorXd *all = motion->unknowns())
       like.unknowns = *all;
-    record.frames =
-      frames_from(memory.group("frames"), record.frame_nodes.time, like);
-    const auto &states  = memory.get("status", n_nodes);
-    last_motion         = memory.vector("last_motion", last_motion.size());
+    record.frames      = frames_from(memory.group("frames"), frame_times, like);
+    const auto &states = memory.get("status", n_nodes);
+    last_motion        = memory.vector("last_motion", last_motion.size());
     linear_since_sample = memory.count("linear_since_sample", 1) == 1;
     motion->restore(memory.group("integrator"));
     for (std::size_t j = 0; j < n_nodes; ++j)
@@ -327,6 +351,7 @@ namespace squeal
       fingerprint.add(name, std::to_string(number));
     };
     add("contact nodes", status.size());
+    add("contact pairs", pressed.nodes().pairs().size());
     add("modes", motion->coordinates().size());
     add("unknowns that move",
         motion->unknowns() ? motion->unknowns()->size() : 0);

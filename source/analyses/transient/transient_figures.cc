@@ -9,7 +9,6 @@
 #include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/model/cea_solution.h>
-#include <squeal/output/contact_output.h>
 #include <squeal/transient/growth_rule.h>
 #include <squeal/transient/time_step_error.h>
 
@@ -227,6 +226,27 @@ namespace squeal
      * noise of the solver. */
     constexpr double least_vibration = 1e-4;
 
+    /** Of the source of a pair, from sample @p first on, m/s^2. */
+    double
+    largest_rms_acceleration(const TransientRecord &record,
+                             const std::size_t      first)
+    {
+      double largest = 0.;
+      for (unsigned int pair = 0; pair < record.n_pairs(); ++pair)
+        {
+          std::vector<double> squares;
+          for (std::size_t i = first; i < record.samples.size(); ++i)
+            {
+              double square = 0.;
+              for (const double a : record.pair(i, pair).acceleration)
+                square += a * a;
+              squares.push_back(square);
+            }
+          largest = worst_of(largest, std::sqrt(mean_of(squares)));
+        }
+      return largest;
+    }
+
     void
     evaluate_limit_cycle(const PreparedTransient &prepared,
                          const TransientRecord   &record,
@@ -235,7 +255,7 @@ namespace squeal
     {
       const auto         &samples = record.samples;
       const std::size_t   first   = samples.size() / 2;
-      std::vector<double> normal, tangential, edge, acceleration;
+      std::vector<double> normal, tangential, edge;
       const double        n_nodes = record.nodes.size();
       for (std::size_t i = first; i < samples.size(); ++i)
         {
@@ -243,10 +263,6 @@ namespace squeal
           tangential.push_back(samples[i].tangential);
           // By force: it means little while there is next to none.
           edge.push_back(samples[i].leading_edge * samples[i].normal);
-          double square = 0.;
-          for (const double a : samples[i].acceleration)
-            square += a * a;
-          acceleration.push_back(square);
           f.separates = f.separates || samples[i].n_open == n_nodes;
         }
       f.mean_normal     = mean_of(normal);
@@ -261,7 +277,7 @@ namespace squeal
         touches ? f.mean_tangential / f.mean_normal : not_known;
       f.mean_leading_edge_factor =
         touches ? mean_of(edge) / f.mean_normal : not_known;
-      f.rms_acceleration = std::sqrt(mean_of(acceleration));
+      f.rms_acceleration = largest_rms_acceleration(record, first);
       f.least_rms        = f.rms_normal;
       for (unsigned int k = 0; k < 4; ++k)
         {
@@ -366,16 +382,25 @@ namespace squeal
   sigma_with_full_contact(const PreparedTransient &prepared,
                           const Parameters        &p)
   {
-    const auto           &areas = prepared.pressed.geometry().areas;
-    const Eigen::Vector3d sum   = prepared.steady.resultant();
-    double                total = 0.;
-    for (const double area : areas)
-      total += area;
     SteadySliding whole = prepared.steady;
-    for (std::size_t j = 0; j < areas.size(); ++j)
+    for (const ContactPair &pair : prepared.pressed.nodes().pairs())
       {
-        whole.status[j]                = ContactStatus::slip;
-        whole.forces.segment<3>(3 * j) = areas[j] / total * sum;
+        if (!pair.slides())
+          continue;
+        const Eigen::VectorXd forces = pair.part(prepared.steady.forces);
+        Eigen::Vector3d       sum    = Eigen::Vector3d::Zero();
+        double                total  = 0.;
+        for (unsigned int k = 0; k < pair.n_nodes(); ++k)
+          {
+            sum += forces.segment<3>(3 * k);
+            total += pair.geometry.areas[k];
+          }
+        for (unsigned int k = 0; k < pair.n_nodes(); ++k)
+          {
+            whole.status[pair.first + k] = ContactStatus::slip;
+            whole.forces.segment<3>(3 * (pair.first + k)) =
+              pair.geometry.areas[k] / total * sum;
+          }
       }
     const LinearizedMotion motion =
       linearize(prepared.pressed.model(),
@@ -393,17 +418,17 @@ namespace squeal
 
 
   ComplexPairs
-  whole_model_pairs(const Parameters   &given,
-                    const ContactState &state,
-                    RunLog             &log,
-                    Timers             &timers)
+  whole_model_pairs(const Parameters                 &given,
+                    const std::vector<ContactStates> &states,
+                    RunLog                           &log,
+                    Timers                           &timers)
   {
     // Shares of the nodes are forces in N where there is no reference.
     Parameters parameters = given;
     for (auto &contact : parameters.scene.contacts)
       if (contact.normal_force == 0.)
         contact.normal_force = 1.;
-    Model        model(parameters, timers, {{state}});
+    Model        model(parameters, timers, states);
     ModeSolution modes = solve_modes(model, log, timers);
     return solve_cea(model, modes, log, timers).pairs;
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Tables, JSON and the history file of a transient.
+// Tables and JSON of a transient.
 
 #include <squeal/analyses/transient/transient_results.h>
-#include <squeal/output/contact_output.h>
 #include <squeal/results/json_file.h>
 
 #include <nlohmann/json.hpp>
@@ -195,8 +194,49 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** A column of each of several pairs: "<pair>_normal_n". */
+    std::string
+    of_pair(const ContactPair &pair, const std::string &column)
+    {
+      return pair.name() + "_" + column;
+    }
+
+    /** Resultants of each of several pairs behind those of all. */
+    void
+    add_pair_forces(const PreparedTransient &prepared,
+                    const TransientRecord   &record,
+                    Table                   &table)
+    {
+      const auto &pairs = prepared.pressed.nodes().pairs();
+      if (pairs.size() < 2)
+        return;
+      using Member = double PairSample::*;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        for (const auto &[name, text, member] :
+             {std::make_tuple("normal_n",
+                              "compression positive",
+                              Member(&PairSample::normal)),
+              std::make_tuple("tangential_n",
+                              "along the sliding, on the source",
+                              Member(&PairSample::tangential)),
+              std::make_tuple("transverse_n",
+                              "across the sliding, on the source",
+                              Member(&PairSample::radial))})
+          {
+            const std::string column = of_pair(pairs[i], name);
+            table.add_column({column, Type::real, "N", text});
+            for (std::size_t k = 0; k < record.samples.size(); ++k)
+              table.set(k, column, record.pair(k, i).*member);
+          }
+    }
+  } // namespace
+
+
+
   Table
-  force_table(const TransientRecord &record)
+  force_table(const PreparedTransient &prepared, const TransientRecord &record)
   {
     Table table(
       {{"time_s", Type::real, "s", ""},
@@ -217,6 +257,7 @@ namespace squeal
                      static_cast<int>(s.n_open),
                      static_cast<int>(s.n_stick),
                      s.leading_edge});
+    add_pair_forces(prepared, record, table);
     return table;
   }
 
@@ -246,29 +287,58 @@ namespace squeal
   }
 
   Table
-  probe_table(const TransientRecord &record)
+  probe_table(const PreparedTransient &prepared, const TransientRecord &record)
   {
-    Table table({{"time_s", Type::real, "s", ""},
-                 {"pad_x_m", Type::real, "m", "centre of the source body"},
-                 {"pad_y_m", Type::real, "m", ""},
-                 {"pad_z_m", Type::real, "m", ""},
-                 {"pad_ax_m_per_s2", Type::real, "m/s2", ""},
-                 {"pad_ay_m_per_s2", Type::real, "m/s2", ""},
-                 {"pad_az_m_per_s2", Type::real, "m/s2", ""}});
-    for (const auto &s : record.samples)
-      table.add_row({s.time,
-                     s.position[0],
-                     s.position[1],
-                     s.position[2],
-                     s.acceleration[0],
-                     s.acceleration[1],
-                     s.acceleration[2]});
+    const auto &pairs = prepared.pressed.nodes().pairs();
+    Table       table({{"time_s", Type::real, "s", ""}});
+    for (const ContactPair &pair : pairs)
+      {
+        const std::string name = pairs.size() == 1 ? "pad" : pair.name();
+        const char       *text = "centre of the source body";
+        for (const char *axis : {"x", "y", "z"})
+          {
+            table.add_column({name + "_" + axis + "_m", Type::real, "m", text});
+            text = "";
+          }
+        for (const char *axis : {"x", "y", "z"})
+          table.add_column(
+            {name + "_a" + axis + "_m_per_s2", Type::real, "m/s2", ""});
+      }
+    for (std::size_t k = 0; k < record.samples.size(); ++k)
+      {
+        std::vector<Cell> row = {record.samples[k].time};
+        for (unsigned int i = 0; i < pairs.size(); ++i)
+          {
+            const PairSample &s = record.pair(k, i);
+            row.insert(row.end(), s.position, s.position + 3);
+            row.insert(row.end(), s.acceleration, s.acceleration + 3);
+          }
+        table.add_row(row);
+      }
     return table;
   }
+
+
+
+  namespace
+  {
+    std::string
+    zone_of(const NodeShares &n)
+    {
+      if (n.stick + n.slip == 0.)
+        return "open";
+      if (n.open > 0.)
+        return n.stick > 0. ? "stick-slip-separation" : "slip-separation";
+      return n.stick > 0. ? "stick-slip" : "slip";
+    }
+  } // namespace
+
+
 
   Table
   zone_table(const PreparedTransient &prepared, const TransientRecord &record)
   {
+    const auto &pairs = prepared.pressed.nodes().pairs();
     Table       table({{"node", Type::integer, "", "from 0"},
                        {"x_m", Type::real, "m", ""},
                        {"y_m", Type::real, "m", ""},
@@ -277,33 +347,43 @@ namespace squeal
                        {"stick_share", Type::real, "", "of the time", 4},
                        {"slip_share", Type::real, "", "of the time", 4},
                        {"peak_pressure_pa", Type::real, "Pa", "", 4}});
-    const auto &points = prepared.pressed.geometry().points;
-    for (std::size_t j = 0; j < record.nodes.size(); ++j)
+    const bool  has_names = pairs.size() > 1;
+    if (has_names)
       {
-        const NodeShares &n     = record.nodes[j];
-        const double      total = std::max(1., n.open + n.stick + n.slip);
-        const char *const zone  = n.stick + n.slip == 0. ? "open"
-                                  : n.open > 0. && n.stick > 0.
-                                    ? "stick-slip-separation"
-                                  : n.open > 0.  ? "slip-separation"
-                                  : n.stick > 0. ? "stick-slip"
-                                                 : "slip";
-        table.add_row({j,
-                       points[j][0],
-                       points[j][1],
-                       zone,
-                       n.open / total,
-                       n.stick / total,
-                       n.slip / total,
-                       n.peak_pressure});
+        table.add_column({"z_m", Type::real, "m", ""});
+        table.add_column({"pair", Type::text, "", "contact"});
       }
+    for (const ContactPair &pair : pairs)
+      for (unsigned int k = 0; k < pair.n_nodes(); ++k)
+        {
+          const auto        j     = static_cast<std::size_t>(pair.first + k);
+          const auto       &x     = pair.geometry.points[k];
+          const NodeShares &n     = record.nodes[j];
+          const double      total = std::max(1., n.open + n.stick + n.slip);
+          std::vector<Cell> row   = {j,
+                                     x[0],
+                                     x[1],
+                                     zone_of(n),
+                                     n.open / total,
+                                     n.stick / total,
+                                     n.slip / total,
+                                     n.peak_pressure};
+          if (has_names)
+            {
+              row.emplace_back(x[2]);
+              row.emplace_back(pair.name());
+            }
+          table.add_row(row);
+        }
     return table;
   }
 
 
 
   Table
-  speed_table(const TransientRecord &record, const Parameters &p)
+  speed_table(const PreparedTransient &prepared,
+              const TransientRecord   &record,
+              const Parameters        &p)
   {
     constexpr std::size_t n_parts = 50;
     Table        table({{"time_s", Type::real, "s", "middle of a stretch"},
@@ -315,7 +395,7 @@ namespace squeal
                         {"mean_normal_n", Type::real, "N", ""},
                         {"rms_normal_n", Type::real, "N", "about the mean"}});
     const auto  &s = record.samples;
-    const double v = std::abs(p.scene.contacts[0].sliding_speed);
+    const double v = prepared.pressed.speed();
     for (std::size_t k = 0; k < n_parts && s.size() >= 4 * n_parts; ++k)
       {
         const std::size_t first = k * s.size() / n_parts,
@@ -365,32 +445,5 @@ namespace squeal
         json["branches"].push_back(row);
       }
     write_json(path, json);
-  }
-
-
-
-  void
-  write_contact_history(const PreparedTransient &prepared,
-                        const TransientRecord   &record,
-                        const std::string       &name,
-                        const std::string       &path)
-  {
-    HistoryLayout layout;
-    layout.name        = name;
-    layout.points      = node_points(prepared.pressed.geometry());
-    layout.areas       = prepared.pressed.geometry().areas;
-    layout.probe_names = {
-      "pad_ax_m_per_s2", "pad_ay_m_per_s2", "pad_az_m_per_s2"};
-    layout.energy_names = {"kinetic_j",
-                           "elastic_j",
-                           "damping_j",
-                           "friction_j",
-                           "driving_j",
-                           "load_j",
-                           "numerical_j"};
-    HistoryWriter writer(path, layout);
-    writer.append(record.history);
-    writer.append(record.changes);
-    writer.finish();
   }
 } // namespace squeal

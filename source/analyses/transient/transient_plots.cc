@@ -175,11 +175,11 @@ namespace squeal
     /** Pressure at eight moments of the last period kept, or fewer where that
      * has fewer samples. */
     std::vector<ContactMap::Panel>
-    pressure_panels(const TransientRecord &record, const double frequency)
+    pressure_panels(const HistorySamples &h,
+                    const std::size_t     n,
+                    const double          frequency)
     {
       std::vector<ContactMap::Panel> panels;
-      const auto                    &h = record.history;
-      const std::size_t              n = record.nodes.size();
       if (h.n_samples() < 2)
         return panels;
       const double period = frequency > 0. ? 1. / frequency : 0.;
@@ -210,6 +210,31 @@ namespace squeal
       for (auto &panel : panels)
         panel.upper = upper;
       return panels;
+    }
+    /** Pressure of a pair over the last period. */
+    void
+    draw_pressure(RunContext           &context,
+                  const ContactPair    &pair,
+                  const bool            is_one_of_several,
+                  const HistorySamples &history,
+                  const double          frequency,
+                  HtmlReport           &report)
+    {
+      const auto panels = pressure_panels(history, pair.n_nodes(), frequency);
+      if (panels.empty())
+        return;
+      const std::string name =
+        is_one_of_several ? "pressure_" + pair.name() : "pressure";
+      context.output.file("plots/" + name + ".png");
+      const std::string file = context.output.path() + "/plots/" + name;
+      contact_map(pair.geometry).plot(context.plotter, panels, file, 4);
+      report.figure(
+        file + ".png",
+        (is_one_of_several ? "Contact pressure of " + pair.name()
+                           : std::string("Contact pressure")) +
+          " over the last period, white: none; arrows: tractions on the pad, "
+          "on one scale; the target's surface moves " +
+          sliding_text_on_map(pair.geometry));
     }
   } // namespace
 
@@ -256,18 +281,14 @@ namespace squeal
       {phase_portrait(record, n - periods)},
       "Tangential over normal force, last periods: a closed curve in a limit "
       "cycle");
-    const auto panels = pressure_panels(record, f.frequency);
-    if (panels.empty())
-      return;
-    const std::string file = path("pressure");
-    contact_map(prepared.pressed.geometry())
-      .plot(context.plotter, panels, file, 4);
-    report.figure(
-      file + ".png",
-      "Contact pressure over the last period, white: none; arrows: "
-      "tractions on the pad, on one scale; the target's surface moves "
-      "to " +
-        sliding_text(prepared.pressed.geometry()));
+    const auto &pairs = prepared.pressed.nodes().pairs();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      draw_pressure(context,
+                    pairs[i],
+                    pairs.size() > 1,
+                    record.histories[i],
+                    f.frequency,
+                    report);
   }
 
 

@@ -2,13 +2,7 @@
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
-#include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
-#include <squeal/output/contact_output.h>
-#include <squeal/parameters/choices.h>
-#include <squeal/transient/explicit_transient.h>
-#include <squeal/transient/implicit_transient.h>
-#include <squeal/transient/reduced_transient.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +14,6 @@ namespace squeal
   {
     constexpr unsigned int steps_between_watches = 50;
 
-    double
-    half_sine(const double time, const double start, const double duration)
-    {
-      const double s = (time - start) / duration;
-      return s > 0. && s < 1. ? std::sin(M_PI * s) : 0.;
-    }
-
-    /** From 0 to 1, smooth. */
-    double
-    ramp(const double time, const double duration)
-    {
-      if (time >= duration)
-        return 1.;
-      return time <= 0. ? 0. : 0.5 * (1. - std::cos(M_PI * time / duration));
-    }
-
     /** CPU seconds of this thread. */
     double
     thread_seconds()
@@ -45,88 +23,6 @@ namespace squeal
       return now.tv_sec + 1e-9 * now.tv_nsec;
     }
   } // namespace
-
-
-
-  TransientDrive
-  make_drive(const PressedModel &pressed, const Parameters &p)
-  {
-    const TransientParameters t = p.transient;
-    TransientDrive            drive;
-    const FrictionLaw         law   = pressed.friction_law();
-    const double              speed = pressed.speed();
-    if (!law.is_constant())
-      drive.law = std::make_shared<const FrictionLaw>(law);
-    drive.friction = [mu = law.is_constant() ? pressed.friction() : 0.,
-                      t](const double time) {
-      return mu + t.friction_impulse * half_sine(time,
-                                                 t.friction_impulse_time,
-                                                 t.friction_impulse_duration);
-    };
-    drive.speed = [speed, t](const double time) {
-      return speed * (1. + (t.final_speed_ratio - 1.) * time / t.end_time);
-    };
-    // Loads share one ramp: the longest.
-    double ramp_time = 0.;
-    for (const auto &load : p.scene.loads)
-      ramp_time = std::max(ramp_time, load.ramp_time);
-    const bool ramped = t.start == TransientParameters::Start::ramp;
-    drive.load        = [ramped, ramp_time](const double time) {
-      return ramped ? ramp(time, ramp_time) : 1.;
-    };
-    if (!t.hammer.body.empty())
-      {
-        LoadParameters load;
-        load.name  = "hammer";
-        load.body  = t.hammer.body;
-        load.face  = t.hammer.face;
-        load.force = t.hammer.force;
-        drive.forces.push_back({pressed.force(load), [t](const double time) {
-                                  return half_sine(
-                                    time, t.hammer.time, t.hammer.duration);
-                                }});
-      }
-    return drive;
-  }
-
-
-
-  std::unique_ptr<TransientIntegrator>
-  make_integrator(const PressedModel  &pressed,
-                  const SteadySliding &steady,
-                  const Parameters    &p)
-  {
-    using Integrator   = TransientParameters::Integrator;
-    const auto  &t     = p.transient;
-    const auto   drive = make_drive(pressed, p);
-    const double force = steady.resultant()[0] / pressed.model().n_nodes();
-    const auto   method =
-      t.contact_method == TransientParameters::ContactMethod::newton
-          ? ContactSolver::Method::newton
-          : ContactSolver::Method::gauss_seidel;
-    switch (t.integrator)
-      {
-      case Integrator::implicit:
-        return std::make_unique<ImplicitTransient>(pressed.full_model(steady),
-                                                   t.step(),
-                                                   drive,
-                                                   force,
-                                                   t.tolerance,
-                                                   method);
-      case Integrator::explicit_:
-        return std::make_unique<ExplicitTransient>(pressed.full_model(steady),
-                                                   t.step(),
-                                                   drive,
-                                                   force,
-                                                   t.tolerance,
-                                                   method,
-                                                   t.beta_2);
-      case Integrator::reduced:
-        return std::make_unique<ReducedTransient>(
-          pressed.model(), t.step(), drive, force, t.tolerance, method);
-      }
-    unknown_choice("integrator");
-  }
 
 
 
@@ -157,9 +53,37 @@ namespace squeal
     only(const LinearizedMotion &all, const std::vector<unsigned int> &pairs)
     {
       LinearizedMotion result;
-      result.lambda = all.lambda(pairs);
-      result.left   = all.left(pairs, Eigen::all);
+      result.lambda      = all.lambda(pairs);
+      result.left        = all.left(pairs, Eigen::all);
+      result.rows_across = all.rows_across;
       return result;
+    }
+  } // namespace
+
+
+
+  unsigned int
+  TransientRecord::n_pairs() const
+  {
+    return samples.empty() ? 0 : pairs.size() / samples.size();
+  }
+
+  const PairSample &
+  TransientRecord::pair(const std::size_t k, const unsigned int i) const
+  {
+    return pairs[k * n_pairs() + i];
+  }
+
+
+
+  namespace
+  {
+    /** Whether a pair counts for the resultants: those at rest only where none
+     * slides. */
+    bool
+    counts(const ContactNodes &nodes, const ContactPair &pair)
+    {
+      return pair.slides() || nodes.speed() == 0.;
     }
   } // namespace
 
@@ -174,19 +98,29 @@ namespace squeal
     , steady(state)
     , recorded(only(linearized, branches))
     , settings(p.transient)
-    , edge(leading_edge(model.geometry()))
+    , areas(model.nodes().areas())
     , n_steps(std::lround(settings.end_time / settings.step()))
     , stride(
         std::max<long>(1,
                        std::lround(settings.sample_interval / settings.step())))
     , motion(make_integrator(model, state, p))
   {
-    const unsigned int n = model.model().n_modes();
+    const unsigned int n     = model.model().n_modes();
+    const auto        &pairs = model.nodes().pairs();
     kept.nodes.resize(model.model().n_nodes());
-    for (std::size_t j = 0; j < edge.size(); ++j)
+    kept.histories.resize(pairs.size());
+    kept.frame_nodes.resize(pairs.size());
+    for (const ContactPair &pair : pairs)
       {
-        area += model.geometry().areas[j];
-        edge_area += edge[j] ? model.geometry().areas[j] : 0.;
+        const std::vector<bool> of_pair = leading_edge(pair.geometry);
+        const bool              is_part = counts(model.nodes(), pair);
+        axes.emplace_back(pair.geometry);
+        for (std::size_t j = 0; j < of_pair.size(); ++j)
+          {
+            edge.push_back(of_pair[j] && is_part);
+            area += is_part ? pair.geometry.areas[j] : 0.;
+            edge_area += edge.back() ? pair.geometry.areas[j] : 0.;
+          }
       }
     const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
@@ -250,15 +184,21 @@ namespace squeal
 
 
 
+  double
+  TransientRun::speed_now() const
+  {
+    return pressed.speed() * (1. + (settings.final_speed_ratio - 1.) *
+                                     motion->time() / settings.end_time);
+  }
+
   void
   TransientRun::take_node_shares()
   {
     const double           speed  = pressed.speed();
     const Eigen::VectorXd &u      = motion->motion();
     const Eigen::VectorXd &lambda = motion->forces();
-    const double           way    = settings.step() * speed *
-                       (1. + (settings.final_speed_ratio - 1.) *
-                               motion->time() / settings.end_time);
+    const Eigen::VectorXd &ratio  = pressed.model().speed_ratio;
+    const double           way    = settings.step() * speed_now();
     for (std::size_t j = 0; j < status.size(); ++j)
       {
         NodeShares &node = kept.nodes[j];
@@ -274,14 +214,48 @@ namespace squeal
             node.slip += 1.;
             break;
           }
-        const double along = u[3 * j + 1] - last_motion[3 * j + 1] +
-                             way * pressed.model().speed_ratio[j],
+        const double along =
+                       u[3 * j + 1] - last_motion[3 * j + 1] + way * ratio[j],
                      across = u[3 * j + 2] - last_motion[3 * j + 2];
-        node.fastest_slip =
-          std::max(node.fastest_slip,
-                   std::hypot(along, across) / (settings.step() * speed));
-        node.peak_pressure = std::max(
-          node.peak_pressure, lambda[3 * j] / pressed.geometry().areas[j]);
+        if (ratio[j] > 0. && speed > 0.)
+          node.fastest_slip =
+            std::max(node.fastest_slip,
+                     std::hypot(along, across) / (settings.step() * speed));
+        node.peak_pressure =
+          std::max(node.peak_pressure, lambda[3 * j] / areas[j]);
+      }
+  }
+
+
+
+  void
+  TransientRun::take_pair_samples(TransientSample &s)
+  {
+    const Eigen::VectorXd &lambda = motion->forces();
+    const Eigen::VectorXd  x      = motion->observed_motion(),
+                          a       = motion->observed_accelerations();
+    const auto &pairs             = pressed.nodes().pairs();
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      {
+        const auto force =
+          resultant_force(pairs[i].geometry, pairs[i].part(lambda));
+        PairSample sample;
+        sample.radial     = force[0];
+        sample.tangential = force[1];
+        sample.normal     = force[2];
+        const unsigned int centre =
+          PressedModel::observer(i, PressedModel::centre_x);
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            sample.position[c]     = x[centre + c];
+            sample.acceleration[c] = a[centre + c];
+          }
+        kept.pairs.push_back(sample);
+        if (!counts(pressed.nodes(), pairs[i]))
+          continue;
+        s.radial += sample.radial;
+        s.tangential += sample.tangential;
+        s.normal += sample.normal;
       }
   }
 
@@ -290,15 +264,11 @@ namespace squeal
   void
   TransientRun::take_sample(const bool is_linear)
   {
-    const auto            &g      = pressed.geometry();
     const Eigen::VectorXd &lambda = motion->forces();
     TransientSample        s;
-    s.time            = motion->time();
-    s.is_linear       = is_linear;
-    const auto force  = resultant_force(g, lambda);
-    s.radial          = force[0];
-    s.tangential      = force[1];
-    s.normal          = force[2];
+    s.time      = motion->time();
+    s.is_linear = is_linear;
+    take_pair_samples(s);
     double edge_force = 0.;
     for (std::size_t j = 0; j < status.size(); ++j)
       {
@@ -308,13 +278,6 @@ namespace squeal
       }
     s.leading_edge =
       s.normal > 0. ? edge_force / edge_area * area / s.normal : 0.;
-    const Eigen::VectorXd x = motion->observed_motion(),
-                          a = motion->observed_accelerations();
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        s.position[c]     = x[PressedModel::centre_x + c];
-        s.acceleration[c] = a[PressedModel::centre_x + c];
-      }
     const EnergyLedger e = motion->ledger();
     s.kinetic            = e.kinetic;
     s.elastic            = e.elastic;
@@ -329,7 +292,7 @@ namespace squeal
            steady, motion->coordinates(), motion->velocities(), lambda))
       kept.amplitudes.push_back(a);
     if (s.time >= settings.history_start - 1e-9)
-      take_node_fields(s, kept.history);
+      take_node_fields(s, kept.histories);
     if (kept.samples.size() + settings.animation_frames > n_steps / stride + 1)
       take_frame(s);
   }
@@ -352,40 +315,53 @@ namespace squeal
 
 
   void
-  TransientRun::take_node_fields(const TransientSample &s,
-                                 HistorySamples        &h) const
+  TransientRun::take_node_fields(const TransientSample       &s,
+                                 std::vector<HistorySamples> &histories) const
   {
-    const auto            &g      = pressed.geometry();
+    for (unsigned int i = 0; i < histories.size(); ++i)
+      take_nodes_of(i, s, histories[i]);
+  }
+
+  void
+  TransientRun::take_nodes_of(const unsigned int     number,
+                              const TransientSample &s,
+                              HistorySamples        &h) const
+  {
+    const ContactPair     &pair   = pressed.nodes().pairs()[number];
     const Eigen::VectorXd &lambda = motion->forces();
     const Eigen::VectorXd &u      = motion->motion();
-    const auto             q      = tractions(g, lambda);
     h.time.push_back(s.time);
     const double step = motion->time() > 0. ? settings.step() : 1.;
-    double       x = 0., y = 0.; // of the resultant: fields have global axes
-    for (std::size_t j = 0; j < status.size(); ++j)
+    // Fields and their resultant have the axes of the face.
+    double x = 0., y = 0., normal = 0.;
+    for (unsigned int k = 0; k < pair.n_nodes(); ++k)
       {
-        const double tx = g.frames[j].sliding[0], ty = g.frames[j].sliding[1];
-        const double way =
-          pressed.speed() * pressed.model().speed_ratio[j] *
-          (1. + (settings.final_speed_ratio - 1.) * s.time / settings.end_time);
-        const double along =
+        const std::size_t j   = pair.first + k;
+        const double      way = speed_now() * pressed.model().speed_ratio[j],
+                     along =
                        (u[3 * j + 1] - last_motion[3 * j + 1]) / step + way,
                      across = (u[3 * j + 2] - last_motion[3 * j + 2]) / step;
-        x += q[2 * j] * g.areas[j];
-        y += q[2 * j + 1] * g.areas[j];
-        h.pressure.push_back(lambda[3 * j] / g.areas[j]);
-        h.traction.push_back(q[2 * j]);
-        h.traction.push_back(q[2 * j + 1]);
-        h.slip_rate.push_back(tx * along + ty * across);
-        h.slip_rate.push_back(ty * along - tx * across);
+        const auto pull =
+          axes[number].components(k, lambda[3 * j + 1], lambda[3 * j + 2]);
+        const auto slip = axes[number].components(k, along, across);
+        x += pull[0];
+        y += pull[1];
+        normal += lambda[3 * j];
+        h.pressure.push_back(lambda[3 * j] / areas[j]);
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            h.traction.push_back(pull[c] / areas[j]);
+            h.slip_rate.push_back(slip[c]);
+          }
         h.gap.push_back(
           std::max(0., pressed.model().initial_gap[j] - u[3 * j]));
         h.status.push_back(static_cast<double>(status[j]));
       }
-    for (const double f : {x, y, s.normal})
+    for (const double f : {x, y, normal})
       h.resultants.push_back(f);
+    const PairSample &sample = kept.pair(kept.samples.size() - 1, number);
     for (unsigned int c = 0; c < 3; ++c)
-      h.probes.push_back(s.acceleration[c]);
+      h.probes.push_back(sample.acceleration[c]);
     for (const double e_now : {s.kinetic,
                                s.elastic,
                                s.damping,

@@ -72,10 +72,11 @@ namespace squeal
     double macroscopic_friction = 0.; /**< mean tangential over mean normal */
     double phase = 0.; /**< of the tangential against the normal force at the
                           largest line, deg */
-    bool         separates            = false; /**< all nodes open at a time */
-    double       stick_fraction       = 0.;    /**< of closed node-time */
-    double       max_slip_speed_ratio = 0.;
-    double       rms_acceleration = 0.; /**< of the source's centre, m/s^2 */
+    bool   separates            = false; /**< all nodes open at a time */
+    double stick_fraction       = 0.;    /**< of closed node-time */
+    double max_slip_speed_ratio = 0.;
+    double rms_acceleration     = 0.; /**< of a source's centre, the largest
+                                         of all pairs, m/s^2 */
     double       mean_leading_edge_factor = 0.;
     double       peak_pressure            = 0.; /**< Pa */
     unsigned int n_never = 0, n_slip = 0, n_stick_slip = 0, n_separating = 0;
@@ -115,24 +116,26 @@ namespace squeal
   TriggerOutcome evaluate_trigger(const TransientRecord     &record,
                                   const TransientParameters &parameters);
 
-  /** Largest real part in the band with the whole face closed under an even
-   * pressure, whatever the steady sliding, 1/s. */
+  /** Largest real part in the band with the whole face of every sliding pair
+   * closed under an even pressure, whatever the steady sliding, 1/s. */
   double sigma_with_full_contact(const PreparedTransient &prepared,
                                  const Parameters        &parameters);
 
-  /** Pairs of the whole model about a contact state. */
-  ComplexPairs whole_model_pairs(const Parameters   &parameters,
-                                 const ContactState &state,
-                                 RunLog             &log,
-                                 Timers             &timers);
+  /** Pairs of the whole model about contact states, one list a pair. */
+  ComplexPairs whole_model_pairs(const Parameters                 &parameters,
+                                 const std::vector<ContactStates> &states,
+                                 RunLog                           &log,
+                                 Timers                           &timers);
 
   /** @name Tables and files of one run */
   //@{
   Table transient_table(const TransientFigures &figures);
   Table branch_table(const TransientFigures &figures);
-  Table force_table(const TransientRecord &record);
+  Table force_table(const PreparedTransient &prepared,
+                    const TransientRecord   &record);
   Table energy_table(const TransientRecord &record);
-  Table probe_table(const TransientRecord &record);
+  Table probe_table(const PreparedTransient &prepared,
+                    const TransientRecord   &record);
   /** Phase between tangential and normal resultant at the largest line of the
    * run, over time. */
   Table phase_table(const TransientRecord  &record,
@@ -141,8 +144,9 @@ namespace squeal
                    const TransientRecord   &record);
   /** Vibration and friction over the sliding speed of a run whose speed
    * changes: means over equal stretches of it. */
-  Table speed_table(const TransientRecord &record,
-                    const Parameters      &parameters);
+  Table speed_table(const PreparedTransient &prepared,
+                    const TransientRecord   &record,
+                    const Parameters        &parameters);
   /** transient.json; @p explanation: the verdict in words, which says what
    * stands beside stable steady sliding. */
   void write_transient_json(const TransientFigures &figures,

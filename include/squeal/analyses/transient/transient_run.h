@@ -2,6 +2,7 @@
 #ifndef squeal_analyses_transient_transient_run_h
 #define squeal_analyses_transient_transient_run_h
 
+#include <squeal/contact/contact_resultant.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/results/contact_history.h>
 #include <squeal/run/fingerprint.h>
@@ -18,27 +19,36 @@ namespace squeal
   /** One sample of a transient. */
   struct TransientSample
   {
-    double time       = 0.;
-    double tangential = 0., radial = 0., normal = 0.; /**< N: along and across
-                                                         the sliding, z; target
-                                                         on source */
-    double n_open = 0., n_stick = 0.;                 /**< nodes */
+    double time = 0.;
+    /** Sums over the pairs that slide (over all where none does): N, along and
+     * across the sliding of each and normal, target on source. */
+    double tangential = 0., radial = 0., normal = 0.;
+    double n_open = 0., n_stick = 0.; /**< nodes of all pairs */
     /** 1 where every status has been that of steady sliding since the sample
      * before. */
-    double is_linear       = 0.;
-    double position[3]     = {}; /**< of the source's centre, m */
-    double acceleration[3] = {}; /**< m/s^2 */
-    double leading_edge    = 0.; /**< its pressure over the mean one */
+    double is_linear    = 0.;
+    double leading_edge = 0.; /**< its pressure over the mean one */
     double kinetic = 0., elastic = 0., damping = 0., friction = 0.,
            driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
+  };
+
+  /** What one pair adds to a sample. */
+  struct PairSample
+  {
+    double tangential = 0., radial = 0.,
+           normal = 0.;          /**< N: as in mean_frame(),
+                                    target on source */
+    double position[3]     = {}; /**< of the source's centre, m */
+    double acceleration[3] = {}; /**< m/s^2 */
   };
 
   /** What a node has done since a time. */
   struct NodeShares
   {
     double open = 0., stick = 0., slip = 0.; /**< steps */
-    double fastest_slip  = 0.;               /**< |v_t| over |V| */
-    double peak_pressure = 0.;               /**< Pa */
+    double fastest_slip = 0.;  /**< |v_t| over the largest |V| of a pair; 0 in
+                                  pairs at rest */
+    double peak_pressure = 0.; /**< Pa */
   };
 
   /** A moment of the animation: what the motion of the bodies follows from. */
@@ -54,12 +64,14 @@ namespace squeal
   struct TransientRecord
   {
     std::vector<TransientSample>      samples;
+    std::vector<PairSample>           pairs;      /**< samples x pairs */
     std::vector<std::complex<double>> amplitudes; /**< samples x branches */
-    HistorySamples                    history;
-    std::vector<StatusChange>         changes;
-    /** The last samples, as many as `Animation frames`, and their nodes. */
-    std::vector<MotionFrame> frames;
-    HistorySamples           frame_nodes;
+    std::vector<HistorySamples>       histories;  /**< of each pair */
+    std::vector<StatusChange>         changes;    /**< nodes of all pairs */
+    /** The last samples, as many as `Animation frames`, and the nodes of each
+     * pair then. */
+    std::vector<MotionFrame>    frames;
+    std::vector<HistorySamples> frame_nodes;
     /** Over the second half of the run. */
     std::vector<NodeShares> nodes;
     double                  n_steps = 0., n_iterations = 0., n_sweeps = 0.;
@@ -67,7 +79,10 @@ namespace squeal
     double                  cpu_seconds    = 0.; /**< of the steps */
     double                  n_inversions   = 0.;
 
-    std::vector<double>               times() const;
+    std::vector<double> times() const;
+    unsigned int        n_pairs() const;
+    /** What pair @p i was at sample @p k. */
+    const PairSample &pair(const std::size_t k, const unsigned int i) const;
     std::vector<std::complex<double>> branch(const unsigned int k,
                                              const unsigned int n) const;
   };
@@ -110,16 +125,24 @@ namespace squeal
 
   private:
     void take_sample(const bool is_linear);
-    void take_node_fields(const TransientSample &sample,
-                          HistorySamples        &history) const;
+    void take_pair_samples(TransientSample &sample);
+    void take_node_fields(const TransientSample       &sample,
+                          std::vector<HistorySamples> &histories) const;
+    void take_nodes_of(const unsigned int     pair,
+                       const TransientSample &sample,
+                       HistorySamples        &history) const;
     void take_frame(const TransientSample &sample);
     void take_node_shares();
+    /** Speed of the drive at the end of the last step, m/s. */
+    double speed_now() const;
 
     const PressedModel                  &pressed;
     const SteadySliding                 &steady;
     const LinearizedMotion               recorded; /**< the branches only */
     const TransientParameters           &settings;
-    const std::vector<bool>              edge;
+    const std::vector<double>            areas; /**< of all nodes */
+    std::vector<FaceAxes>                axes;  /**< of each pair */
+    std::vector<bool>                    edge;  /**< of all nodes */
     double                               edge_area = 0., area = 0.;
     unsigned int                         n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_preload_preload_tables_h
+#define squeal_analyses_preload_preload_tables_h
+
+#include <squeal/model/pressed_model.h>
+#include <squeal/results/table.h>
+
+#include <string>
+
+namespace squeal
+{
+  /**
+   * preload.csv, a row a load step. The columns of a pair have no prefix where
+   * it is the only one; of several each has those behind its name, and sums in
+   * front: forces of the pairs that slide, nodes of all.
+   */
+  class LoadSteps
+  {
+  public:
+    explicit LoadSteps(const std::vector<ContactParameters> &contacts);
+
+    void add(const PressedModel  &pressed,
+             const SteadySliding &state,
+             const double         share);
+
+    const Table &table() const;
+
+    /** Name of the column of pair @p number that is called @p name where there
+     * is one pair. */
+    std::string column(const unsigned int number,
+                       const std::string &name) const;
+    /** The value of a column as the table shows it, under the full load. */
+    std::string at_full_load(const std::string &column) const;
+
+    /** preload.json. */
+    void write_json(const std::vector<ContactParameters> &contacts,
+                    const std::string                    &path) const;
+
+  private:
+    const std::vector<std::string> names; /**< of several pairs */
+    Table                          steps;
+  };
+
+  /** contact.csv: the nodes of all pairs. */
+  Table contact_nodes_table(const PressedModel  &pressed,
+                            const SteadySliding &state);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_contact_contact_resultant_h
+#define squeal_contact_contact_resultant_h
+
+#include <squeal/contact/contact_geometry.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <vector>
+
+namespace squeal
+{
+  /**
+   * The directions of a pair as a whole: n is the mean outward normal of the
+   * target over the face, t the mean direction of sliding in the plane across
+   * it (Omega x r at the centre of a face that is symmetric about its radius),
+   * s = t x n. Where points slide all round, in no common direction, t is the
+   * coordinate axis y, or x on faces that look along y. It turns with the
+   * scene.
+   */
+  ContactFrame mean_frame(const ContactGeometry &geometry);
+
+  /** Resultant of nodal forces by the target on the source, N: along s
+   * (radially outwards under a disc that turns about +z), along t, normal,
+   * compression positive. @p forces: three a node of this pair. */
+  std::array<double, 3> resultant_force(const ContactGeometry &geometry,
+                                        const Eigen::VectorXd &forces);
+
+  /** The resultant of nodal forces on the contact face and where it acts. */
+  struct ContactResultant
+  {
+    std::array<double, 3> force;  /**< resultant_force(), N */
+    std::array<double, 2> centre; /**< of pressure, from the centre of the face,
+                                     m: along s and t; NaN without contact */
+    double mean_pressure = 0.;    /**< over the whole face, Pa */
+    double peak_pressure = 0.;    /**< of a node, Pa */
+    /** Mean pressure of the nodes on the edge where the target's surface
+     * enters, over that of the face; NaN without contact. */
+    double leading_edge_factor = 0.;
+  };
+
+  ContactResultant contact_resultant(const ContactGeometry &geometry,
+                                     const Eigen::VectorXd &forces);
+
+  /** Nodes on the edge where the target's surface enters. */
+  std::vector<bool> leading_edge(const ContactGeometry &geometry);
+
+  /** Tractions of the target on the source at every node, Pa, along x, y, z. */
+  std::vector<dealii::Tensor<1, 3>> tractions(const ContactGeometry &geometry,
+                                              const Eigen::VectorXd &forces);
+
+  /**
+   * Two directions in a contact face and its normal, in which fields of the
+   * face are kept and drawn: x, y and z where the target looks along +z, else
+   * s, t and n of mean_frame(). On a curved face the two follow the normal of
+   * the node by the shortest turn.
+   */
+  class FaceAxes
+  {
+  public:
+    explicit FaceAxes(const ContactGeometry &geometry);
+
+    /** Whether they are x, y and z. */
+    bool is_global() const;
+    /** First, second and third direction; unit vectors, right-handed. */
+    const std::array<dealii::Tensor<1, 3>, 3> &directions() const;
+    /** A place along them, m. */
+    std::array<double, 3> place(const dealii::Point<3> &x) const;
+    /** What is @p along and @p across the sliding at a node, as components
+     * along the first and the second direction. */
+    std::array<double, 2> components(const unsigned int node,
+                                     const double       along,
+                                     const double       across) const;
+
+  private:
+    std::array<dealii::Tensor<1, 3>, 3> axes;
+    /** Of every node: the first and the second direction on sliding and
+     * transverse direction. */
+    std::vector<std::array<double, 4>> projections;
+  };
+} // namespace squeal
+
+#endif

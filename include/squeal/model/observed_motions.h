@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_model_observed_motions_h
+#define squeal_model_observed_motions_h
+
+#include <squeal/contact/contact_nodes.h>
+#include <squeal/discretization/assembly.h>
+
+namespace squeal
+{
+  /** Adds @p factor times a functional of the displacements to @p column. */
+  void add_functional(const RowSpace             &space,
+                      const Functionals::Row     &row,
+                      const double                factor,
+                      Eigen::Ref<Eigen::VectorXd> column);
+
+  /** The columns l of the motions l^T u that PressedModel::Observer names, one
+   * pair after the other: free unknowns of the discretisation x observers. */
+  Block observed_motions(const Discretization            &discretization,
+                         const ContactNodes              &nodes,
+                         const std::vector<BodyMatrices> &bodies);
+} // namespace squeal
+
+#endif

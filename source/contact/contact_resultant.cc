@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/contact/contact_resultant.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    using Vector = dealii::Tensor<1, 3>;
+
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+    /** Below this length of the mean of unit vectors there is no common
+     * direction: a pad all round the axis. */
+    constexpr double least_direction = 1e-6;
+
+    /** Components below this part of a unit vector are rounding: they must not
+     * mix friction into the force across it. */
+    constexpr double rounding = 1e-12;
+
+    /** A normal this close to +z is +z: of rounded coordinates in mesh files.
+     */
+    constexpr double level = 1e-3;
+
+    Vector
+    unit(Vector v)
+    {
+      const double size = v.norm();
+      for (unsigned int c = 0; c < 3; ++c)
+        if (std::abs(v[c]) < rounding * size)
+          v[c] = 0.;
+      return v / v.norm();
+    }
+
+    /** The part of the coordinate axis y, or x, that lies across @p normal. */
+    Vector
+    some_direction(const Vector &normal)
+    {
+      Vector axis;
+      axis[std::abs(normal[1]) < 0.9 ? 1 : 0] = 1.;
+      return unit(axis - (axis * normal) * normal);
+    }
+
+    /** @p v turned as the shortest turn takes @p from to @p to, unit vectors
+     * that are not opposite. */
+    Vector
+    turned(const Vector &v, const Vector &from, const Vector &to)
+    {
+      const Vector axis = dealii::cross_product_3d(from, to);
+      if (!(axis.norm() > rounding))
+        return v;
+      return v + dealii::cross_product_3d(axis, v) +
+             dealii::cross_product_3d(axis, dealii::cross_product_3d(axis, v)) /
+               (1. + from * to);
+    }
+  } // namespace
+
+
+
+  ContactFrame
+  mean_frame(const ContactGeometry &g)
+  {
+    Vector normal, sliding;
+    double area = 0.;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        area += g.areas[j];
+        normal += g.areas[j] * g.frames[j].normal;
+        sliding += g.areas[j] * g.frames[j].sliding;
+      }
+    ContactFrame frame;
+    // A ring all round has no side that it looks to.
+    frame.normal = normal.norm() > least_direction * area ? unit(normal)
+                                                          : g.frames[0].normal;
+    sliding -= (sliding * frame.normal) * frame.normal;
+    frame.sliding    = sliding.norm() > least_direction * area
+                         ? unit(sliding)
+                         : some_direction(frame.normal);
+    frame.transverse = dealii::cross_product_3d(frame.sliding, frame.normal);
+    return frame;
+  }
+
+
+
+  std::vector<Vector>
+  tractions(const ContactGeometry &g, const Eigen::VectorXd &forces)
+  {
+    std::vector<Vector> result;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      result.push_back((forces[3 * j + 1] * g.frames[j].sliding +
+                        forces[3 * j + 2] * g.frames[j].transverse) /
+                       g.areas[j]);
+    return result;
+  }
+
+
+
+  std::array<double, 3>
+  resultant_force(const ContactGeometry &g, const Eigen::VectorXd &forces)
+  {
+    const ContactFrame        frame = mean_frame(g);
+    const std::vector<Vector> q     = tractions(g, forces);
+    Vector                    sum;
+    double                    normal = 0.;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        sum += q[j] * g.areas[j];
+        normal += forces[3 * j];
+      }
+    return {{sum * frame.transverse, sum * frame.sliding, normal}};
+  }
+
+
+
+  std::vector<bool>
+  leading_edge(const ContactGeometry &g)
+  {
+    const Vector        sliding = mean_frame(g).sliding;
+    std::vector<double> along;
+    for (const auto &p : g.points)
+      along.push_back(sliding * Vector(p));
+    const auto        ends  = std::minmax_element(along.begin(), along.end());
+    const double      limit = *ends.first + 1e-6 * (*ends.second - *ends.first);
+    std::vector<bool> result;
+    for (const double s : along)
+      result.push_back(s <= limit);
+    return result;
+  }
+
+
+
+  ContactResultant
+  contact_resultant(const ContactGeometry &g, const Eigen::VectorXd &forces)
+  {
+    ContactResultant        r{};
+    const ContactFrame      frame = mean_frame(g);
+    const std::vector<bool> edge  = leading_edge(g);
+    double                  total = 0., edge_area = 0., edge_force = 0.;
+    r.force = resultant_force(g, forces);
+    Vector face, moment;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        const double n = forces[3 * j], a = g.areas[j];
+        r.peak_pressure = std::max(r.peak_pressure, n / a);
+        total += a;
+        face += a * Vector(g.points[j]);
+        moment += n * Vector(g.points[j]);
+        if (edge[j])
+          {
+            edge_area += a;
+            edge_force += n;
+          }
+      }
+    r.mean_pressure       = r.force[2] / total;
+    const bool is_pressed = r.force[2] > 0.;
+    r.centre              = {{not_known, not_known}};
+    if (is_pressed)
+      {
+        const Vector arm = moment / r.force[2] - face / total;
+        r.centre         = {{arm * frame.transverse, arm * frame.sliding}};
+      }
+    r.leading_edge_factor =
+      is_pressed ? edge_force / edge_area / r.mean_pressure : not_known;
+    return r;
+  }
+
+
+
+  FaceAxes::FaceAxes(const ContactGeometry &g)
+  {
+    const ContactFrame mean = mean_frame(g);
+    axes                    = {{mean.transverse, mean.sliding, mean.normal}};
+    Vector up;
+    up[2] = 1.;
+    if ((mean.normal - up).norm() < level)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          axes[c]    = Vector();
+          axes[c][c] = 1.;
+        }
+    for (const ContactFrame &frame : g.frames)
+      {
+        const Vector a = turned(axes[0], axes[2], frame.normal),
+                     b = turned(axes[1], axes[2], frame.normal);
+        projections.push_back({{a * frame.sliding,
+                                a * frame.transverse,
+                                b * frame.sliding,
+                                b * frame.transverse}});
+      }
+  }
+
+  bool
+  FaceAxes::is_global() const
+  {
+    return axes[0][0] == 1. && axes[1][1] == 1.;
+  }
+
+  const std::array<Vector, 3> &
+  FaceAxes::directions() const
+  {
+    return axes;
+  }
+
+  std::array<double, 3>
+  FaceAxes::place(const dealii::Point<3> &x) const
+  {
+    return {{axes[0] * x, axes[1] * x, axes[2] * x}};
+  }
+
+  std::array<double, 2>
+  FaceAxes::components(const unsigned int j,
+                       const double       along,
+                       const double       across) const
+  {
+    const auto &p = projections[j];
+    return {{p[0] * along + p[1] * across, p[2] * along + p[3] * across}};
+  }
+} // namespace squeal

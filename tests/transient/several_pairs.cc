@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Several pairs in one scene: pads far apart on a stiff plate do not know of
+// each other; a pad that is dragged against its abutment; two pads on a disc,
+// whose growth in time is that of the eigenvalue analysis about the same
+// contact.
+
+#include "scenes.h"
+#include "worst.h"
+
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/base/run_log.h>
+#include <squeal/base/timers.h>
+#include <squeal/contact/contact_resultant.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdio>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  ContactParameters
+  make_contact(const std::string &source,
+               const std::string &source_face,
+               const std::string &target,
+               const std::string &target_face,
+               const double       mu)
+  {
+    ContactParameters c;
+    c.name                 = source + "_" + target;
+    c.source_body          = source;
+    c.source_face          = source_face;
+    c.target_body          = target;
+    c.target_face          = target_face;
+    c.formulation          = ContactParameters::Formulation::mortar;
+    c.friction_coefficient = mu;
+    c.friction_direction   = ContactParameters::FrictionDirection::given;
+    c.sliding_speed        = .5;
+    c.transverse_slip_term = true;
+    c.normal_force         = 10.;
+    return c;
+  }
+
+  LoadParameters
+  make_load(const std::string &body,
+            const std::string &face,
+            const Vector3     &force)
+  {
+    LoadParameters load;
+    load.name  = body;
+    load.body  = body;
+    load.face  = face;
+    load.force = force;
+    return load;
+  }
+
+  /** Springs at the four corners of a level rectangle in the body. */
+  void
+  add_springs(SceneParameters   &s,
+              const std::string &body,
+              const Vector3     &centre,
+              const Vector3     &stiffness)
+  {
+    for (const double side : {-1., 1.})
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          SpringParameters spring;
+          spring.name = body + "_" + std::to_string(c) + (side > 0 ? "b" : "a");
+          spring.body = body;
+          spring.first_point = spring.last_point = centre;
+          spring.first_point[0] -= .005;
+          spring.last_point[0] += .005;
+          spring.first_point[1] += .004 * side;
+          spring.last_point[1] += .004 * side;
+          spring.number       = 2;
+          spring.direction    = {{0., 0., 0.}};
+          spring.direction[c] = 1.;
+          spring.stiffness    = stiffness[c];
+          s.springs.push_back(spring);
+        }
+  }
+
+  Parameters
+  parameters_of(const SceneParameters &scene, const unsigned int degree = 1)
+  {
+    Parameters p;
+    p.scene                   = scene;
+    p.discretization.degree   = degree;
+    p.eigen.lowest_frequency  = 500.;
+    p.eigen.highest_frequency = 12e3;
+    p.transient.cut_off       = 30e3;
+    return p;
+  }
+
+  /** A parameter set with its open contact and its steady sliding. */
+  struct Pressed
+  {
+    explicit Pressed(const Parameters &given)
+      : p(given)
+      , model(p, timers)
+      , pressed(p,
+                *model.discretization(),
+                model.body_matrices(),
+                p.transient.cut_off,
+                timers)
+      , steady(pressed.steady(1e-12, timers))
+    {
+    }
+
+    /** Normal, along and across the sliding of pair @p i, N. */
+    Eigen::Vector3d
+    resultant(const unsigned int i) const
+    {
+      const ContactPair &pair = pressed.nodes().pairs()[i];
+      const auto f = resultant_force(pair.geometry, pair.part(steady.forces));
+      return {f[2], f[1], f[0]};
+    }
+
+    const Parameters p;
+    Timers           timers;
+    Model            model;
+    PressedModel     pressed;
+    SteadySliding    steady;
+  };
+
+
+
+  /** Pads "a" and "b" on a plate that is as stiff as ground. */
+  SceneParameters
+  stiff_plate(const bool a, const bool b)
+  {
+    SceneParameters s;
+    s.bodies = {
+      make_block("plate", {{0., 0., -.01}}, {{.2, .04, .01}}, {{10, 2, 1}})};
+    s.bodies[0].young_modulus = 1e18;
+    s.supports                = {make_clamp("plate", "z_min")};
+    for (const auto &[name, x, mu] :
+         {std::make_tuple(std::string("a"), -.05, .5),
+          std::make_tuple(std::string("b"), .05, .2)})
+      {
+        if (!(name == "a" ? a : b))
+          continue;
+        s.bodies.push_back(
+          make_block(name, {{x, 0., 0.}}, {{.02, .015, .01}}, {{2, 2, 2}}));
+        s.bodies.back().young_modulus = 2e9;
+        s.bodies.back().density       = 2500.;
+        add_springs(s, name, {{x, 0., .01}}, {{3e5, 5e5, 2e5}});
+        s.contacts.push_back(make_contact(name, "z_min", "plate", "z_max", mu));
+        s.loads.push_back(make_load(name, "z_max", {{0., 0., -20.}}));
+      }
+    s.damping.model             = DampingParameters::Model::whole_model;
+    s.damping.stiffness_damping = 1e-7;
+    return s;
+  }
+
+  void
+  apart()
+  {
+    const Pressed both(parameters_of(stiff_plate(true, true)));
+    Worst         worst;
+    for (const unsigned int i : {0u, 1u})
+      {
+        const Pressed alone(parameters_of(stiff_plate(i == 0, i == 1)));
+        const auto   &pair = both.pressed.nodes().pairs()[i];
+        const double  mean = alone.resultant(0)[0] / alone.steady.status.size();
+        worst.add((pair.part(both.steady.forces) - alone.steady.forces).norm() /
+                  mean);
+        check(pair.part(both.steady.status) == alone.steady.status,
+              "the status of a single pad");
+        check_below(std::abs(both.resultant(i)[1] / both.resultant(i)[0] -
+                             (i == 0 ? .5 : .2)),
+                    1e-9,
+                    "each pad has its own friction");
+      }
+    check_below(worst.largest(), 1e-6, "forces of pads far apart");
+  }
+
+
+
+  /** A pad on a plate that drags it along +y against a clamped abutment. */
+  SceneParameters
+  pad_in_abutment(const double mu_of_abutment)
+  {
+    SceneParameters s;
+    s.bodies = {
+      make_block("plate", {{0., 0., -.01}}, {{.06, .06, .01}}, {{4, 4, 1}}),
+      make_block("pad", {{0., 0., 0.}}, {{.02, .02, .01}}, {{2, 2, 2}}),
+      make_block(
+        "holder", {{0., .015, .002}}, {{.014, .01, .006}}, {{2, 1, 2}})};
+    s.bodies[1].young_modulus = 5e9;
+    s.bodies[1].density       = 2500.;
+    s.supports = {make_clamp("plate", "z_min"), make_clamp("holder", "y_max")};
+    add_springs(s, "pad", {{0., 0., .01}}, {{1e3, 1e3, 1e3}});
+    s.contacts = {
+      make_contact("pad", "z_min", "plate", "z_max", .4),
+      make_contact("holder", "y_min", "pad", "y_max", mu_of_abutment)};
+    s.contacts[1].sliding_direction    = {{1., 0., 0.}};
+    s.contacts[1].sliding_speed        = 0.;
+    s.contacts[1].transverse_slip_term = false;
+    s.loads                     = {make_load("pad", "z_max", {{0., 0., -50.}})};
+    s.damping.model             = DampingParameters::Model::whole_model;
+    s.damping.stiffness_damping = 1e-7;
+    return s;
+  }
+
+  /** Undisturbed motion stays in steady sliding. */
+  void
+  stays_there(const Pressed &r, const std::string &claim)
+  {
+    Parameters p          = r.p;
+    p.transient.time_step = 2e-7;
+    p.transient.tolerance = 1e-11;
+    const auto motion     = make_integrator(r.pressed, r.steady, p);
+    motion->start(r.steady.coordinates,
+                  Eigen::VectorXd::Zero(r.steady.coordinates.size()),
+                  r.steady.forces);
+    Worst worst;
+    for (unsigned int i = 0; i < 300; ++i)
+      {
+        motion->advance();
+        worst.add((motion->forces() - r.steady.forces).norm());
+      }
+    check_below(worst.largest() / r.steady.forces.norm(),
+                1e-6,
+                claim + "undisturbed it stays in steady sliding");
+  }
+
+  void
+  abutment()
+  {
+    for (const double mu : {0., .3})
+      {
+        const Pressed     r(parameters_of(pad_in_abutment(mu)));
+        const auto       &pairs    = r.pressed.nodes().pairs();
+        const auto        on_plate = r.resultant(0), on_holder = r.resultant(1);
+        const std::string claim = "abutment of mu " + number(mu) + ": ";
+        std::printf("plate %.6f %.6f %.6f, holder %.6f %.6f %.6f N\n",
+                    on_plate[0],
+                    on_plate[1],
+                    on_plate[2],
+                    on_holder[0],
+                    on_holder[1],
+                    on_holder[2]);
+        check_below(std::abs(on_plate[1] / on_plate[0] - .4),
+                    1e-9,
+                    claim + "the plate drags the pad");
+        // Weak springs take next to nothing.
+        check_below(std::abs(on_holder[0] - on_plate[1]),
+                    1e-2,
+                    claim + "the abutment takes the friction");
+        // The pad's normal is +y, x would slide, so that z is across: what the
+        // pad does to its holder there.
+        check_below(std::abs(on_plate[0] - on_holder[2] - 50.),
+                    1e-2,
+                    claim + "and both carry the load");
+        check(mu == 0. ? std::abs(on_holder[2]) < 1e-6
+                       : std::abs(on_holder[2]) > 1e-3,
+              claim + "its own friction holds the pad along z: " +
+                number(on_holder[2]));
+        Worst        cone;
+        const auto   forces   = pairs[1].part(r.steady.forces);
+        const auto   status   = pairs[1].part(r.steady.status);
+        unsigned int n_closed = 0;
+        for (std::size_t j = 0; j < status.size(); ++j)
+          {
+            cone.add(forces.segment<2>(3 * j + 1).norm() - mu * forces[3 * j]);
+            n_closed += status[j] != ContactStatus::open;
+            check(status[j] == ContactStatus::open ||
+                    status[j] ==
+                      (mu > 0. ? ContactStatus::stick : ContactStatus::slip),
+                  claim + "nothing moves in a pair at rest");
+          }
+        check(n_closed > 0, claim + "it touches");
+        check_below(
+          cone.largest(), 1e-6, claim + "within its cone of friction");
+        stays_there(r, claim);
+      }
+  }
+
+
+
+  /** Two pads on two sides of a clamped disc, each pressed on. */
+  SceneParameters
+  disc_brake(const double mu)
+  {
+    SceneParameters s;
+    s.bodies                  = {make_annulus({{20, 3, 1}})};
+    s.bodies[0].young_modulus = 2.1e11;
+    s.supports                = {make_clamp("disc", "inner")};
+    for (const auto &[name, z, top] :
+         {std::make_tuple(std::string("upper"), 0., 1.),
+          std::make_tuple(std::string("lower"), -.03, -1.)})
+      {
+        s.bodies.push_back(
+          make_block(name, {{.1, 0., z}}, {{.02, .02, .02}}, {{2, 2, 2}}));
+        s.bodies.back().young_modulus = 1.2e10;
+        s.bodies.back().density       = 2500.;
+        const double far              = top > 0. ? .02 : -.03;
+        add_springs(s, name, {{.1, 0., far}}, {{2e6, 4e7, 1e6}});
+        s.contacts.push_back(make_contact(name,
+                                          top > 0. ? "z_min" : "z_max",
+                                          "disc",
+                                          top > 0. ? "top" : "bottom",
+                                          mu));
+        s.contacts.back().friction_direction =
+          ContactParameters::FrictionDirection::slip;
+        s.contacts.back().sliding_speed = 1.;
+        s.loads.push_back(make_load(
+          name, top > 0. ? "z_max" : "z_min", {{0., 0., -200. * top}}));
+      }
+    s.damping.model             = DampingParameters::Model::whole_model;
+    s.damping.mass_damping      = 10.;
+    s.damping.stiffness_damping = 1e-7;
+    return s;
+  }
+
+  void
+  growth()
+  {
+    RunLog     log(false);
+    Parameters p            = parameters_of(disc_brake(.5), 2);
+    p.transient.time_step   = 1e-6;
+    p.transient.end_time    = .02;
+    p.transient.disturbance = 1e-16;
+    p.transient.tolerance   = 1e-10;
+    Pressed                 r(p);
+    const PreparedTransient prepared(r.pressed, r.p, r.timers);
+    std::printf("closed %u of %zu; upper %.4f N, lower %.4f N\n",
+                prepared.steady.n_closed(),
+                prepared.steady.status.size(),
+                r.resultant(0)[0],
+                r.resultant(1)[0]);
+    TransientRun run(prepared.pressed,
+                     prepared.steady,
+                     prepared.linear,
+                     prepared.branches,
+                     r.p);
+    check(run.advance(), "to the end");
+    const ComplexPairs cea = whole_model_pairs(
+      r.p, prepared.pressed.states_of(prepared.steady), log, r.timers);
+    const TransientFigures f =
+      evaluate_transient(prepared, run.record(), r.p, &cea);
+    check(f.leading >= 0, "there is a pair in the band");
+    for (const BranchResult &b : f.branches)
+      if (b.sigma > 0. || b.fit.is_valid)
+        std::printf("%.2f Hz: sigma %.3f, CEA %.3f at %.2f Hz, growth %.3f +- "
+                    "%.3f, %s\n",
+                    b.frequency,
+                    b.sigma,
+                    b.sigma_cea,
+                    b.frequency_cea,
+                    b.fit.rate,
+                    b.fit.rate_ci,
+                    b.fit.is_valid ? "fitted" : "not fitted");
+    const BranchResult &b = f.branches[f.leading];
+    check(b.sigma_cea > 20., "two pads make a pair grow");
+    check(b.fit.is_valid, "and its growth shows");
+    check_below(std::abs(b.fit.rate - b.sigma_cea),
+                std::max(.02 * b.sigma_cea, 3.),
+                "growth in time is sigma of the eigenvalue analysis, 1/s");
+    check_below(f.worst_imbalance, 1e-3, "the ledger closes");
+    // Both pads' forces add up to the resultants.
+    Worst worst;
+    for (std::size_t k = 0; k < run.record().samples.size(); ++k)
+      worst.add(std::abs(run.record().pair(k, 0).normal +
+                         run.record().pair(k, 1).normal -
+                         run.record().samples[k].normal));
+    check_below(worst.largest(), 1e-9, "normal forces of both pads add up, N");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string                        which = argc > 1 ? argv[1] : "";
+  if (which == "apart")
+    apart();
+  else if (which == "abutment")
+    abutment();
+  else if (which == "growth")
+    growth();
+  else
+    check(false, "an argument: apart, abutment or growth");
+}
