@@ -3,7 +3,6 @@
 #include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
-#include <squeal/base/unknown_choice.h>
 #include <squeal/results/compare.h>
 #include <squeal/run/command_line.h>
 
@@ -40,28 +39,7 @@ namespace
     const Parameters parameters = read_parameters(file, overrides);
     parameters.check();
     RunContext context(parameters, is_root);
-    switch (parameters.analysis)
-      {
-      case Parameters::Analysis::modes:
-        return run_modes(context);
-      case Parameters::Analysis::cea:
-        return run_cea(context);
-      case Parameters::Analysis::sweep:
-        return run_sweep(context);
-      case Parameters::Analysis::preload:
-        return run_preload(context);
-      case Parameters::Analysis::transient:
-        return run_transient(context);
-      case Parameters::Analysis::work_precision:
-        return run_work_precision(context);
-      case Parameters::Analysis::frequency_response:
-        return run_frequency_response(context);
-      case Parameters::Analysis::updating:
-        return run_updating(context);
-      case Parameters::Analysis::angles:
-        return run_angles(context);
-      }
-    unknown_choice("analysis");
+    run_analysis(context);
   }
 
   void

@@ -2,9 +2,7 @@
 #ifndef squeal_analyses_analyses_h
 #define squeal_analyses_analyses_h
 
-#include <squeal/eigen/complex_pairs.h>
-#include <squeal/model/mode_solution.h>
-#include <squeal/model/model.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/run/run_context.h>
 
 namespace squeal
@@ -39,6 +37,34 @@ namespace squeal
 
   /** `Analysis = work precision`: a ladder of settings, error against work. */
   void run_work_precision(RunContext &context);
+
+  /** The analysis that the parameters ask for. */
+  inline void
+  run_analysis(RunContext &context)
+  {
+    switch (context.parameters.analysis)
+      {
+      case Parameters::Analysis::modes:
+        return run_modes(context);
+      case Parameters::Analysis::cea:
+        return run_cea(context);
+      case Parameters::Analysis::sweep:
+        return run_sweep(context);
+      case Parameters::Analysis::preload:
+        return run_preload(context);
+      case Parameters::Analysis::transient:
+        return run_transient(context);
+      case Parameters::Analysis::work_precision:
+        return run_work_precision(context);
+      case Parameters::Analysis::frequency_response:
+        return run_frequency_response(context);
+      case Parameters::Analysis::updating:
+        return run_updating(context);
+      case Parameters::Analysis::angles:
+        return run_angles(context);
+      }
+    unknown_choice("analysis");
+  }
 } // namespace squeal
 
 #endif
