@@ -95,8 +95,10 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/face_quadrature.cc
     source/discretization/free_unknowns.cc
     source/discretization/load_vector.cc
+    source/discretization/pair_error.cc
     source/discretization/pencil.cc
-    source/discretization/point_evaluator.cc)
+    source/discretization/point_evaluator.cc
+    source/discretization/point_forces_in_cells.cc)
 
 set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_faces.cc
@@ -217,6 +219,7 @@ set(SQUEAL_SOURCES_RUN
     source/run/run_session.cc)
 
 set(SQUEAL_SOURCES_MODEL
+    source/model/adaptive_cea.cc
     source/model/cea_solution.cc
     source/model/contact_states.cc
     source/model/doublets.cc
@@ -225,6 +228,8 @@ set(SQUEAL_SOURCES_MODEL
     source/model/mode_solution.cc
     source/model/model.cc
     source/model/observed_motions.cc
+    source/model/pair_errors.cc
+    source/model/point_forces.cc
     source/model/pressed_model.cc
     source/model/rotor_symmetry.cc
     source/model/turning_modes.cc)

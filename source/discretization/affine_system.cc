@@ -11,23 +11,6 @@ namespace squeal
   {
     using Row = Functionals::Row;
 
-    double
-    mass_damping(const SceneParameters &scene, const unsigned int body)
-    {
-      switch (scene.damping.model)
-        {
-        case DampingParameters::Model::whole_model:
-          return scene.damping.mass_damping;
-        case DampingParameters::Model::per_part:
-          return scene.bodies[body].mass_damping;
-        case DampingParameters::Model::none:
-          return 0.;
-        }
-      unknown_choice("damping model");
-    }
-
-
-
     void
     add_body_terms(const SceneParameters &scene,
                    const unsigned int     b,
@@ -44,7 +27,7 @@ namespace squeal
          matrices.mass,
          [b, density](const SceneParameters &s) {
            const double m = density(s);
-           return TermCoefficients{m, mass_damping(s, b) * m, 0.};
+           return TermCoefficients{m, mass_damping_of(s, b) * m, 0.};
          }});
       if (matrices.stiffness)
         system.terms.push_back({"stiffness of " + body.name,
@@ -232,10 +215,27 @@ namespace squeal
            functionals, Eigen::VectorXd::Ones(3), functionals),
          [number, body](const SceneParameters &s) {
            const double m = s.lumped_masses[number].mass;
-           return TermCoefficients{m, mass_damping(s, body) * m, 0.};
+           return TermCoefficients{m, mass_damping_of(s, body) * m, 0.};
          }});
     }
   } // namespace
+
+
+
+  double
+  mass_damping_of(const SceneParameters &scene, const unsigned int body)
+  {
+    switch (scene.damping.model)
+      {
+      case DampingParameters::Model::whole_model:
+        return scene.damping.mass_damping;
+      case DampingParameters::Model::per_part:
+        return scene.bodies[body].mass_damping;
+      case DampingParameters::Model::none:
+        return 0.;
+      }
+    unknown_choice("damping model");
+  }
 
 
 

@@ -95,8 +95,9 @@ namespace squeal
 
 
   void
-  Discretization::refine(const std::vector<double> &indicators,
-                         const double               share)
+  Discretization::refine(const std::vector<double>       &indicators,
+                         const double                     share,
+                         const std::vector<unsigned int> &whole)
   {
     dealii::Vector<float> criteria(mesh->n_active_cells());
     for (unsigned int i = 0; i < criteria.size(); ++i)
@@ -104,7 +105,44 @@ namespace squeal
     dealii::parallel::distributed::GridRefinement::
       refine_and_coarsen_fixed_fraction(*mesh, criteria, share, 0.);
     mesh->execute_coarsening_and_refinement();
+    make_even(whole);
     distribute();
+  }
+
+
+
+  void
+  Discretization::make_even(const std::vector<unsigned int> &faces)
+  {
+    const auto is_at = [](const auto &cell, const unsigned int id) {
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
+          return true;
+      return false;
+    };
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        for (const unsigned int id : faces)
+          {
+            std::array<int, 2> levels{{0, -1000}}; // largest, -smallest
+            for (const auto &cell : mesh->active_cell_iterators())
+              if (cell->is_locally_owned() && is_at(cell, id))
+                levels = {{std::max(levels[0], cell->level()),
+                           std::max(levels[1], -cell->level())}};
+            MPI_Allreduce(
+              MPI_IN_PLACE, levels.data(), 2, MPI_INT, MPI_MAX, comm);
+            if (levels[0] <= -levels[1])
+              continue;
+            changed = true;
+            for (const auto &cell : mesh->active_cell_iterators())
+              if (cell->is_locally_owned() && cell->level() < levels[0] &&
+                  is_at(cell, id))
+                cell->set_refine_flag();
+          }
+        if (changed)
+          mesh->execute_coarsening_and_refinement();
+      }
   }
 
 

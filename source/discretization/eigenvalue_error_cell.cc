@@ -76,11 +76,12 @@ namespace squeal
 
 
 
-  CellErrorProblem::CellErrorProblem(const Discretization  &d,
-                                     const Block           &modes,
-                                     const Eigen::VectorXd &lambda)
+  CellErrorProblem::CellErrorProblem(
+    const Discretization       &d,
+    const Block                &modes,
+    const std::vector<Inertia> &inertia_of_body)
     : discretization(d)
-    , omega_squared(lambda)
+    , inertia(inertia_of_body)
     , fe(d.degree())
     , space(d.degree())
     , quadrature(d.degree() + 2)
@@ -138,10 +139,10 @@ namespace squeal
 
 
 
-  Eigen::VectorXd
-  CellErrorProblem::energies(const Cell               &cell,
-                             const std::vector<Force> &forces,
-                             const std::vector<bool>  &set_apart)
+  Eigen::MatrixXd
+  CellErrorProblem::residuals(const Cell               &cell,
+                              const std::vector<Force> &forces,
+                              const std::vector<bool>  &set_apart)
   {
     const Material &material = materials[cell->material_id()];
     assemble_volume(cell, material);
@@ -154,7 +155,7 @@ namespace squeal
       if (cell->at_boundary(f))
         hold_supported(cell, f, material);
     const Eigen::LLT<Eigen::MatrixXd> factor(stiffness);
-    return factor.matrixL().solve(residual).colwise().squaredNorm();
+    return factor.matrixL().solve(residual);
   }
 
 
@@ -233,14 +234,13 @@ namespace squeal
         weighted_gradients[k] = weights.asDiagonal() * gradients[k];
       }
 
-    const TensorField     stress  = stresses(volume, values, material);
-    const Eigen::VectorXd inertia = material.density * omega_squared;
+    const TensorField stress = stresses(volume, values, material);
+    const Inertia &W = inertia[inertia.size() == 1 ? 0 : cell->material_id()];
     residual.resize(3 * n, nodal.cols());
     for (unsigned int i = 0; i < 3; ++i)
       {
-        const Eigen::MatrixXd u = weights.asDiagonal() *
-                                  (shape_values * values[i]) *
-                                  inertia.asDiagonal();
+        const Eigen::MatrixXd u = (material.density * weights).asDiagonal() *
+                                  (shape_values * values[i]) * W;
         residual.middleRows(i * n, n).noalias() = unit_values.transpose() * u;
         for (unsigned int k = 0; k < 3; ++k)
           residual.middleRows(i * n, n).noalias() -=

@@ -63,18 +63,25 @@ namespace squeal
       Eigen::MatrixXd  force;
     };
 
-    CellErrorProblem(const Discretization  &discretization,
-                     const Block           &modes,
-                     const Eigen::VectorXd &omega_squared);
+    /** W: the inertia forces on the modes u are density times u W, 1/s^2. */
+    using Inertia = Eigen::SparseMatrix<double>;
+
+    /** @p inertia: one for all bodies, or one for each. */
+    CellErrorProblem(const Discretization       &discretization,
+                     const Block                &modes,
+                     const std::vector<Inertia> &inertia);
 
     /**
-     * Twice the elastic energy a_K(e, e) of every mode's error in @p cell, J.
-     * On faces to cells of @p set_apart (by active cell index) the cell's own
-     * traction is taken for right.
+     * L^-1 r of every mode in @p cell, where L L^T is the stiffness of the
+     * enrichment space and r what the mode leaves over there: the squared norm
+     * of a column is twice the elastic energy a_K(e, e) of the mode's error, J,
+     * and products of two columns are those of two errors. On faces to cells of
+     * @p set_apart (by active cell index) the cell's own traction is taken for
+     * right.
      */
-    Eigen::VectorXd energies(const Cell               &cell,
-                             const std::vector<Force> &forces,
-                             const std::vector<bool>  &set_apart);
+    Eigen::MatrixXd residuals(const Cell               &cell,
+                              const std::vector<Force> &forces,
+                              const std::vector<bool>  &set_apart);
 
   private:
     /** Nine components [3 i + j] at points (rows) for the modes (columns). */
@@ -114,7 +121,7 @@ namespace squeal
                                  const int          subface);
 
     const Discretization                    &discretization;
-    Eigen::VectorXd                          omega_squared;
+    std::vector<Inertia>                     inertia;
     dealii::FE_Q<3>                          fe;
     EnrichmentSpace                          space;
     dealii::QGauss<3>                        quadrature;

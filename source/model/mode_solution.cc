@@ -7,6 +7,7 @@
 #include <squeal/discretization/eigenvalue_error.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/mode_solution.h>
+#include <squeal/model/point_forces.h>
 #include <squeal/model/turning_modes.h>
 
 #include <deal.II/distributed/tria.h>
@@ -27,123 +28,6 @@ namespace squeal
       return omega * omega;
     }
   } // namespace
-
-
-
-  namespace
-  {
-    /** Forces of the springs of contact pair @p i on its source: three rows a
-     * point. n . (u_d - u_p) > 0 pushes the source along n. */
-    Eigen::MatrixXd
-    contact_forces(const Model       &model,
-                   const unsigned int i,
-                   const Block       &full_shapes)
-    {
-      const auto            &contact = model.parameters().scene.contacts[i];
-      const ContactGeometry &g       = model.linearized().contacts[i];
-      const auto            &status  = model.linearized().states[i].status;
-      const Eigen::MatrixXd  normal  = g.normal->apply(full_shapes),
-                            along    = g.tangential->apply(full_shapes),
-                            across   = g.transverse->apply(full_shapes);
-      const double    tangential_stiffness = contact.tangential_stiffness >= 0.
-                                               ? contact.tangential_stiffness
-                                               : contact.normal_stiffness;
-      Eigen::MatrixXd forces =
-        Eigen::MatrixXd::Zero(3 * g.points.size(), full_shapes.cols());
-      for (std::size_t p = 0; p < g.points.size(); ++p)
-        {
-          const ContactFrame &frame = g.frames[p];
-          if (status[p] == ContactStatus::open)
-            continue;
-          for (unsigned int c = 0; c < 3; ++c)
-            forces.row(3 * p + c) =
-              contact.normal_stiffness * frame.normal[c] * normal.row(p);
-          if (status[p] != ContactStatus::stick)
-            continue;
-          for (unsigned int c = 0; c < 3; ++c)
-            forces.row(3 * p + c) +=
-              tangential_stiffness * (frame.sliding[c] * along.row(p) +
-                                      frame.transverse[c] * across.row(p));
-        }
-      return forces;
-    }
-
-    /** Forces of point springs on their body and on the other one. */
-    void
-    append_spring_forces(const Discretization     &d,
-                         const SpringParameters   &spring,
-                         const Block              &full_shapes,
-                         std::vector<PointForces> &result)
-    {
-      const PointEvaluator evaluator(d);
-      const auto           points   = spring_points(spring);
-      const bool           is_fixed = spring.other_body == "ground";
-      const unsigned int   body     = body_index(d.scene(), spring.body);
-      const unsigned int   other =
-        is_fixed ? body : body_index(d.scene(), spring.other_body);
-      const auto      rows       = evaluator.displacements(body, points).rows;
-      const auto      other_rows = evaluator.displacements(other, points).rows;
-      Eigen::Matrix3d K          = Eigen::Matrix3d::Zero();
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          K(c, c) += spring.stiffnesses[c];
-          for (unsigned int k = 0; k < 3; ++k)
-            K(c, k) +=
-              spring.stiffness * spring.direction[c] * spring.direction[k];
-        }
-      Eigen::MatrixXd forces(3 * points.size(), full_shapes.cols());
-      for (std::size_t p = 0; p < points.size(); ++p)
-        {
-          std::vector<Functionals::Row> motion(rows[p].begin(), rows[p].end());
-          if (!is_fixed)
-            for (unsigned int c = 0; c < 3; ++c)
-              motion[c] =
-                combine({{1., &rows[p][c]}, {-1., &other_rows[p][c]}});
-          forces.middleRows(3 * p, 3) =
-            -K * Functionals(d.space(), motion).apply(full_shapes);
-        }
-      const double spacing =
-        spring.number > 1
-          ? points.front().distance(points.back()) / (spring.number - 1)
-          : std::numeric_limits<double>::infinity();
-      result.push_back({body, points, forces, spacing});
-      if (!is_fixed)
-        result.push_back({other, points, -forces, spacing});
-    }
-  } // namespace
-
-
-
-  std::vector<PointForces>
-  point_forces(const Model &model, const Block &full_shapes)
-  {
-    const auto              &scene = model.parameters().scene;
-    const auto              &d     = *model.discretization();
-    std::vector<PointForces> result;
-    for (unsigned int i = 0; i < scene.contacts.size(); ++i)
-      {
-        const auto &contact = scene.contacts[i];
-        const auto &g       = model.linearized().contacts[i];
-        if (contact.formulation != ContactParameters::Formulation::springs ||
-            contact.layout != ContactParameters::SpringLayout::grid)
-          continue;
-        const Eigen::MatrixXd forces  = contact_forces(model, i, full_shapes);
-        const double          spacing = g.points.size() > 1
-                                          ? std::sqrt(g.areas[0])
-                                          : std::numeric_limits<double>::infinity();
-        result.push_back(
-          {body_index(scene, contact.source_body), g.points, forces, spacing});
-        if (contact.target_body != "ground")
-          result.push_back({body_index(scene, contact.target_body),
-                            g.points,
-                            -forces,
-                            spacing});
-      }
-    for (const auto &spring : scene.springs)
-      if (spring.kind == SpringParameters::Kind::points)
-        append_spring_forces(d, spring, full_shapes, result);
-    return result;
-  }
 
 
 
@@ -279,7 +163,7 @@ namespace squeal
           errors = estimate_mode_errors(*model.discretization(),
                                         full,
                                         solution.modes.omega_squared.head(n),
-                                        point_forces(model, full));
+                                        spring_forces(model, full, FrictionForces::none));
         }
         const auto locking = nearly_incompressible_bodies(parameters.scene);
         if (!locking.empty())

@@ -243,6 +243,8 @@ namespace squeal
           row.partners[k] = partner(j, k);
         row.contact_state        = state;
         row.discretisation_error = q.discretisation_error[j];
+        if (q.mesh_error.size() > j)
+          row.mesh_error = q.mesh_error[j];
         table.add(row);
       }
     return table.table();

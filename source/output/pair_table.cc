@@ -16,6 +16,7 @@ namespace squeal
     , condition(pairs.condition[i])
     , is_unstable(squeal::is_unstable(pairs, i))
     , discretisation_error(std::nan(""))
+    , mesh_error(std::nan(""), std::nan(""))
   {
   }
 
@@ -97,7 +98,21 @@ namespace squeal
                   : Cell(-2. * r.lambda.real() / r.lambda.imag());
        }},
       {{"unstable", Type::integer, "", "1: sigma beyond its error"},
-       [](const PairRow &r) { return Cell(r.is_unstable ? 1 : 0); }}};
+       [](const PairRow &r) { return Cell(r.is_unstable ? 1 : 0); }},
+      {{"sigma_error_mesh_per_s",
+        Type::real,
+        "1/s",
+        "estimated: growth rate on an infinitely fine mesh less this one",
+        2},
+       [](const PairRow &r) { return or_missing(r.mesh_error.real()); }},
+      {{"frequency_error_mesh_hz",
+        Type::real,
+        "Hz",
+        "estimated: frequency on an infinitely fine mesh less this one",
+        2},
+       [](const PairRow &r) {
+         return or_missing(r.mesh_error.imag() / (2. * M_PI));
+       }}};
     return columns;
   }
 

@@ -26,7 +26,40 @@ namespace squeal
                        "Refinements",
                        "= " + std::to_string(d.refinements) +
                          " would be ignored: set 'Discretization/Refinement' "
-                         "to 'uniform' or 'eigenvalue error', or remove it");
+                         "to 'uniform', 'eigenvalue error' or 'contact "
+                         "error', or remove it");
+      }
+
+
+
+      void
+      check_contact_error(const Parameters &parameters)
+      {
+        const auto &d = parameters.discretization;
+        if (d.refinement != Refinement::contact_error)
+          return;
+        if (parameters.analysis != Parameters::Analysis::cea)
+          refuse_entry("Discretization",
+                       "Refinement",
+                       "= contact error is for 'Analysis = cea'; other "
+                       "analyses take the mesh that it ends with: set "
+                       "'uniform' or 'eigenvalue error'");
+        if (parameters.scene.contacts.empty())
+          refuse_entry("Discretization",
+                       "Refinement",
+                       "= contact error needs a contact; set 'eigenvalue "
+                       "error'");
+        for (const BodyParameters &body : parameters.scene.bodies)
+          if (body.rotation_speed != 0.)
+            refuse_entry("Discretization",
+                         "Refinement",
+                         "= contact error knows no gyroscopic terms, but body " +
+                           in_quotes(body.name) + " has a 'Rotation speed'");
+        if (parameters.eigen.solver == EigenParameters::Solver::direct)
+          refuse_entry("Eigenvalues",
+                       "Solver",
+                       "= direct has no left vectors, which 'Refinement = "
+                       "contact error' needs; set 'certified'");
       }
 
 
@@ -195,6 +228,7 @@ namespace squeal
       check_band(parameters.eigen);
       check_ladders(parameters);
       check_angles(parameters);
+      check_contact_error(parameters);
       check_sweep(parameters);
       check_transient(parameters);
       check_response(parameters);

@@ -358,7 +358,9 @@ namespace squeal
       if (p.discretization.mass == DiscretizationParameters::Mass::lumped &&
           (p.discretization.estimate_error ||
            p.discretization.refinement ==
-             DiscretizationParameters::Refinement::eigenvalue_error))
+             DiscretizationParameters::Refinement::eigenvalue_error ||
+           p.discretization.refinement ==
+             DiscretizationParameters::Refinement::contact_error))
         refuse_entry("Discretization",
                      "Mass",
                      "= lumped: errors are estimated for consistent masses; "

@@ -184,7 +184,8 @@ namespace squeal
     using R = DiscretizationParameters::Refinement;
     return {{"none", R::none},
             {"uniform", R::uniform},
-            {"eigenvalue error", R::eigenvalue_error}};
+            {"eigenvalue error", R::eigenvalue_error},
+            {"contact error", R::contact_error}};
   }
 
 

@@ -26,7 +26,8 @@ namespace squeal
                    d.refinement,
                    "How the coarse mesh is refined: not at all, 'Refinements' "
                    "times everywhere, or adaptively where the modes of the "
-                   "band need it.");
+                   "band need it, or where the growth rates of the complex "
+                   "pairs do (contact error, of 'Analysis = cea').");
         schema.add("Refinements",
                    d.refinements,
                    Allowed::integer(0, 10),
@@ -37,6 +38,13 @@ namespace squeal
                    Allowed::positive(1.),
                    "Adaptive refinement stops when the estimated relative "
                    "error of every frequency in the band is below.");
+        schema.add("Growth rate tolerance",
+                   d.growth_rate_tolerance,
+                   Allowed::positive(),
+                   "'Refinement = contact error' stops when the estimated "
+                   "error by the mesh of the growth rate of the loudest pair "
+                   "is below.",
+                   "1/s");
         schema.add("Maximum cycles",
                    d.maximum_cycles,
                    Allowed::integer(1, 100),

@@ -59,6 +59,9 @@ namespace squeal
   AffineSystem body_system(const Discretization            &discretization,
                            const std::vector<BodyMatrices> &bodies);
 
+  /** alpha of C = alpha M + beta K for a body, 1/s, by the damping model. */
+  double mass_damping_of(const SceneParameters &scene, const unsigned int body);
+
   /** Where point springs are attached, m. */
   std::vector<dealii::Point<3>> spring_points(const SpringParameters &spring);
 

@@ -56,8 +56,11 @@ namespace squeal
     ~Discretization();
 
     /** Refines the cells that hold the given share of the summed squared
-     * indicator (one number per active cell, owned cells count). */
-    void refine(const std::vector<double> &indicators, const double share);
+     * indicator (one number per active cell, owned cells count). The faces of
+     * @p whole get cells of one size, the smallest on them. */
+    void refine(const std::vector<double>       &indicators,
+                const double                     share,
+                const std::vector<unsigned int> &whole = {});
 
     /** The same mesh with another polynomial degree. */
     std::unique_ptr<Discretization> with_degree(
@@ -97,6 +100,8 @@ namespace squeal
     Discretization(const Discretization &other, const unsigned int degree);
     void create_mesh();
     void attach_manifolds();
+    /** Refines cells at the faces until each has those of one level. */
+    void make_even(const std::vector<unsigned int> &faces);
     void distribute();
     void number_free_unknowns(
       const std::vector<Combination> &master_combinations,

@@ -61,11 +61,6 @@ namespace squeal
    */
   std::string free_motions(const Model &model, const ModeSolution &solution);
 
-  /** The forces of point springs and of the contact in each mode: what the
-   * error estimator must know to keep them out of its residuals. */
-  std::vector<PointForces> point_forces(const Model &model,
-                                        const Block &full_shapes);
-
   /** modes.csv of the modes within the band. */
   Table mode_table(const Model &model, const ModeSolution &solution);
 } // namespace squeal

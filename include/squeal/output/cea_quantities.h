@@ -28,6 +28,8 @@ namespace squeal
     std::vector<std::array<double, 2>> partner_mac;
     /** Estimated relative discretisation error, from the partners'. */
     std::vector<double> discretisation_error;
+    /** lambda - lambda_h by the mesh, 1/s; empty: not estimated. */
+    Eigen::VectorXcd mesh_error;
   };
 
   /** Tangential motion of the source and normal motion of the target at every

@@ -30,6 +30,7 @@ namespace squeal
     std::string          partners[2];
     std::string          contact_state;
     double               discretisation_error; /**< NaN: not estimated */
+    std::complex<double> mesh_error; /**< lambda - lambda_h, 1/s; or NaN */
   };
 
   /** One column: declared here and nowhere else. */

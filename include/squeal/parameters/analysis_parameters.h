@@ -14,7 +14,8 @@ namespace squeal
     {
       none,
       uniform,         /**< `refinements` global steps */
-      eigenvalue_error /**< adaptive, driven by the modes in the band */
+      eigenvalue_error, /**< adaptive, driven by the modes in the band */
+      contact_error     /**< adaptive, driven by the growth rates of the pairs */
     };
     enum class Mass
     {
@@ -26,7 +27,9 @@ namespace squeal
     unsigned int refinements = 0; /**< initial global refinements */
     Refinement   refinement  = Refinement::none;
     double       tolerance   = 1e-3; /**< estimated relative frequency error */
-    unsigned int maximum_cycles = 8;
+    /** Of the loudest pair, 1/s, with `contact_error`. */
+    double       growth_rate_tolerance = 5.;
+    unsigned int maximum_cycles        = 8;
     unsigned int maximum_dofs   = 200000;
     /** Estimate the discretisation error of every mode (costs a solve of one
      * degree less on the same mesh where no adaptive cycle provides it). */

@@ -5,7 +5,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
-#include <squeal/model/cea_solution.h>
+#include <squeal/model/adaptive_cea.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/model/turning_modes.h>
 #include <squeal/output/cea_quantities.h>
@@ -215,10 +215,10 @@ namespace squeal
       if (const std::string text = frozen_rotors(*model.discretization());
           !text.empty())
         context.log.warning(text);
-    ModeSolution modes =
-      solve_modes_adaptively(model, context.log, context.timers);
-    if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
-      refuse_empty_band(p, modes);
+    Table         steps = mesh_steps_table();
+    MeshedCea     cea =
+      solve_cea_adaptively(model, context.log, context.timers, &steps);
+    ModeSolution &modes = cea.modes;
     warn_of_free_motions(p, model, modes, context.log);
     if (const std::string text = beyond_critical_speed(model, modes);
         !text.empty())
@@ -228,17 +228,17 @@ namespace squeal
         write_matrices(context, *modes.pencil, "matrices");
         write_matrix_parts(context, model.linearized().system, "matrices");
       }
-    const CeaSolution solution =
-      solve_cea(model, modes, context.log, context.timers);
-    const ComplexPairs &pairs = solution.pairs;
-    if (pairs.size() == 0)
-      refuse_empty_band(p, modes);
+    const CeaSolution  &solution = cea.solution;
+    const ComplexPairs &pairs    = solution.pairs;
+    if (steps.n_rows() > 0)
+      context.write_table("meshes.csv", steps);
     context.write_table("modes.csv", mode_table(model, modes));
 
     PairQuantities quantities;
     {
       Timers::Section section(context.timers, "Solve: names and indices");
       quantities = pair_quantities(model, modes, pairs);
+      quantities.mesh_error = cea.errors.lambda;
     }
     const Table table = eigenvalue_table(model, modes, pairs, quantities);
     context.write_table("eigenvalues.csv", table);
@@ -288,6 +288,11 @@ namespace squeal
           report.section("Unstable shapes");
         open_this =
           write_pair_shapes(context, model, pairs, quantities, report);
+      }
+    if (steps.n_rows() > 0)
+      {
+        report.section("Meshes");
+        report.table(steps, "Meshes, refined where the growth rates need it");
       }
     report.section("Eigenvalues");
     report.table(table, "Pairs in the band", {}, unstable.is_unstable);

@@ -4,6 +4,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/model/point_forces.h>
 #include <squeal/model/contact_states.h>
 #include <squeal/output/cea_quantities.h>
 
@@ -299,7 +300,8 @@ namespace squeal
       estimate_mode_errors(*full.discretization(),
                            full_shapes,
                            modes.omega_squared.head(n),
-                           point_forces(full, full_shapes));
+                           spring_forces(
+                             full, full_shapes, FrictionForces::none));
     small.numbers["mesh modes"]  = modes.shapes.leftCols(n);
     small.numbers["mesh errors"] = errors.frequency;
   }

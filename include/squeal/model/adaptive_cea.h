@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_model_adaptive_cea_h
+#define squeal_model_adaptive_cea_h
+
+#include <squeal/model/cea_solution.h>
+#include <squeal/model/pair_errors.h>
+
+namespace squeal
+{
+  /** Complex pairs on the last mesh, with what the mesh does to them. */
+  struct MeshedCea
+  {
+    ModeSolution modes;
+    CeaSolution  solution;
+    PairErrors   errors; /**< NaN where they were not estimated */
+  };
+
+  /**
+   * Solves for the complex pairs of @p model. With `Refinement = contact error`
+   * the mesh is refined where the growth rates of the unstable pairs (of the
+   * least stable one where none is unstable) arise, source faces of mortar
+   * contacts and ties as a whole, until the estimated error of the growth rate
+   * of the loudest pair is below the tolerance; the contact states of steady
+   * sliding are those of each mesh. With any other refinement it is
+   * solve_modes_adaptively() and solve_cea(). @p steps receives one row a mesh.
+   */
+  MeshedCea solve_cea_adaptively(Model  &model,
+                                 RunLog &log,
+                                 Timers &timers,
+                                 Table  *steps = nullptr);
+
+  /** The columns of the steps: one mesh a row. */
+  Table mesh_steps_table();
+} // namespace squeal
+
+#endif

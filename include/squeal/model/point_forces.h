@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_model_point_forces_h
+#define squeal_model_point_forces_h
+
+#include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/model/model.h>
+
+#include <Eigen/Sparse>
+
+#include <functional>
+#include <vector>
+
+namespace squeal
+{
+  /** Which rows of the contact stiffness K act on a vector. */
+  enum class FrictionForces
+  {
+    none,      /**< of undamped modes */
+    sliding,   /**< K x: the friction follows the normal force */
+    transposed /**< K^T y: the normal force follows the motion along the sliding */
+  };
+
+  /** The forces of springs and spring contacts on the bodies while they move in
+   * the columns of @p full (rows of the discretisation), as estimates of the
+   * discretisation error need them. Dashpots and slip rates are left out. */
+  std::vector<PointForces> spring_forces(const Model         &model,
+                                         const Block         &full,
+                                         const FrictionForces friction);
+
+  /**
+   * What the nodes of mortar contacts and ties pass on, as tractions at the
+   * quadrature points of the source face: the forces K_b u - M_b u W_b that body
+   * b leaves over at them, over their areas.
+   *
+   * @param inertia W_b of a body, 1/s^2, for the columns of @p full
+   */
+  std::vector<PointForces> mortar_forces(
+    const Model &model,
+    const Block &full,
+    const std::function<Eigen::SparseMatrix<double>(const unsigned int body)>
+      &inertia);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/base/run_log.h>
+#include <squeal/base/timers.h>
+#include <squeal/model/adaptive_cea.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Squared contributions that the refined cells of a step hold. */
+    constexpr double refined_share = 0.7;
+
+    bool
+    is_adaptive(const DiscretizationParameters &p)
+    {
+      return p.refinement ==
+             DiscretizationParameters::Refinement::contact_error;
+    }
+
+    unsigned int
+    loudest_of(const ComplexPairs &pairs)
+    {
+      unsigned int loudest = 0;
+      for (unsigned int i = 1; i < pairs.size(); ++i)
+        if (pairs.sigma(i) > pairs.sigma(loudest))
+          loudest = i;
+      return loudest;
+    }
+
+    /** What each cell gives to the growth rates of the unstable pairs, each in
+     * shares of its own growth rate; to that of the loudest where none is. */
+    std::vector<double>
+    indicators(const ComplexPairs &pairs, const PairErrors &errors)
+    {
+      std::vector<double> result(errors.cell.cols(), 0.);
+      const unsigned int  loudest = loudest_of(pairs);
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        if (k == loudest || pairs.sigma(k) > 0.)
+          for (Eigen::Index i = 0; i < errors.cell.cols(); ++i)
+            result[i] += std::abs(errors.cell(k, i).real()) /
+                         std::abs(pairs.sigma(k));
+      return result;
+    }
+
+    /** Faces on which hanging nodes are not allowed. */
+    std::vector<unsigned int>
+    source_faces_of(const Discretization &d)
+    {
+      const auto               &scene = d.scene();
+      std::vector<unsigned int> faces;
+      for (const auto &contact : scene.contacts)
+        if (contact.formulation != ContactParameters::Formulation::springs)
+          faces.push_back(face_id(
+            d.coarse_mesh(), scene, contact.source_body, contact.source_face));
+      for (std::size_t i = 0; i < scene.ties.size(); ++i)
+        if (!d.coarse_mesh().tie_is_conforming[i])
+          faces.push_back(face_id(d.coarse_mesh(),
+                                  scene,
+                                  scene.ties[i].source_body,
+                                  scene.ties[i].source_face));
+      return faces;
+    }
+  } // namespace
+
+
+
+  Table
+  mesh_steps_table()
+  {
+    using Type = Table::Type;
+    return Table(
+      {{"mesh", Type::integer, "", "number of the mesh"},
+       {"unknowns", Type::integer, "", "free unknowns"},
+       {"frequency_hz", Type::real, "Hz", "of the loudest pair", 7},
+       {"sigma_per_s", Type::real, "1/s", "its growth rate", 5},
+       {"sigma_error_mesh_per_s",
+        Type::real,
+        "1/s",
+        "estimated: growth rate on an infinitely fine mesh less this one",
+        3},
+       {"cpu_seconds", Type::real, "s", "since the start", 3}});
+  }
+
+
+
+  MeshedCea
+  solve_cea_adaptively(Model &model, RunLog &log, Timers &timers, Table *steps)
+  {
+    const auto &p = model.parameters().discretization;
+    for (unsigned int cycle = 0;; ++cycle)
+      {
+        MeshedCea result{solve_modes_adaptively(model, log, timers), {}, {}};
+        if (result.modes.modes.shapes.cols() +
+              result.modes.modes.supplement.cols() ==
+            0)
+          refuse_empty_band(model.parameters(), result.modes);
+        result.solution = solve_cea(model, result.modes, log, timers);
+        if (result.solution.pairs.size() == 0)
+          refuse_empty_band(model.parameters(), result.modes);
+        const ComplexPairs &pairs = result.solution.pairs;
+        if (p.estimate_error || is_adaptive(p))
+          {
+            Timers::Section section(timers, "Solve: mesh error of the pairs");
+            result.errors =
+              pair_mesh_errors(model, *result.modes.pencil, pairs);
+          }
+        else
+          result.errors.lambda =
+            Eigen::VectorXcd::Constant(pairs.size(), std::nan(""));
+        if (!is_adaptive(p))
+          return result;
+
+        const unsigned int k     = loudest_of(pairs);
+        const double       error = result.errors.lambda[k].real();
+        log.info("  mesh " + std::to_string(cycle) + ": " +
+                 std::to_string(model.n_unknowns()) +
+                 " unknowns, growth rate of the loudest pair " +
+                 rounded_text(pairs.sigma(k), 5) +
+                 " 1/s, estimated error by the mesh " + rounded_text(error, 2) +
+                 " 1/s");
+        if (steps)
+          steps->add_row({cycle,
+                          model.n_unknowns(),
+                          pairs.frequency(k),
+                          pairs.sigma(k),
+                          error,
+                          timers.total_cpu()});
+        if (std::abs(error) <= p.growth_rate_tolerance)
+          return result;
+        if (cycle + 1 >= p.maximum_cycles ||
+            model.n_unknowns() >= p.maximum_dofs)
+          {
+            log.warning("the mesh was not refined to the asked tolerance of "
+                        "the growth rate: raise Discretization/Maximum dofs or "
+                        "Maximum cycles");
+            return result;
+          }
+        {
+          Timers::Section section(timers, "Setup: refinement");
+          model.discretization()->refine(indicators(pairs, result.errors),
+                                         refined_share,
+                                         source_faces_of(
+                                           *model.discretization()));
+        }
+        model.assemble(timers);
+      }
+  }
+} // namespace squeal

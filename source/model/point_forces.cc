@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/contact/friction_law.h>
+#include <squeal/contact/mortar.h>
+#include <squeal/contact/spring_stiffness.h>
+#include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/point_evaluator.h>
+#include <squeal/model/point_forces.h>
+
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    using Formulation = ContactParameters::Formulation;
+
+    constexpr double alone = std::numeric_limits<double>::infinity();
+
+    /** The same points on the second body, which feels the opposite force. */
+    void
+    append_both(const unsigned int                   body,
+                const int                            other,
+                const std::vector<dealii::Point<3>> &points,
+                const Eigen::MatrixXd               &forces,
+                const double                         spacing,
+                std::vector<PointForces>            &result)
+    {
+      result.push_back({body, points, forces, spacing});
+      if (other >= 0)
+        result.push_back(
+          {static_cast<unsigned int>(other), points, -forces, spacing});
+    }
+
+    /** Number of a body, or -1 for the ground. */
+    int
+    body_or_ground(const SceneParameters &scene, const std::string &name)
+    {
+      return name == "ground" ? -1 : static_cast<int>(body_index(scene, name));
+    }
+
+
+
+    /** Forces of the springs of contact pair @p i on its source: three rows a
+     * point. n . (u_d - u_p) > 0 pushes the source along n. */
+    Eigen::MatrixXd
+    contact_forces(const Model         &model,
+                   const unsigned int   i,
+                   const Block         &full,
+                   const FrictionForces friction)
+    {
+      const auto            &contact = model.parameters().scene.contacts[i];
+      const ContactGeometry &g       = model.linearized().contacts[i];
+      const auto            &status  = model.linearized().states[i].status;
+      const Eigen::MatrixXd  normal  = g.normal->apply(full),
+                            along    = g.tangential->apply(full),
+                            across   = g.transverse->apply(full);
+      Eigen::MatrixXd forces =
+        Eigen::MatrixXd::Zero(3 * g.points.size(), full.cols());
+      for (std::size_t p = 0; p < g.points.size(); ++p)
+        {
+          if (status[p] == ContactStatus::open)
+            continue;
+          const ContactFrame &frame = g.frames[p];
+          const double        area  = is_per_area(contact) ? g.areas[p] : 1.,
+                       k_n          = area * normal_stiffness(contact),
+                       k_t          = area * tangential_stiffness(contact);
+          const bool         sticks = status[p] == ContactStatus::stick;
+          Eigen::RowVectorXd f_n = k_n * normal.row(p), f_t, f_s;
+          f_t = f_s = Eigen::RowVectorXd::Zero(full.cols());
+          if (sticks)
+            {
+              f_t = k_t * along.row(p);
+              f_s = k_t * across.row(p);
+            }
+          else if (friction != FrictionForces::none)
+            {
+              const double mu = signed_coefficient(contact, g.speed_ratio[p]);
+              if (friction == FrictionForces::sliding)
+                f_t = mu * f_n;
+              else
+                f_n += k_n * mu * along.row(p);
+            }
+          for (unsigned int c = 0; c < 3; ++c)
+            forces.row(3 * p + c) = frame.normal[c] * f_n +
+                                    frame.sliding[c] * f_t +
+                                    frame.transverse[c] * f_s;
+        }
+      return forces;
+    }
+
+
+
+    /** Where springs are attached, the weight of each and their distance. */
+    struct Attachment
+    {
+      std::vector<dealii::Point<3>> points;
+      std::vector<double>           weights;
+      double                        spacing;
+    };
+
+    Attachment
+    attachment_of(const Discretization &d, const SpringParameters &spring)
+    {
+      if (spring.kind == SpringParameters::Kind::area)
+        {
+          const FaceQuadrature face = face_quadrature(
+            d,
+            face_id(d.coarse_mesh(), d.scene(), spring.body, spring.face));
+          return {face.points, face.areas, 0.};
+        }
+      const auto points = spring_points(spring);
+      return {points,
+              std::vector<double>(points.size(), 1.),
+              spring.number > 1 ?
+                points.front().distance(points.back()) / (spring.number - 1) :
+                alone};
+    }
+
+    void
+    append_spring_forces(const Discretization     &d,
+                         const SpringParameters   &spring,
+                         const Block              &full,
+                         std::vector<PointForces> &result)
+    {
+      const PointEvaluator evaluator(d);
+      const Attachment     at    = attachment_of(d, spring);
+      const unsigned int   body  = body_index(d.scene(), spring.body);
+      const int            other = body_or_ground(d.scene(), spring.other_body);
+      const auto rows = evaluator.displacements(body, at.points, 1e-4).rows;
+      const auto other_rows =
+        evaluator.displacements(other < 0 ? body : other, at.points, 1e-4).rows;
+      Eigen::Matrix3d K = Eigen::Matrix3d::Zero();
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          K(c, c) += spring.stiffnesses[c];
+          for (unsigned int k = 0; k < 3; ++k)
+            K(c, k) +=
+              spring.stiffness * spring.direction[c] * spring.direction[k];
+        }
+      std::vector<Functionals::Row> motion;
+      for (std::size_t p = 0; p < at.points.size(); ++p)
+        for (unsigned int c = 0; c < 3; ++c)
+          motion.push_back(
+            other < 0 ?
+              rows[p][c] :
+              combine({{1., &rows[p][c]}, {-1., &other_rows[p][c]}}));
+      Eigen::MatrixXd forces =
+        Functionals(d.space(), std::move(motion)).apply(full);
+      for (std::size_t p = 0; p < at.points.size(); ++p)
+        forces.middleRows(3 * p, 3) =
+          (-at.weights[p] * K * forces.middleRows(3 * p, 3)).eval();
+      append_both(body, other, at.points, forces, at.spacing, result);
+    }
+  } // namespace
+
+
+
+  std::vector<PointForces>
+  spring_forces(const Model         &model,
+                const Block         &full,
+                const FrictionForces friction)
+  {
+    const auto              &scene = model.parameters().scene;
+    const auto              &d     = *model.discretization();
+    std::vector<PointForces> result;
+    for (unsigned int i = 0; i < scene.contacts.size(); ++i)
+      {
+        const auto &contact = scene.contacts[i];
+        if (contact.formulation != Formulation::springs)
+          continue;
+        const auto  &g       = model.linearized().contacts[i];
+        const double spacing = is_per_area(contact)  ? 0. :
+                               g.points.size() > 1 ? std::sqrt(g.areas[0]) :
+                                                     alone;
+        append_both(body_index(scene, contact.source_body),
+                    body_or_ground(scene, contact.target_body),
+                    g.points,
+                    contact_forces(model, i, full, friction),
+                    spacing,
+                    result);
+      }
+    for (const auto &spring : scene.springs)
+      append_spring_forces(d, spring, full, result);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /** The nodes that a mortar contact or tie leads. */
+    struct LedNodes
+    {
+      std::string                              body, face, target;
+      std::vector<std::array<unsigned int, 3>> rows;
+      std::vector<double>                      areas;
+    };
+
+    std::vector<LedNodes>
+    led_nodes(const Discretization &d)
+    {
+      const auto           &scene = d.scene();
+      const PointEvaluator  evaluator(d);
+      std::vector<LedNodes> result;
+      const auto            add = [&](const std::string &body,
+                           const std::string &face,
+                           const std::string &target,
+                           const std::string &where) {
+        const MortarCoupling coupling =
+          make_mortar_coupling(d,
+                               evaluator,
+                               face_id(d.coarse_mesh(), scene, body, face),
+                               target == "ground" ? -1u :
+                                                    body_index(scene, target),
+                               where);
+        result.push_back(
+          {body, face, target, coupling.source_rows, coupling.weights});
+      };
+      for (unsigned int i = 0; i < scene.ties.size(); ++i)
+        if (!d.coarse_mesh().tie_is_conforming[i])
+          add(scene.ties[i].source_body,
+              scene.ties[i].source_face,
+              scene.ties[i].target_body,
+              "Scene/Tie " + scene.ties[i].name);
+      for (const auto &contact : scene.contacts)
+        if (contact.formulation != Formulation::springs)
+          add(contact.source_body,
+              contact.source_face,
+              contact.target_body,
+              "Scene/Contact " + contact.name);
+      return result;
+    }
+
+    /** Nodal tractions, Pa, in the rows of the nodes: what the body leaves over
+     * there, over the areas. */
+    Block
+    nodal_tractions(const Model                       &model,
+                    const LedNodes                    &nodes,
+                    const Block                       &full,
+                    const Eigen::SparseMatrix<double> &W)
+    {
+      const auto        &scene = model.parameters().scene;
+      const unsigned int b     = body_index(scene, nodes.body);
+      const auto        &body  = scene.bodies[b];
+      const auto        &space = *model.discretization()->space();
+      const auto        &A     = model.body_matrices()[b];
+      const double       E =
+        body.material_model == BodyParameters::MaterialModel::isotropic ?
+                body.young_modulus :
+                1.;
+      const Block left_over =
+        E * A.stiffness->multiply(full) -
+        body.density * (A.mass->multiply(full) * W).eval();
+      Block      result = Block::Zero(full.rows(), full.cols());
+      const auto first  = space.first_owned(), n = space.n_owned();
+      for (std::size_t j = 0; j < nodes.rows.size(); ++j)
+        for (const unsigned int row : nodes.rows[j])
+          if (row != -1u && row >= first && row < first + n)
+            result.row(row - first) = left_over.row(row - first) / nodes.areas[j];
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<PointForces>
+  mortar_forces(
+    const Model &model,
+    const Block &full,
+    const std::function<Eigen::SparseMatrix<double>(const unsigned int)>
+      &inertia)
+  {
+    const auto              &d = *model.discretization();
+    const PointEvaluator     evaluator(d);
+    std::vector<PointForces> result;
+    for (const LedNodes &nodes : led_nodes(d))
+      {
+        const unsigned int   body = body_index(d.scene(), nodes.body);
+        const FaceQuadrature face = face_quadrature(
+          d, face_id(d.coarse_mesh(), d.scene(), nodes.body, nodes.face));
+        const Block tractions =
+          nodal_tractions(model, nodes, full, inertia(body));
+        std::vector<Functionals::Row> rows;
+        for (const auto &at :
+             evaluator.displacements(body, face.points, 1e-4).rows)
+          rows.insert(rows.end(), at.begin(), at.end());
+        Eigen::MatrixXd forces =
+          Functionals(d.space(), std::move(rows)).apply(tractions);
+        for (std::size_t q = 0; q < face.points.size(); ++q)
+          forces.middleRows(3 * q, 3) *= face.areas[q];
+        append_both(body,
+                    body_or_ground(d.scene(), nodes.target),
+                    face.points,
+                    forces,
+                    0.,
+                    result);
+      }
+    return result;
+  }
+} // namespace squeal
