@@ -42,8 +42,8 @@ namespace squeal
       for (unsigned int k = 0; k < pairs.size(); ++k)
         if (k == loudest || pairs.sigma(k) > 0.)
           for (Eigen::Index i = 0; i < errors.cell.cols(); ++i)
-            result[i] += std::abs(errors.cell(k, i).real()) /
-                         std::abs(pairs.sigma(k));
+            result[i] +=
+              std::abs(errors.cell(k, i).real()) / std::abs(pairs.sigma(k));
       return result;
     }
 
@@ -142,10 +142,10 @@ namespace squeal
           }
         {
           Timers::Section section(timers, "Setup: refinement");
-          model.discretization()->refine(indicators(pairs, result.errors),
-                                         refined_share,
-                                         source_faces_of(
-                                           *model.discretization()));
+          model.discretization()->refine(
+            indicators(pairs, result.errors),
+            refined_share,
+            source_faces_of(*model.discretization()));
         }
         model.assemble(timers);
       }

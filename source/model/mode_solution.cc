@@ -160,10 +160,11 @@ namespace squeal
           Timers::Section section(timers, "Solve: discretisation error");
           const Block     full =
             model.linearized().expand(Block(solution.modes.shapes.leftCols(n)));
-          errors = estimate_mode_errors(*model.discretization(),
-                                        full,
-                                        solution.modes.omega_squared.head(n),
-                                        spring_forces(model, full, FrictionForces::none));
+          errors = estimate_mode_errors(
+            *model.discretization(),
+            full,
+            solution.modes.omega_squared.head(n),
+            spring_forces(model, full, FrictionForces::none));
         }
         const auto locking = nearly_incompressible_bodies(parameters.scene);
         if (!locking.empty())

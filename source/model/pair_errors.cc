@@ -14,8 +14,8 @@ namespace squeal
     ComplexBlock
     expanded(const Model &model, const ComplexBlock &X)
     {
-      const Block  re = model.linearized().expand(Block(X.real())),
-                  im  = model.linearized().expand(Block(X.imag()));
+      const Block re = model.linearized().expand(Block(X.real())),
+                  im = model.linearized().expand(Block(X.imag()));
       ComplexBlock result(re.rows(), re.cols());
       result.real() = re;
       result.imag() = im;
@@ -74,9 +74,8 @@ namespace squeal
         pairs.left.cols() != pairs.right.cols())
       {
         PairErrors unknown;
-        unknown.lambda = unknown.at_points =
-          Eigen::VectorXcd::Constant(pairs.size(),
-                                     std::numeric_limits<double>::quiet_NaN());
+        unknown.lambda = unknown.at_points = Eigen::VectorXcd::Constant(
+          pairs.size(), std::numeric_limits<double>::quiet_NaN());
         return unknown;
       }
     PairShapes shapes;
@@ -86,10 +85,9 @@ namespace squeal
     shapes.derivative   = derivatives(pencil, pairs);
     const Block columns = columns_of(shapes);
     auto        forces  = forces_of_springs(model, columns);
-    const auto  mortar  = mortar_forces(
-      model, columns, [&](const unsigned int body) {
-        return inertia_of_columns(
-          model.parameters().scene, body, pairs.lambda);
+    const auto  mortar =
+      mortar_forces(model, columns, [&](const unsigned int body) {
+        return inertia_of_columns(model.parameters().scene, body, pairs.lambda);
       });
     forces.insert(forces.end(), mortar.begin(), mortar.end());
     return estimate_pair_errors(*d, shapes, forces);

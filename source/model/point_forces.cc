@@ -66,7 +66,7 @@ namespace squeal
                        k_n          = area * normal_stiffness(contact),
                        k_t          = area * tangential_stiffness(contact);
           const bool         sticks = status[p] == ContactStatus::stick;
-          Eigen::RowVectorXd f_n = k_n * normal.row(p), f_t, f_s;
+          Eigen::RowVectorXd f_n    = k_n * normal.row(p), f_t, f_s;
           f_t = f_s = Eigen::RowVectorXd::Zero(full.cols());
           if (sticks)
             {
@@ -105,16 +105,15 @@ namespace squeal
       if (spring.kind == SpringParameters::Kind::area)
         {
           const FaceQuadrature face = face_quadrature(
-            d,
-            face_id(d.coarse_mesh(), d.scene(), spring.body, spring.face));
+            d, face_id(d.coarse_mesh(), d.scene(), spring.body, spring.face));
           return {face.points, face.areas, 0.};
         }
       const auto points = spring_points(spring);
       return {points,
               std::vector<double>(points.size(), 1.),
-              spring.number > 1 ?
-                points.front().distance(points.back()) / (spring.number - 1) :
-                alone};
+              spring.number > 1
+                ? points.front().distance(points.back()) / (spring.number - 1)
+                : alone};
     }
 
     void
@@ -142,9 +141,8 @@ namespace squeal
       for (std::size_t p = 0; p < at.points.size(); ++p)
         for (unsigned int c = 0; c < 3; ++c)
           motion.push_back(
-            other < 0 ?
-              rows[p][c] :
-              combine({{1., &rows[p][c]}, {-1., &other_rows[p][c]}}));
+            other < 0 ? rows[p][c]
+                      : combine({{1., &rows[p][c]}, {-1., &other_rows[p][c]}}));
       Eigen::MatrixXd forces =
         Functionals(d.space(), std::move(motion)).apply(full);
       for (std::size_t p = 0; p < at.points.size(); ++p)
@@ -170,9 +168,9 @@ namespace squeal
         if (contact.formulation != Formulation::springs)
           continue;
         const auto  &g       = model.linearized().contacts[i];
-        const double spacing = is_per_area(contact)  ? 0. :
-                               g.points.size() > 1 ? std::sqrt(g.areas[0]) :
-                                                     alone;
+        const double spacing = is_per_area(contact)  ? 0.
+                               : g.points.size() > 1 ? std::sqrt(g.areas[0])
+                                                     : alone;
         append_both(body_index(scene, contact.source_body),
                     body_or_ground(scene, contact.target_body),
                     g.points,
@@ -207,13 +205,12 @@ namespace squeal
                            const std::string &face,
                            const std::string &target,
                            const std::string &where) {
-        const MortarCoupling coupling =
-          make_mortar_coupling(d,
-                               evaluator,
-                               face_id(d.coarse_mesh(), scene, body, face),
-                               target == "ground" ? -1u :
-                                                    body_index(scene, target),
-                               where);
+        const MortarCoupling coupling = make_mortar_coupling(
+          d,
+          evaluator,
+          face_id(d.coarse_mesh(), scene, body, face),
+          target == "ground" ? -1u : body_index(scene, target),
+          where);
         result.push_back(
           {body, face, target, coupling.source_rows, coupling.weights});
       };
@@ -246,18 +243,19 @@ namespace squeal
       const auto        &space = *model.discretization()->space();
       const auto        &A     = model.body_matrices()[b];
       const double       E =
-        body.material_model == BodyParameters::MaterialModel::isotropic ?
-                body.young_modulus :
-                1.;
+        body.material_model == BodyParameters::MaterialModel::isotropic
+                ? body.young_modulus
+                : 1.;
       const Block left_over =
         E * A.stiffness->multiply(full) -
         body.density * (A.mass->multiply(full) * W).eval();
       Block      result = Block::Zero(full.rows(), full.cols());
-      const auto first  = space.first_owned(), n = space.n_owned();
+      const auto first = space.first_owned(), n = space.n_owned();
       for (std::size_t j = 0; j < nodes.rows.size(); ++j)
         for (const unsigned int row : nodes.rows[j])
           if (row != -1u && row >= first && row < first + n)
-            result.row(row - first) = left_over.row(row - first) / nodes.areas[j];
+            result.row(row - first) =
+              left_over.row(row - first) / nodes.areas[j];
       return result;
     }
   } // namespace

@@ -51,10 +51,11 @@ namespace squeal
                        "error'");
         for (const BodyParameters &body : parameters.scene.bodies)
           if (body.rotation_speed != 0.)
-            refuse_entry("Discretization",
-                         "Refinement",
-                         "= contact error knows no gyroscopic terms, but body " +
-                           in_quotes(body.name) + " has a 'Rotation speed'");
+            refuse_entry(
+              "Discretization",
+              "Refinement",
+              "= contact error knows no gyroscopic terms, but body " +
+                in_quotes(body.name) + " has a 'Rotation speed'");
         if (parameters.eigen.solver == EigenParameters::Solver::direct)
           refuse_entry("Eigenvalues",
                        "Solver",

@@ -69,9 +69,10 @@ namespace squeal
 
   /** What turns columns_of() into their inertia forces over the density: W of
    * CellErrorProblem for a body. */
-  Eigen::SparseMatrix<double> inertia_of_columns(const SceneParameters  &scene,
-                                                 const unsigned int      body,
-                                                 const Eigen::VectorXcd &lambda);
+  Eigen::SparseMatrix<double> inertia_of_columns(
+    const SceneParameters  &scene,
+    const unsigned int      body,
+    const Eigen::VectorXcd &lambda);
 
   /** -(lambda^2 + alpha lambda) over stiffness_factor(): omega^2 of an undamped
    * mode. */

@@ -17,7 +17,8 @@ namespace squeal
   {
     none,      /**< of undamped modes */
     sliding,   /**< K x: the friction follows the normal force */
-    transposed /**< K^T y: the normal force follows the motion along the sliding */
+    transposed /**< K^T y: the normal force follows the motion along the sliding
+                */
   };
 
   /** The forces of springs and spring contacts on the bodies while they move in
@@ -29,8 +30,8 @@ namespace squeal
 
   /**
    * What the nodes of mortar contacts and ties pass on, as tractions at the
-   * quadrature points of the source face: the forces K_b u - M_b u W_b that body
-   * b leaves over at them, over their areas.
+   * quadrature points of the source face: the forces K_b u - M_b u W_b that
+   * body b leaves over at them, over their areas.
    *
    * @param inertia W_b of a body, 1/s^2, for the columns of @p full
    */

@@ -13,9 +13,9 @@ namespace squeal
     enum class Refinement
     {
       none,
-      uniform,         /**< `refinements` global steps */
+      uniform,          /**< `refinements` global steps */
       eigenvalue_error, /**< adaptive, driven by the modes in the band */
-      contact_error     /**< adaptive, driven by the growth rates of the pairs */
+      contact_error /**< adaptive, driven by the growth rates of the pairs */
     };
     enum class Mass
     {
@@ -30,7 +30,7 @@ namespace squeal
     /** Of the loudest pair, 1/s, with `contact_error`. */
     double       growth_rate_tolerance = 5.;
     unsigned int maximum_cycles        = 8;
-    unsigned int maximum_dofs   = 200000;
+    unsigned int maximum_dofs          = 200000;
     /** Estimate the discretisation error of every mode (costs a solve of one
      * degree less on the same mesh where no adaptive cycle provides it). */
     bool estimate_error = true;

@@ -215,8 +215,8 @@ namespace squeal
       if (const std::string text = frozen_rotors(*model.discretization());
           !text.empty())
         context.log.warning(text);
-    Table         steps = mesh_steps_table();
-    MeshedCea     cea =
+    Table     steps = mesh_steps_table();
+    MeshedCea cea =
       solve_cea_adaptively(model, context.log, context.timers, &steps);
     ModeSolution &modes = cea.modes;
     warn_of_free_motions(p, model, modes, context.log);
@@ -237,7 +237,7 @@ namespace squeal
     PairQuantities quantities;
     {
       Timers::Section section(context.timers, "Solve: names and indices");
-      quantities = pair_quantities(model, modes, pairs);
+      quantities            = pair_quantities(model, modes, pairs);
       quantities.mesh_error = cea.errors.lambda;
     }
     const Table table = eigenvalue_table(model, modes, pairs, quantities);

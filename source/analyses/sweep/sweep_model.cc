@@ -4,8 +4,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/discretization/eigenvalue_error.h>
-#include <squeal/model/point_forces.h>
 #include <squeal/model/contact_states.h>
+#include <squeal/model/point_forces.h>
 #include <squeal/output/cea_quantities.h>
 
 #include <algorithm>
@@ -296,12 +296,11 @@ namespace squeal
       ++n;
     const Block full_shapes =
       full.linearized().expand(Block(basis * modes.shapes.leftCols(n)));
-    const ModeErrors errors =
-      estimate_mode_errors(*full.discretization(),
-                           full_shapes,
-                           modes.omega_squared.head(n),
-                           spring_forces(
-                             full, full_shapes, FrictionForces::none));
+    const ModeErrors errors = estimate_mode_errors(
+      *full.discretization(),
+      full_shapes,
+      modes.omega_squared.head(n),
+      spring_forces(full, full_shapes, FrictionForces::none));
     small.numbers["mesh modes"]  = modes.shapes.leftCols(n);
     small.numbers["mesh errors"] = errors.frequency;
   }
