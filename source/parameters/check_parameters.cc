@@ -117,8 +117,8 @@ namespace squeal
         if (parameters.scene.kind == SceneParameters::Kind::matrices)
           throw InputError("'Analysis = angles' turns meshes, which imported "
                            "matrices do not have");
-        imported matrices have none ");
-          if (a.bodies.empty()) refuse_entry(
+        if (a.bodies.empty())
+          refuse_entry(
             "Angles", "Bodies", "is empty: name the bodies that turn");
         const auto &axis =
           require_body(parameters.scene, a.bodies[0], "Angles", "Bodies")
