@@ -11,6 +11,8 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <Eigen/Sparse>
+
 #include <array>
 #include <map>
 #include <vector>
