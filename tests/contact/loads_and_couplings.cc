@@ -135,14 +135,14 @@ namespace
         spring.last_point   = {{.008, .004, .01}};
         spring.number       = is_bed ? 1 : 3;
         SceneParameters one = two_blocks(), three = two_blocks();
-        spring.stiffnesses = {{1e7, 2e7, 5e7}};
+        spring.stiffnesses = {{1e13, 2e13, 5e13}};
         one.springs        = {spring};
         spring.stiffnesses = {{0., 0., 0.}};
         for (unsigned int c = 0; c < 3; ++c)
           {
             spring.direction    = {{0., 0., 0.}};
             spring.direction[c] = 1.;
-            spring.stiffness    = c == 0 ? 1e7 : c == 1 ? 2e7 : 5e7;
+            spring.stiffness    = c == 0 ? 1e13 : c == 1 ? 2e13 : 5e13;
             three.springs.push_back(spring);
           }
         const Eigen::MatrixXd A = stiffness(one), B = stiffness(three);

@@ -5,10 +5,9 @@
 // more degrees show, in growth rate and frequency, for springs and mortar
 // contacts; refinement by it needs fewer unknowns than a uniform one.
 
-#include "check.h"
-#include "worst.h"
-
+#include "scenes.h"
 #include "source_directory.h"
+#include "worst.h"
 
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
@@ -53,7 +52,7 @@ namespace
     std::ostringstream console;
     RunLog             log(true, console);
     Timers             timers;
-    Model              model(parameters, timers);
+    squeal::Model      model(parameters, timers);
     MeshedCea          cea = solve_cea_adaptively(model, log, timers);
     return {cea.solution.pairs,
             cea.errors,

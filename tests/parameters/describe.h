@@ -79,6 +79,10 @@ namespace squeal
       SQUEAL_DESCRIBE(body, structural_damping);
       SQUEAL_DESCRIBE(body, rotation_speed);
       SQUEAL_DESCRIBE(body, rotation_axis);
+      // none: where the position is
+      description.add("body.rotation_centre",
+                      body.rotation_centre.value_or(Vector3{{-1e99, 0., 0.}}));
+      SQUEAL_DESCRIBE(body, angle);
     }
 
     inline void
@@ -104,6 +108,8 @@ namespace squeal
       SQUEAL_DESCRIBE(spring, direction);
       SQUEAL_DESCRIBE(spring, stiffness);
       SQUEAL_DESCRIBE(spring, dashpot);
+      SQUEAL_DESCRIBE(spring, stiffnesses);
+      SQUEAL_DESCRIBE(spring, dashpots);
       SQUEAL_DESCRIBE(spring, stiffness_damping);
       SQUEAL_DESCRIBE(spring, structural_damping);
     }
@@ -131,6 +137,8 @@ namespace squeal
       SQUEAL_DESCRIBE(load, body);
       SQUEAL_DESCRIBE(load, face);
       SQUEAL_DESCRIBE(load, force);
+      SQUEAL_DESCRIBE(load, pressure);
+      SQUEAL_DESCRIBE(load, moment);
       SQUEAL_DESCRIBE(load, ramp_time);
     }
 
@@ -204,6 +212,7 @@ namespace squeal
       SQUEAL_DESCRIBE(axis, distribution);
       SQUEAL_DESCRIBE(axis, mean);
       SQUEAL_DESCRIBE(axis, deviation);
+      SQUEAL_DESCRIBE(axis, shown_as);
     }
 
     inline void
@@ -257,6 +266,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, discretization.refinements);
       SQUEAL_DESCRIBE(p, discretization.refinement);
       SQUEAL_DESCRIBE(p, discretization.tolerance);
+      SQUEAL_DESCRIBE(p, discretization.growth_rate_tolerance);
       SQUEAL_DESCRIBE(p, discretization.maximum_cycles);
       SQUEAL_DESCRIBE(p, discretization.maximum_dofs);
       SQUEAL_DESCRIBE(p, discretization.estimate_error);
@@ -342,6 +352,10 @@ namespace squeal
       SQUEAL_DESCRIBE(p, updating.confidence_percent);
       SQUEAL_DESCRIBE(p, measurement.shapes_file);
       SQUEAL_DESCRIBE(p, measurement.frequencies_file);
+      SQUEAL_DESCRIBE(p, angles.bodies);
+      SQUEAL_DESCRIBE(p, angles.from);
+      SQUEAL_DESCRIBE(p, angles.to);
+      SQUEAL_DESCRIBE(p, angles.number);
       SQUEAL_DESCRIBE(p, work_precision.ladders);
       SQUEAL_DESCRIBE(p, work_precision.values);
       SQUEAL_DESCRIBE(p, work_precision.adaptive_values);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/base/worst_of.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
@@ -171,7 +170,7 @@ namespace squeal
     context.record.figures    = {
          {"largest error of a pair, relative",
           headline_error(
-         {{"reduction", worst_of(all.reals("error_estimate_rel"))},
+         {error_of_column("reduction", all, "error_estimate_rel"),
              error_of_column("mesh", all, "discretisation_error_rel")})},
          {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Rotor angles of " + p.scene.name,
