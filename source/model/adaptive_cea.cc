@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/model/adaptive_cea.h>
 
 #include <algorithm>
@@ -32,18 +33,59 @@ namespace squeal
       return loudest;
     }
 
-    /** What each cell gives to the growth rates of the unstable pairs, each in
-     * shares of its own growth rate; to that of the loudest where none is. */
+    /** How far the pairs are from what is asked of the mesh. */
+    struct Excess
+    {
+      unsigned int    loudest;
+      double          growth_rate; /**< of the loudest, error over tolerance */
+      Eigen::VectorXd frequency;   /**< of every pair, error over tolerance */
+
+      bool
+      is_met() const
+      {
+        return growth_rate <= 1. && worst_of(frequency) <= 1.;
+      }
+    };
+
+    Excess
+    excess_of(const ComplexPairs             &pairs,
+              const PairErrors               &errors,
+              const DiscretizationParameters &p)
+    {
+      Excess result{loudest_of(pairs), 0., Eigen::VectorXd(pairs.size())};
+      result.growth_rate = std::abs(errors.lambda[result.loudest].real()) /
+                           p.growth_rate_tolerance;
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        result.frequency[k] = std::abs(errors.lambda[k].imag()) /
+                              (p.tolerance * std::abs(pairs.lambda[k]));
+      return result;
+    }
+
+    /** What each cell gives to the growth rates of the unstable pairs and of
+     * the loudest one, and to the frequencies that are not good enough yet: on
+     * a mesh that detunes the pairs nothing may be unstable at all. */
     std::vector<double>
-    indicators(const ComplexPairs &pairs, const PairErrors &errors)
+    indicators(const ComplexPairs             &pairs,
+               const PairErrors               &errors,
+               const Excess                   &excess,
+               const DiscretizationParameters &p)
     {
       std::vector<double> result(errors.cell.cols(), 0.);
-      const unsigned int  loudest = loudest_of(pairs);
       for (unsigned int k = 0; k < pairs.size(); ++k)
-        if (k == loudest || pairs.sigma(k) > 0.)
+        {
+          const bool grows = (k == excess.loudest || pairs.sigma(k) > 0.) &&
+                             excess.growth_rate > 1.,
+                     detuned = excess.frequency[k] > 1.;
           for (Eigen::Index i = 0; i < errors.cell.cols(); ++i)
-            result[i] +=
-              std::abs(errors.cell(k, i).real()) / std::abs(pairs.sigma(k));
+            {
+              if (grows)
+                result[i] +=
+                  std::abs(errors.cell(k, i).real()) / p.growth_rate_tolerance;
+              if (detuned)
+                result[i] += std::abs(errors.cell(k, i).imag()) /
+                             (p.tolerance * std::abs(pairs.lambda[k]));
+            }
+        }
       return result;
     }
 
@@ -83,6 +125,11 @@ namespace squeal
         "1/s",
         "estimated: growth rate on an infinitely fine mesh less this one",
         3},
+       {"frequency_error_mesh_rel",
+        Type::real,
+        "",
+        "largest estimated error of a frequency, relative",
+        2},
        {"cpu_seconds", Type::real, "s", "since the start", 3}});
   }
 
@@ -115,35 +162,39 @@ namespace squeal
         if (!is_adaptive(p))
           return result;
 
-        const unsigned int k     = loudest_of(pairs);
-        const double       error = result.errors.lambda[k].real();
+        const Excess       excess = excess_of(pairs, result.errors, p);
+        const unsigned int k      = excess.loudest;
+        const double       error  = result.errors.lambda[k].real();
+        const double       worst  = p.tolerance * worst_of(excess.frequency);
         log.info("  mesh " + std::to_string(cycle) + ": " +
                  std::to_string(model.n_unknowns()) +
                  " unknowns, growth rate of the loudest pair " +
                  rounded_text(pairs.sigma(k), 5) +
                  " 1/s, estimated error by the mesh " + rounded_text(error, 2) +
-                 " 1/s");
+                 " 1/s; of frequencies at most " + rounded_text(worst, 2) +
+                 ", relative");
         if (steps)
           steps->add_row({cycle,
                           model.n_unknowns(),
                           pairs.frequency(k),
                           pairs.sigma(k),
                           error,
+                          worst,
                           timers.total_cpu()});
-        if (std::abs(error) <= p.growth_rate_tolerance)
+        if (excess.is_met())
           return result;
         if (cycle + 1 >= p.maximum_cycles ||
             model.n_unknowns() >= p.maximum_dofs)
           {
-            log.warning("the mesh was not refined to the asked tolerance of "
-                        "the growth rate: raise Discretization/Maximum dofs or "
+            log.warning("the mesh was not refined to the asked tolerances: "
+                        "raise Discretization/Maximum dofs or "
                         "Maximum cycles");
             return result;
           }
         {
           Timers::Section section(timers, "Setup: refinement");
           model.discretization()->refine(
-            indicators(pairs, result.errors),
+            indicators(pairs, result.errors, excess, p),
             refined_share,
             source_faces_of(*model.discretization()));
         }

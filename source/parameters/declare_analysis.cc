@@ -43,7 +43,7 @@ namespace squeal
                    Allowed::positive(),
                    "'Refinement = contact error' stops when the estimated "
                    "error by the mesh of the growth rate of the loudest pair "
-                   "is below.",
+                   "is below, and that of every frequency below 'Tolerance'.",
                    "1/s");
         schema.add("Maximum cycles",
                    d.maximum_cycles,

@@ -19,8 +19,9 @@ namespace squeal
    * Solves for the complex pairs of @p model. With `Refinement = contact error`
    * the mesh is refined where the growth rates of the unstable pairs (of the
    * least stable one where none is unstable) arise, source faces of mortar
-   * contacts and ties as a whole, until the estimated error of the growth rate
-   * of the loudest pair is below the tolerance; the contact states of steady
+   * contacts and ties as a whole, until the estimated errors of the growth rate
+   * of the loudest pair and of the frequencies of all are below the tolerances:
+   * frequencies decide which pairs lock in. The contact states of steady
    * sliding are those of each mesh. With any other refinement it is
    * solve_modes_adaptively() and solve_cea(). @p steps receives one row a mesh.
    */
