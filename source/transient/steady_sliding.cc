@@ -115,25 +115,31 @@ namespace squeal
             step.free_motion = Psi * q_free + share * model.load_motion;
             if (!solver->newton(step, state.forces, state.report))
               return false;
+            const Eigen::VectorXd contact = Psi.transpose() * state.forces;
             const Eigen::VectorXd q =
-              q_free - compliance.cwiseProduct(Psi.transpose() * state.forces);
+              q_free - compliance.cwiseProduct(contact);
             const double change =
               held.cwiseProduct(q - state.coordinates).norm();
             state.coordinates = q;
-            if (change <= 1e-11 * f.norm())
+            // Of the forces, which may balance each other in every mode.
+            const double size =
+              f.norm() +
+              (Psi.cwiseAbs().transpose() * state.forces.cwiseAbs()).norm();
+            if (change <= 1e-11 * size)
               {
                 state.motion = solver->motion();
                 state.status = solver->status();
                 return true;
               }
-            if (!(change < 1e6 * f.norm()))
+            if (!(change < 1e6 * size))
               return false;
           }
         return false;
       }
 
     private:
-      /** The size of forces: what would close the gap at full load. */
+      /** The size of nodal forces, N: the even ones that would take back what
+       * the full load moves the nodes together. */
       double
       mean_force(const Eigen::MatrixXd &W) const
       {
@@ -143,11 +149,11 @@ namespace squeal
         double approach = 0., flexibility = 0.;
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            approach = std::max(approach, load_motion[3 * j]);
+            approach += std::max(0., load_motion[3 * j]);
             for (unsigned int i = 0; i < model.n_nodes(); ++i)
-              flexibility = std::max(flexibility, std::abs(W(3 * j, 3 * i)));
+              flexibility += W(3 * j, 3 * i);
           }
-        return std::max(approach / flexibility, 1e-12) / model.n_nodes();
+        return std::max(approach / flexibility, 1e-12);
       }
 
       const ReducedContactModel     &model;

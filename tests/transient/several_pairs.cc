@@ -121,7 +121,7 @@ namespace
 
     const Parameters p;
     Timers           timers;
-    Model            model;
+    squeal::Model    model;
     PressedModel     pressed;
     SteadySliding    steady;
   };
