@@ -102,9 +102,14 @@ namespace squeal
         return state;
       }
 
-      /** False where there is no solution near the forces of @p state. */
+      /** False where there is no solution near the forces of @p state. With
+       * @p by_sweeps Gauss-Seidel sweeps look for one where Newton's method
+       * cycles. */
       bool
-      solve(ContactStep step, const double share, SteadySliding &state)
+      solve(ContactStep    step,
+            const double   share,
+            SteadySliding &state,
+            const bool     by_sweeps = false)
       {
         const Eigen::MatrixXd &Psi = model.participation;
         const Eigen::VectorXd  f   = share * model.load;
@@ -113,12 +118,11 @@ namespace squeal
             const Eigen::VectorXd q_free =
               compliance.cwiseProduct(f + held.cwiseProduct(state.coordinates));
             step.free_motion = Psi * q_free + share * model.load_motion;
-            if (!solver->newton(step, state.forces, state.report))
+            if (!solve_contact(step, state, by_sweeps))
               return false;
             const Eigen::VectorXd contact = Psi.transpose() * state.forces;
-            const Eigen::VectorXd q =
-              q_free - compliance.cwiseProduct(contact);
-            const double change =
+            const Eigen::VectorXd q = q_free - compliance.cwiseProduct(contact);
+            const double          change =
               held.cwiseProduct(q - state.coordinates).norm();
             state.coordinates = q;
             // Of the forces, which may balance each other in every mode.
@@ -138,6 +142,24 @@ namespace squeal
       }
 
     private:
+      bool
+      solve_contact(const ContactStep &step,
+                    SteadySliding     &state,
+                    const bool         by_sweeps)
+      {
+        if (!by_sweeps)
+          return solver->newton(step, state.forces, state.report);
+        try
+          {
+            state.report = solver->solve(step, state.forces);
+            return true;
+          }
+        catch (const ComputationError &)
+          {
+            return false;
+          }
+      }
+
       /** The size of nodal forces, N: the even ones that would take back what
        * the full load moves the nodes together. */
       double
@@ -228,7 +250,7 @@ namespace squeal
               if (reached == 0. && !contact.solve(step, share, next))
                 throw_none(true, 0.);
               step.nodal_friction = friction;
-              if (contact.solve(step, share, next))
+              if (contact.solve(step, share, next, true))
                 {
                   now     = next;
                   reached = share;
@@ -329,7 +351,7 @@ namespace squeal
         {
           SteadySliding next   = now;
           step.previous_motion = now.motion;
-          if (!contact.solve(step, load_factor, next))
+          if (!contact.solve(step, load_factor, next, true))
             {
               step.duration *= 0.25;
               if (step.duration < least)

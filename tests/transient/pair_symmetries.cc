@@ -52,9 +52,9 @@ namespace
     p.eigen.highest_frequency   = 20e3;
     p.transient.cut_off         = cut_off;
     p.transient.integrator      = integrator;
-    p.transient.time_step       = 2e-7;
+    p.transient.time_step       = 4e-7;
     p.transient.sample_interval = 1e-5;
-    p.transient.end_time        = 2e-4;
+    p.transient.end_time        = 1.2e-4;
     p.transient.tolerance       = 1e-11;
     p.transient.disturbance     = 0.;
     p.transient.hammer.body     = p.scene.loads[0].body;

@@ -117,10 +117,9 @@ namespace
     check_throws<InputError>([] { HistoryReader reader("pairs.h5"); },
                              "several contact pairs: name one of upper, lower",
                              "without a name");
-    check_throws<InputError>(
-      [] { HistoryReader reader("pairs.h5", "middle"); },
-      "no contact pair 'middle'; there are upper, lower",
-      "another name");
+    check_throws<InputError>([] { HistoryReader reader("pairs.h5", "middle"); },
+                             "no contact pair 'middle'; there are upper, lower",
+                             "another name");
     write_good("good.h5");
     check(HistoryReader::pairs_of("good.h5").empty(),
           "version 1 has a pair without a name");
