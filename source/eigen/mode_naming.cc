@@ -18,25 +18,26 @@ namespace squeal
       return scene.bodies[body].shape == BodyParameters::Shape::annulus;
     }
 
-    /** Angle about the disc axis of the first contact pair's other body. */
+    /** Angle about the disc axis of the other body of a contact pair, the first
+     * one that has some. */
     double
     contact_angle(const Discretization &d, const unsigned int disc)
     {
       const auto &scene = d.scene();
-      if (disc == -1u || scene.contacts.empty())
+      if (disc == -1u)
         return 0.;
-      for (const auto &name :
-           {scene.contacts[0].source_body, scene.contacts[0].target_body})
-        for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-          if (scene.bodies[b].name == name && !is_annulus(scene, b))
-            {
-              const auto   centre = body_centre(d, b);
-              const auto  &axis   = scene.bodies[disc].position;
-              const double x = centre[0] - axis[0], y = centre[1] - axis[1];
-              // On the axis there is no angle: rounding must not make one up.
-              const double r = scene.bodies[disc].outer_radius;
-              return std::hypot(x, y) > 1e-6 * r ? std::atan2(y, x) : 0.;
-            }
+      for (const auto &contact : scene.contacts)
+        for (const auto &name : {contact.source_body, contact.target_body})
+          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+            if (scene.bodies[b].name == name && !is_annulus(scene, b))
+              {
+                const auto   centre = body_centre(d, b);
+                const auto  &axis   = scene.bodies[disc].position;
+                const double x = centre[0] - axis[0], y = centre[1] - axis[1];
+                // On the axis there is no angle: rounding must not make one up.
+                const double r = scene.bodies[disc].outer_radius;
+                return std::hypot(x, y) > 1e-6 * r ? std::atan2(y, x) : 0.;
+              }
       return 0.;
     }
 
@@ -98,12 +99,17 @@ namespace squeal
     for (unsigned int b = scene.bodies.size(); b-- > 0;)
       if (is_annulus(scene, b))
         first = b;
-    if (!scene.contacts.empty())
-      for (const auto &name :
-           {scene.contacts[0].source_body, scene.contacts[0].target_body})
-        for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-          if (scene.bodies[b].name == name && is_annulus(scene, b))
-            first = b;
+    // One of a contact, of the first pair that has one.
+    for (const auto &contact : scene.contacts)
+      {
+        unsigned int found = -1u;
+        for (const auto &name : {contact.source_body, contact.target_body})
+          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+            if (scene.bodies[b].name == name && is_annulus(scene, b))
+              found = b;
+        if (found != -1u)
+          return found;
+      }
     return first;
   }
 

@@ -58,9 +58,11 @@ namespace squeal
 
   Model::Model(const Parameters                 &parameters,
                Timers                           &timers,
-               const std::vector<ContactStates> &states)
+               const std::vector<ContactStates> &states,
+               const Contacts                    contacts)
     : all_parameters(parameters)
     , given_states(states)
+    , what_contacts_do(contacts)
   {
     if (parameters.scene.kind == SceneParameters::Kind::bodies)
       {
@@ -101,15 +103,21 @@ namespace squeal
       Timers::Section section(timers, "Assemble: bodies");
       bodies = assemble_bodies(*space);
     }
-    {
-      std::vector<ContactStates> states = given_states;
-      for (const auto &contact : all_parameters.scene.contacts)
-        if (states.empty() &&
-            contact.state == ContactParameters::State::preload)
-          states = preload_states(all_parameters, *space, bodies, timers);
-      Timers::Section section(timers, "Assemble: springs and contact");
-      system = linearized_system(*space, bodies, states);
-    }
+    if (what_contacts_do == Contacts::open)
+      {
+        Timers::Section section(timers, "Assemble: springs and contact");
+        system = separated_system(*space, bodies);
+      }
+    else
+      {
+        std::vector<ContactStates> states = given_states;
+        for (const auto &contact : all_parameters.scene.contacts)
+          if (states.empty() &&
+              contact.state == ContactParameters::State::preload)
+            states = preload_states(all_parameters, *space, bodies, timers);
+        Timers::Section section(timers, "Assemble: springs and contact");
+        system = linearized_system(*space, bodies, states);
+      }
     Timers::Section section(timers, "Setup: names of modes");
     mode_namer = std::make_unique<ModeNamer>(*space);
   }

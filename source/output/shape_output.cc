@@ -24,8 +24,9 @@ namespace squeal
     {
       if (const unsigned int disc = main_disc(scene); disc != -1u)
         return disc;
-      if (!scene.contacts.empty() && scene.contacts[0].target_body != "ground")
-        return body_index(scene, scene.contacts[0].target_body);
+      for (const auto &contact : scene.contacts)
+        if (contact.target_body != "ground")
+          return body_index(scene, contact.target_body);
       return 0;
     }
 

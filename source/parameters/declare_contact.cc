@@ -155,7 +155,8 @@ namespace squeal
              c.sliding_speed,
              Allowed::number(0.),
              "Speed |V| of the target's surface at the centre of the "
-             "source face.",
+             "source face; 0: a pair at rest, whose nodes stick until "
+             "they are pushed, such as a pad in its abutment.",
              "m/s")
         .affine();
       schema

@@ -102,9 +102,14 @@ namespace squeal
         return state;
       }
 
-      /** False where there is no solution near the forces of @p state. */
+      /** False where there is no solution near the forces of @p state. With
+       * @p by_sweeps Gauss-Seidel sweeps look for one where Newton's method
+       * cycles. */
       bool
-      solve(ContactStep step, const double share, SteadySliding &state)
+      solve(ContactStep    step,
+            const double   share,
+            SteadySliding &state,
+            const bool     by_sweeps = false)
       {
         const Eigen::MatrixXd &Psi = model.participation;
         const Eigen::VectorXd  f   = share * model.load;
@@ -113,27 +118,50 @@ namespace squeal
             const Eigen::VectorXd q_free =
               compliance.cwiseProduct(f + held.cwiseProduct(state.coordinates));
             step.free_motion = Psi * q_free + share * model.load_motion;
-            if (!solver->newton(step, state.forces, state.report))
+            if (!solve_contact(step, state, by_sweeps))
               return false;
-            const Eigen::VectorXd q =
-              q_free - compliance.cwiseProduct(Psi.transpose() * state.forces);
-            const double change =
+            const Eigen::VectorXd contact = Psi.transpose() * state.forces;
+            const Eigen::VectorXd q = q_free - compliance.cwiseProduct(contact);
+            const double          change =
               held.cwiseProduct(q - state.coordinates).norm();
             state.coordinates = q;
-            if (change <= 1e-11 * f.norm())
+            // Of the forces, which may balance each other in every mode.
+            const double size =
+              f.norm() +
+              (Psi.cwiseAbs().transpose() * state.forces.cwiseAbs()).norm();
+            if (change <= 1e-11 * size)
               {
                 state.motion = solver->motion();
                 state.status = solver->status();
                 return true;
               }
-            if (!(change < 1e6 * f.norm()))
+            if (!(change < 1e6 * size))
               return false;
           }
         return false;
       }
 
     private:
-      /** The size of forces: what would close the gap at full load. */
+      bool
+      solve_contact(const ContactStep &step,
+                    SteadySliding     &state,
+                    const bool         by_sweeps)
+      {
+        if (!by_sweeps)
+          return solver->newton(step, state.forces, state.report);
+        try
+          {
+            state.report = solver->solve(step, state.forces);
+            return true;
+          }
+        catch (const ComputationError &)
+          {
+            return false;
+          }
+      }
+
+      /** The size of nodal forces, N: the even ones that would take back what
+       * the full load moves the nodes together. */
       double
       mean_force(const Eigen::MatrixXd &W) const
       {
@@ -143,11 +171,11 @@ namespace squeal
         double approach = 0., flexibility = 0.;
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            approach = std::max(approach, load_motion[3 * j]);
+            approach += std::max(0., load_motion[3 * j]);
             for (unsigned int i = 0; i < model.n_nodes(); ++i)
-              flexibility = std::max(flexibility, std::abs(W(3 * j, 3 * i)));
+              flexibility += W(3 * j, 3 * i);
           }
-        return std::max(approach / flexibility, 1e-12) / model.n_nodes();
+        return std::max(approach / flexibility, 1e-12);
       }
 
       const ReducedContactModel     &model;
@@ -222,7 +250,7 @@ namespace squeal
               if (reached == 0. && !contact.solve(step, share, next))
                 throw_none(true, 0.);
               step.nodal_friction = friction;
-              if (contact.solve(step, share, next))
+              if (contact.solve(step, share, next, true))
                 {
                   now     = next;
                   reached = share;
@@ -323,7 +351,7 @@ namespace squeal
         {
           SteadySliding next   = now;
           step.previous_motion = now.motion;
-          if (!contact.solve(step, load_factor, next))
+          if (!contact.solve(step, load_factor, next, true))
             {
               step.duration *= 0.25;
               if (step.duration < least)

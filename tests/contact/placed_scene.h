@@ -113,6 +113,14 @@ namespace squeal
               {{double(c == 0), double(c == 1), double(c == 2)}});
             spring.stiffness = 3e7 * (1. + c) / L;
             s.springs.push_back(spring);
+            if (!(o.load > 0.))
+              continue;
+            // Beside that line, so that no motion is free without contact.
+            spring.name += " aside";
+            spring.first_point = spring.last_point = placing.point(
+              {{.105, o.y + (o.y > 0. ? .006 : -.006), is_above ? .01 : -.02}});
+            spring.number = 1;
+            s.springs.push_back(spring);
           }
         ContactParameters contact;
         contact.name                      = name + " on plate";

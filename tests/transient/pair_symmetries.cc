@@ -20,7 +20,9 @@ using namespace squeal::testing;
 
 namespace
 {
-  constexpr double cut_off = 60e3; // Hz
+  /** Statics are exact whatever the modes; with many of them what the modes are
+   * off shows. */
+  constexpr double cut_off = 60e3, statics = 1e3; // Hz
 
   /** A scene with its placing. */
   struct Placed
@@ -50,9 +52,9 @@ namespace
     p.eigen.highest_frequency   = 20e3;
     p.transient.cut_off         = cut_off;
     p.transient.integrator      = integrator;
-    p.transient.time_step       = 2e-7;
+    p.transient.time_step       = 4e-7;
     p.transient.sample_interval = 1e-5;
-    p.transient.end_time        = 2e-4;
+    p.transient.end_time        = 1.2e-4;
     p.transient.tolerance       = 1e-11;
     p.transient.disturbance     = 0.;
     p.transient.hammer.body     = p.scene.loads[0].body;
@@ -143,7 +145,7 @@ namespace
     const Discretization d(
       p.scene, p.discretization, p.discretization.degree, MPI_COMM_SELF);
     Timers              timers;
-    PressedModel        pressed(p, d, assemble_bodies(d), cut_off, timers);
+    PressedModel        pressed(p, d, assemble_bodies(d), statics, timers);
     const SteadySliding s = pressed.steady(1e-12, timers);
     check(s.n_closed() > s.status.size() / 2, "most nodes touch");
     return forces_of(placed, pressed.nodes(), s.forces);

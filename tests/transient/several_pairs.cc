@@ -100,7 +100,7 @@ namespace
   {
     explicit Pressed(const Parameters &given)
       : p(given)
-      , model(p, timers)
+      , model(p, timers, {}, squeal::Model::Contacts::open)
       , pressed(p,
                 *model.discretization(),
                 model.body_matrices(),
@@ -121,7 +121,7 @@ namespace
 
     const Parameters p;
     Timers           timers;
-    Model            model;
+    squeal::Model    model;
     PressedModel     pressed;
     SteadySliding    steady;
   };

@@ -76,6 +76,58 @@ namespace
     writer.finish();
   }
 
+  /** Version 2: a group a pair, energies once. */
+  void
+  several_pairs()
+  {
+    HistoryLayout upper = two_nodes(), lower = two_nodes();
+    upper.pair  = "upper";
+    lower.pair  = "lower";
+    lower.axes  = {{{{1., 0., 0.}}, {{0., -1., 0.}}, {{0., 0., -1.}}}};
+    lower.areas = {3e-6, 4e-6};
+    fs::remove("pairs.h5");
+    {
+      HistoryWriter writer("pairs.h5", {upper, lower});
+      writer.append(some_samples(0., 5), 0);
+      writer.append(some_samples(0., 5), 1);
+      writer.append(std::vector<StatusChange>{{.5, 1, ContactStatus::stick}},
+                    1);
+      writer.finish();
+    }
+    check(HistoryReader::pairs_of("pairs.h5") ==
+            std::vector<std::string>{"upper", "lower"},
+          "the names of the pairs, in order");
+    for (const HistoryLayout &expected : {upper, lower})
+      {
+        const HistoryReader reader("pairs.h5", expected.pair);
+        check(reader.layout().pair == expected.pair &&
+                reader.layout().areas == expected.areas &&
+                reader.layout().axes == expected.axes &&
+                reader.layout().energy_names == expected.energy_names,
+              "the layout of " + expected.pair);
+        HistorySamples s;
+        reader.read(1, 4, s);
+        check(s.pressure == some_samples(1., 4).pressure &&
+                s.energies == some_samples(1., 4).energies,
+              "the samples of " + expected.pair);
+        check(reader.status_changes().size() ==
+                (expected.pair == "lower" ? 1u : 0u),
+              "the changes of " + expected.pair);
+      }
+    check_throws<InputError>([] { HistoryReader reader("pairs.h5"); },
+                             "several contact pairs: name one of upper, lower",
+                             "without a name");
+    check_throws<InputError>([] { HistoryReader reader("pairs.h5", "middle"); },
+                             "no contact pair 'middle'; there are upper, lower",
+                             "another name");
+    write_good("good.h5");
+    check(HistoryReader::pairs_of("good.h5").empty(),
+          "version 1 has a pair without a name");
+    check_throws<InputError>([] { HistoryReader reader("good.h5", "upper"); },
+                             "one contact pair without a name",
+                             "a name where there is none");
+  }
+
   void
   round_trip()
   {
@@ -427,6 +479,7 @@ int
 main()
 {
   round_trip();
+  several_pairs();
   faults_of_files();
   damage_is_found();
   crashes_stay_in_the_child();

@@ -22,12 +22,20 @@ namespace squeal
   class Model
   {
   public:
-    /** Discretises and assembles. The contact states are those of the
-     * parameters (`preload`: of the steady sliding) unless they are given, a
-     * list for each pair. Throws InputError. */
+    /** What the contact pairs do. */
+    enum class Contacts
+    {
+      closed, /**< linearised about a contact state */
+      open    /**< cut open, whatever their states */
+    };
+
+    /** Discretises and assembles. The states of closed contacts are those of
+     * the parameters (`preload`: of the steady sliding) unless they are given,
+     * a list for each pair. Throws InputError. */
     Model(const Parameters                 &parameters,
           Timers                           &timers,
-          const std::vector<ContactStates> &states = {});
+          const std::vector<ContactStates> &states   = {},
+          const Contacts                    contacts = Contacts::closed);
 
     /** Assembles again on a (refined) mesh. */
     void assemble(Timers &timers);
@@ -61,6 +69,7 @@ namespace squeal
 
     const Parameters                     &all_parameters;
     const std::vector<ContactStates>      given_states;
+    const Contacts                        what_contacts_do;
     std::unique_ptr<Discretization>       space;
     std::vector<BodyMatrices>             bodies;
     LinearizedSystem                      system;

@@ -66,7 +66,7 @@ namespace squeal
         {
           const Parameters q =
             moving(with_value(p, p.preload.stiffness_entry, value));
-          Model         model(q, context.timers);
+          Model         model(q, context.timers, {}, Model::Contacts::open);
           PressedModel  pressed(q,
                                *model.discretization(),
                                model.body_matrices(),
@@ -318,7 +318,7 @@ namespace squeal
   run_preload(RunContext &context)
   {
     const Parameters p = moving(context.parameters);
-    Model            model(p, context.timers);
+    Model            model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     PressedModel  pressed(p,
                          *model.discretization(),

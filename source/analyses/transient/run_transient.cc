@@ -392,7 +392,7 @@ namespace squeal
     Parameters p = context.parameters;
     for (auto &contact : p.scene.contacts)
       contact.state = ContactParameters::State::full;
-    Model model(p, context.timers);
+    Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     const PreparedTransient prepared(
       PressedModel(p,

@@ -37,7 +37,7 @@ namespace squeal
       CampaignGroup(const Parameters &p, RunContext &c)
         : parameters(p)
         , context(c)
-        , model(parameters, c.timers)
+        , model(parameters, c.timers, {}, Model::Contacts::open)
         , pressed(parameters,
                   *model.discretization(),
                   model.body_matrices(),

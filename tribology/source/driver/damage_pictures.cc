@@ -60,7 +60,8 @@ namespace squeal::tribology
                               f.constants.empty() ? "index in 1/s" : "1/s",
                               1.,
                               true));
-      draw(context, draw_maps(study.grid, maps), "damage_maps");
+      draw(
+        context, draw_maps(study.grid, maps), "damage_maps" + study.suffix());
       draw(
         context,
         draw_maps(
@@ -76,7 +77,7 @@ namespace squeal::tribology
            map_of(
              table, "impulse_per_impact_pa_s", "Impulse of an impact", "Pa s"),
            map_of(table, "stick_slip_per_s", "Stick-slip changes", "1/s")}),
-        "surface_maps");
+        "surface_maps" + study.suffix());
       const std::size_t      worst  = worst_node(study.damage);
       const RangeMeanMatrix &matrix = study.damage.matrices[worst];
       std::vector<double>    ranges, means;
@@ -91,7 +92,7 @@ namespace squeal::tribology
                        matrix.values(),
                        "Cycles at node " + std::to_string(worst) +
                          ", where damage is largest"),
-           "range_mean");
+           "range_mean" + study.suffix());
     }
 
 
@@ -129,7 +130,7 @@ namespace squeal::tribology
             }
           chart.series.push_back(series);
         }
-      draw(context, draw_charts({chart}, 1100, 700), "depths");
+      draw(context, draw_charts({chart}, 1100, 700), "depths" + study.suffix());
     }
   } // namespace
 
@@ -153,7 +154,8 @@ namespace squeal::tribology
                                 "ratio",
                                 1.,
                                 true));
-        draw(context, draw_maps(study.grid, maps), "ratio_maps");
+        draw(
+          context, draw_maps(study.grid, maps), "ratio_maps" + study.suffix());
       }
     if (!study.subsurface.empty())
       draw_depths(context, study);

@@ -141,9 +141,13 @@ namespace squeal::tribology
                 const DamageStudy &study)
     {
       const TribologyParameters &p        = context.parameters;
-      const std::string          plots    = context.output.path() + "/plots/";
       const bool                 is_index = p.fatigue.constants.empty();
-      report.section("What was done");
+      const std::string         &pair     = study.reader.layout().pair;
+      const auto                 picture  = [&](const std::string &name) {
+        return context.output.path() + "/plots/" + name + study.suffix() +
+               ".png";
+      };
+      report.section("What was done" + (pair.empty() ? pair : ": " + pair));
       report.list(
         {"The history " + p.history.file + " (" +
            std::to_string(study.damage.samples) + " samples, " +
@@ -164,9 +168,9 @@ namespace squeal::tribology
            rounded_text(p.fatigue.application_time, 4) + " s of it."});
       report.section("Damage");
       report.table(sums, "Over the whole face");
-      report.figure(plots + "damage_maps.png",
+      report.figure(picture("damage_maps"),
                     "Damage seen from the disc; the leading edge is below.");
-      report.figure(plots + "range_mean.png",
+      report.figure(picture("range_mean"),
                     "Range-mean matrix of the node with the largest damage: "
                     "number of counted cycles of each range and mean of the " +
                       counted_stress(p.fatigue) +
@@ -174,7 +178,7 @@ namespace squeal::tribology
                     true);
       if (has_silent)
         report.figure(
-          plots + "ratio_maps.png",
+          picture("ratio_maps"),
           "Squealing over silent run, node by node; grey where the silent "
           "pad does not touch.");
       if (has_silent)
@@ -184,7 +188,7 @@ namespace squeal::tribology
           "damping. Damage grows with a power of the range, so that half the "
           "silent vibration makes the ratio of slope m 2^m times larger.");
       report.section("Surface");
-      report.figure(plots + "surface_maps.png",
+      report.figure(picture("surface_maps"),
                     "What works on third-body layers and edges: friction, "
                     "separation and impacts.");
       if (!study.subsurface.empty())
@@ -199,7 +203,7 @@ namespace squeal::tribology
                ? ""
                : " No fatigue limit was given: values are indices, relative to "
                  "Fatigue/Reference stress."));
-          report.figure(plots + "depths.png",
+          report.figure(picture("depths"),
                         "Largest value of each criterion against depth.");
         }
       report.section("Limits");
@@ -218,7 +222,8 @@ namespace squeal::tribology
          "cycle is not: the column dirlik_over_counting says how far off it "
          "is."});
       report.section("Nodes");
-      report.table(table, "All nodes (damage.csv)", {}, {}, false);
+      report.table(
+        table, "All nodes (damage" + study.suffix() + ".csv)", {}, {}, false);
     }
 
 
@@ -261,12 +266,13 @@ namespace squeal::tribology
     write_maps(Context &context, const DamageStudy &study, const Table &table)
     {
       if (!study.subsurface.empty())
-        context.write_table("subsurface.csv",
+        context.write_table("subsurface" + study.suffix() + ".csv",
                             subsurface_table(context.parameters.subsurface,
                                              study.grid,
                                              study.subsurface));
-      write_damage_hdf5(context.output.file("damage.h5"), table, study.damage);
-      write_damage_vtu(context.output.file("damage.vtu"), table, study.grid);
+      const std::string name = "damage" + study.suffix();
+      write_damage_hdf5(context.output.file(name + ".h5"), table, study.damage);
+      write_damage_vtu(context.output.file(name + ".vtu"), table, study.grid);
     }
 
 
@@ -315,54 +321,130 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** The pairs that are looked at; one without a name of a history that has
+     * but one. */
+    std::vector<std::string>
+    pairs_asked_for(const HistoryParameters &history)
+    {
+      if (!history.pair.empty())
+        return {history.pair};
+      const auto pairs = HistoryReader::pairs_of(history.file);
+      return pairs.empty() ? std::vector<std::string>{""} : pairs;
+    }
+
+    /** What is found on one pair. */
+    struct PairDamage
+    {
+      std::unique_ptr<DamageStudy> study, silent; /**< the latter may be null */
+      Table                        table, sums;
+      RunRecord::Pairs             figures;
+      std::string                  headline;
+    };
+
+    /** Computes it and writes its tables, maps and pictures. */
+    PairDamage
+    damage_of_pair(Context &context, const std::string &pair)
+    {
+      const TribologyParameters &p = context.parameters;
+      PairDamage                 r;
+      r.study = std::make_unique<DamageStudy>(p.history.file, pair, p.history);
+      if (!p.history.silent_file.empty())
+        {
+          r.silent = std::make_unique<DamageStudy>(
+            p.history.silent_file, pair, p.history);
+          require_same_nodes(*r.study, *r.silent);
+        }
+      warn_of_what_is_missing(context, *r.study);
+      const std::string of = pair.empty() ? pair : ", " + pair;
+      count(context, *r.study, "squealing" + of);
+      if (r.silent)
+        count(context, *r.silent, "silent" + of);
+      if (p.subsurface.compute)
+        evaluate_below_the_face(context, *r.study);
+      r.table = damage_table(p,
+                             r.study->grid,
+                             r.study->damage,
+                             r.silent ? &r.silent->damage : nullptr,
+                             r.study->subsurface);
+      context.write_table("damage" + r.study->suffix() + ".csv", r.table);
+      std::vector<const DamageStudy *> studies = {r.study.get()};
+      if (r.silent)
+        studies.push_back(r.silent.get());
+      r.sums = totals(p, studies);
+      write_maps(context, *r.study, r.table);
+      if (p.output.plots && context.plotter.is_available())
+        draw_damage_pictures(context, *r.study, r.table, r.silent != nullptr);
+      r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents.back());
+      r.headline = "Damage of " + std::to_string(r.study->grid.n_nodes()) +
+                   " nodes" + (pair.empty() ? pair : " of " + pair) +
+                   (p.fatigue.constants.empty() ? " (index)" : "");
+      if (r.silent)
+        r.headline += ": " +
+                      ratios_to_silent(r.sums, p.fatigue.exponents, r.figures) +
+                      " times the silent run's";
+      return r;
+    }
+
+    /** Totals of all pairs, with their names where there are several. */
+    Table
+    all_totals(const std::vector<PairDamage> &pairs)
+    {
+      Table all;
+      for (const PairDamage &pair : pairs)
+        {
+          Table sums = pair.sums;
+          if (pairs.size() > 1)
+            {
+              sums.add_column({"pair", Table::Type::text, "", "contact"});
+              for (std::size_t i = 0; i < sums.n_rows(); ++i)
+                sums.set(i, "pair", pair.study->reader.layout().pair);
+            }
+          all.append(sums);
+        }
+      return all;
+    }
+  } // namespace
+
+
+
   void
   run_damage(Context &context)
   {
     const TribologyParameters &p = context.parameters;
     prm::require_file(p.history.file, "History", "File", true);
     prm::require_file(p.history.silent_file, "History", "Silent file", false);
-    DamageStudy                  study(p.history.file, p.history);
-    std::unique_ptr<DamageStudy> silent;
-    if (!p.history.silent_file.empty())
-      {
-        silent =
-          std::make_unique<DamageStudy>(p.history.silent_file, p.history);
-        require_same_nodes(study, *silent);
-      }
-    warn_of_what_is_missing(context, study);
-    count(context, study, "squealing");
-    if (silent)
-      count(context, *silent, "silent");
-    if (p.subsurface.compute)
-      evaluate_below_the_face(context, study);
-
-    const Table table = damage_table(p,
-                                     study.grid,
-                                     study.damage,
-                                     silent ? &silent->damage : nullptr,
-                                     study.subsurface);
-    context.write_table("damage.csv", table);
-    std::vector<const DamageStudy *> studies = {&study};
-    if (silent)
-      studies.push_back(silent.get());
-    const Table sums = totals(p, studies);
-    context.write_table("totals.csv", sums);
-    write_maps(context, study, table);
-    if (p.output.plots && context.plotter.is_available())
-      draw_damage_pictures(context, study, table, silent != nullptr);
+    std::vector<PairDamage> pairs;
+    for (const std::string &pair : pairs_asked_for(p.history))
+      pairs.push_back(damage_of_pair(context, pair));
+    context.write_table("totals.csv", all_totals(pairs));
 
     RunRecord::Pairs &figures = context.record.figures;
-    figures = main_figures(study, table, p.fatigue.exponents.back());
-    std::string headline = "Damage of " + std::to_string(study.grid.n_nodes()) +
-                           " nodes" +
-                           (p.fatigue.constants.empty() ? " (index)" : "");
-    if (silent)
-      headline += ": " + ratios_to_silent(sums, p.fatigue.exponents, figures) +
-                  " times the silent run's";
+    std::string       headline, open_this;
+    for (const PairDamage &pair : pairs)
+      {
+        const std::string &name = pair.study->reader.layout().pair;
+        for (auto figure : pair.figures)
+          {
+            if (pairs.size() > 1)
+              figure.first = name + ": " + figure.first;
+            figures.push_back(figure);
+          }
+        headline += (headline.empty() ? "" : "; ") + pair.headline;
+        if (open_this.empty())
+          open_this = "damage" + pair.study->suffix() + ".vtu";
+      }
     HtmlReport report("Damage" + (p.name.empty() ? "" : " of " + p.name),
                       p.history.file);
     report.set_verdict(HtmlReport::Verdict::neutral, headline, figures);
-    fill_report(report, context, table, sums, silent != nullptr, study);
-    context.finish(p.output.report ? &report : nullptr, "damage.vtu");
+    for (const PairDamage &pair : pairs)
+      fill_report(report,
+                  context,
+                  pair.table,
+                  pair.sums,
+                  pair.silent != nullptr,
+                  *pair.study);
+    context.finish(p.output.report ? &report : nullptr, open_this);
   }
 } // namespace squeal::tribology

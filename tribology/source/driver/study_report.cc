@@ -111,6 +111,24 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** Names of the pairs of a run; one that is empty of a run with one. */
+    std::vector<std::string>
+    pairs_of(const Table &totals)
+    {
+      std::vector<std::string> names;
+      for (std::size_t i = 0; i < totals.n_rows(); ++i)
+        if (totals.has_column("pair"))
+          if (const std::string name = totals.text(i, "pair");
+              names.empty() || names.back() != name)
+            names.push_back(name);
+      return names.empty() ? std::vector<std::string>{""} : names;
+    }
+  } // namespace
+
+
+
   void
   StudyRuns::add_damage(HtmlReport &report) const
   {
@@ -130,16 +148,22 @@ namespace squeal::tribology
         if (totals.n_rows() > 1)
           report.table(
             totals, "Over the whole face: " + run.record.scene, {}, {}, false);
-        report.figure(plots + "damage_maps.png",
-                      "Damage of " + run.record.scene +
-                        ", seen from the disc; the leading edge is below.");
-        report.figure(
-          plots + "ratio_maps.png",
-          "Squealing over silent run, node by node; grey where the silent "
-          "pad does not touch.");
-        report.figure(plots + "depths.png",
-                      "Largest value of each criterion against depth.",
-                      true);
+        for (const std::string &pair : pairs_of(totals))
+          {
+            const std::string end = (pair.empty() ? "" : "_" + pair) + ".png",
+                              of  = run.record.scene +
+                                   (pair.empty() ? "" : ", " + pair);
+            report.figure(plots + "damage_maps" + end,
+                          "Damage of " + of +
+                            ", seen from the disc; the leading edge is below.");
+            report.figure(
+              plots + "ratio_maps" + end,
+              "Squealing over silent run, node by node; grey where the silent "
+              "pad does not touch.");
+            report.figure(plots + "depths" + end,
+                          "Largest value of each criterion against depth.",
+                          true);
+          }
       }
   }
 

@@ -23,6 +23,11 @@ namespace squeal::tribology
                Allowed::file(),
                "History of a run without squeal that it is compared with; "
                "empty: none.");
+    schema.add("Contact pair",
+               h.pair,
+               Allowed::text(),
+               "The pair of a history with several whose damage is computed; "
+               "empty: all of them, one after the other.");
     schema.add("Start time",
                h.start_time,
                Allowed::number(),

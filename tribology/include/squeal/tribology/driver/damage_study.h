@@ -9,14 +9,25 @@
 
 namespace squeal::tribology
 {
-  /** One history with all that is computed from it. */
+  /** One pair of a history with all that is computed from it. */
   struct DamageStudy
   {
-    DamageStudy(const std::string &file, const HistoryParameters &history)
-      : reader(file)
+    /** @p pair: empty where the history has but one. */
+    DamageStudy(const std::string       &file,
+                const std::string       &pair,
+                const HistoryParameters &history)
+      : reader(file, pair)
       , window(history_window(reader, history))
       , grid(reader.layout())
     {
+    }
+
+    /** What stands behind the names of files: "_<pair>". */
+    std::string
+    suffix() const
+    {
+      const std::string &pair = reader.layout().pair;
+      return pair.empty() ? pair : "_" + pair;
     }
 
     HistoryReader                reader;

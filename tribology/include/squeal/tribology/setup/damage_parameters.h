@@ -22,6 +22,7 @@ namespace squeal
     {
       std::string file;        /**< the squealing run */
       std::string silent_file; /**< the run it is compared with; may be empty */
+      std::string pair;        /**< of a history with several; empty: all */
       double      start_time = std::numeric_limits<double>::lowest(); /**< s */
       double      end_time   = std::numeric_limits<double>::max();    /**< s */
       unsigned int chunk     = 4096; /**< samples in memory at a time */
