@@ -112,7 +112,8 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/segments.cc
     source/contact/surface_face.cc
     source/contact/turning_contact.cc
-    source/contact/turning_mortar.cc)
+    source/contact/turning_mortar.cc
+    source/contact/turning_sense.cc)
 
 set(SQUEAL_SOURCES_EIGEN
     source/eigen/arpack_modes.cc

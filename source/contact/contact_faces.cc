@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/contact/contact_faces.h>
+#include <squeal/contact/turning_sense.h>
 #include <squeal/discretization/face_quadrature.h>
 
 namespace squeal
@@ -33,7 +34,9 @@ namespace squeal
                            contact.source_body +
                            "' is empty: a tie has taken it, or no cell of the "
                            "body has it");
-        contact_frames(d, contact, face.points, face.normals);
+        const ContactFrames all =
+          contact_frames(d, contact, face.points, face.normals);
+        require_sliding_as_turning(scene, contact, face.points, all.frames);
       }
   }
 

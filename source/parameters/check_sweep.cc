@@ -83,6 +83,46 @@ namespace squeal
           }
       }
 
+      /** The sense of sliding is looked at in the scene as it stands: where a
+       * body turns, an axis must not reverse what belongs to it. */
+      void
+      require_same_sense(const Parameters          &p,
+                         const SweepAxisParameters &a,
+                         const std::string         &section)
+      {
+        const auto turns = [](const BodyParameters &body) {
+          return body.rotation_speed != 0.;
+        };
+        if (std::none_of(p.scene.bodies.begin(), p.scene.bodies.end(), turns))
+          return;
+        const auto ends_in = [](const std::string &path,
+                                const std::string &end) {
+          return path.size() > end.size() &&
+                 path.compare(path.size() - end.size(), end.size(), end) == 0;
+        };
+        std::vector<double> values = a.values;
+        if (a.scale != Scale::list)
+          {
+            values = a.from;
+            values.insert(values.end(), a.to.begin(), a.to.end());
+          }
+        for (const auto &path : a.entries)
+          if (ends_in(path, "/Friction coefficient") ||
+              ends_in(path, "/Rotation speed"))
+            for (const double value : values)
+              if (value * get_number(p, path) < 0. ||
+                  (value != 0. && get_number(p, path) == 0.))
+                refuse_entry(section,
+                             "Entries",
+                             "contains " + in_quotes(path) + ", which is " +
+                               format_number(get_number(p, path)) +
+                               " in the scene and " + format_number(value) +
+                               " in the sweep: where a body turns it must "
+                               "have one sign in both");
+      }
+
+
+
       void
       check_axis(const Parameters          &parameters,
                  const GenericSchema       &schema,
@@ -96,6 +136,7 @@ namespace squeal
                        "Body pad/Young modulus'");
         for (const auto &path : a.entries)
           require_number(parameters, section, "Entries", path);
+        require_same_sense(parameters, a, section);
         if (a.scale == Scale::list)
           {
             if (a.values.empty())
