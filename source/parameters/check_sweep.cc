@@ -176,7 +176,7 @@ namespace squeal
     void
     check_sweep(const Parameters &parameters)
     {
-      require_inside(parameters.sweep.basis_file, "Sweep", "Basis file");
+      require_saved_name(parameters.sweep.basis_file, "Sweep", "Basis file");
       const SweepParameters &s = parameters.sweep;
       const bool             is_campaign =
         parameters.analysis == Parameters::Analysis::transient &&
