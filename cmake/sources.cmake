@@ -119,7 +119,8 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/surface_face.cc
     source/contact/turning_contact.cc
     source/contact/turning_contacts.cc
-    source/contact/turning_mortar.cc)
+    source/contact/turning_mortar.cc
+    source/contact/turning_sense.cc)
 
 set(SQUEAL_SOURCES_EIGEN
     source/eigen/arpack_modes.cc

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/input_file.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/state_files.h>
 
@@ -30,6 +31,9 @@ namespace squeal
   bool
   is_state_file(const std::string &path, const std::string &kind)
   {
+    // to open a pipe would wait for whoever fills it
+    if (!input_file_fault(path).empty())
+      return false;
     if (is_sealed_file(path, kind))
       return true;
     const std::string head = state_text_head(kind);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/contact/contact_faces.h>
+#include <squeal/contact/turning_sense.h>
 #include <squeal/discretization/face_quadrature.h>
 
 namespace squeal
@@ -24,7 +25,9 @@ namespace squeal
                            contact.source_body +
                            "' is empty: a tie has taken it, or no cell of the "
                            "body has it");
-        contact_frames(d, contact, face.points, face.normals);
+        const ContactFrames all =
+          contact_frames(d, contact, face.points, face.normals);
+        require_sliding_as_turning(scene, contact, face.points, all.frames);
       }
   }
 } // namespace squeal

@@ -101,6 +101,25 @@ namespace squeal
 
 
     void
+    require_saved_name(const std::string &name,
+                       const std::string &section,
+                       const std::string &entry)
+    {
+      require_inside(name, section, entry);
+      const std::string ending = ".h5", base = name.substr(name.rfind('/') + 1);
+      const bool        is_h5 =
+        base.size() > ending.size() &&
+        base.compare(base.size() - ending.size(), ending.size(), ending) == 0;
+      if (!name.empty() && (!is_h5 || name == "contact_history.h5"))
+        refuse_entry(section,
+                     entry,
+                     "= " + in_quotes(name) +
+                       ": give the file a name of its own that ends in '.h5'");
+    }
+
+
+
+    void
     require_file(const std::string &file,
                  const std::string &section,
                  const std::string &entry,

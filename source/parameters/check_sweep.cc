@@ -3,6 +3,7 @@
 
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/declarations.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
@@ -97,6 +98,45 @@ namespace squeal
                            "= common logarithm needs values above 0");
       }
 
+
+
+      /** The sense of sliding is looked at in the scene as it stands: where a
+       * body turns, an axis must not reverse what belongs to it. */
+      void
+      require_same_sense(const Parameters          &p,
+                         const SweepAxisParameters &a,
+                         const std::string         &section)
+      {
+        const auto turns = [](const BodyParameters &body) {
+          return body.rotation_speed != 0.;
+        };
+        if (std::none_of(p.scene.bodies.begin(), p.scene.bodies.end(), turns))
+          return;
+        const auto turns_body = [](const std::string &path) {
+          return generic_path(path) == "Scene/Body <name>/Rotation speed";
+        };
+        std::vector<double> values = a.values;
+        if (a.scale != Scale::list)
+          {
+            values = a.from;
+            values.insert(values.end(), a.to.begin(), a.to.end());
+          }
+        for (const auto &path : a.entries)
+          if (is_friction_entry(path) || turns_body(path))
+            for (const double value : values)
+              if (value * get_number(p, path) < 0. ||
+                  (value != 0. && get_number(p, path) == 0.))
+                refuse_entry(section,
+                             "Entries",
+                             "contains " + in_quotes(path) + ", which is " +
+                               format_number(get_number(p, path)) +
+                               " in the scene and " + format_number(value) +
+                               " in the sweep: where a body turns it must "
+                               "have one sign in both");
+      }
+
+
+
       void
       check_axis(const Parameters          &parameters,
                  const GenericSchema       &schema,
@@ -110,6 +150,7 @@ namespace squeal
                        "Body pad/Young modulus'");
         for (const auto &path : a.entries)
           require_number(parameters, section, "Entries", path);
+        require_same_sense(parameters, a, section);
         if (a.scale == Scale::list)
           {
             if (a.values.empty())
@@ -149,7 +190,7 @@ namespace squeal
     void
     check_sweep(const Parameters &parameters)
     {
-      require_inside(parameters.sweep.basis_file, "Sweep", "Basis file");
+      require_saved_name(parameters.sweep.basis_file, "Sweep", "Basis file");
       const SweepParameters &s = parameters.sweep;
       const bool             is_campaign =
         parameters.analysis == Parameters::Analysis::transient &&

@@ -309,7 +309,7 @@ namespace squeal
       void
       check_files(const TransientParameters &t)
       {
-        require_inside(t.checkpoint_file, "Transient", "Checkpoint file");
+        require_saved_name(t.checkpoint_file, "Transient", "Checkpoint file");
         require_inside(t.campaign_table, "Transient", "Campaign table");
         const std::string &name   = t.campaign_table;
         const std::string  ending = ".csv";

@@ -16,17 +16,28 @@ namespace squeal
       read_keyword(const TextFile &file, RawMatrix &matrix)
       {
         std::string line = upper_case(file.line());
-        line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
+        for (const char blank : {' ', '\t'})
+          line.erase(std::remove(line.begin(), line.end(), blank), line.end());
         if (!prm::starts_with(line, "*MATRIXINPUT"))
           file.fail("keyword " + prm::in_quotes(std::string(file.line())) +
                     " does not belong in a matrix file; only *MATRIX INPUT "
                     "and the data lines of MATRIX OUTPUT do");
         if (!matrix.entries.empty())
           file.fail("a second matrix starts here; one file holds one matrix");
-        if (line.find("TYPE=UNSYMMETRIC") != std::string::npos)
-          matrix.storage = RawMatrix::Storage::general;
-        else if (line.find("TYPE=SYMMETRIC") != std::string::npos)
-          matrix.storage = RawMatrix::Storage::symmetric_or_full;
+        const std::string key   = "TYPE=";
+        const std::size_t place = line.find(key);
+        if (place != std::string::npos)
+          {
+            const std::size_t start = place + key.size();
+            const std::string type =
+              line.substr(start, line.find(',', start) - start);
+            if (type != "UNSYMMETRIC" && type != "SYMMETRIC")
+              file.fail("TYPE " + prm::in_quotes(type) +
+                        " is not known; write SYMMETRIC or UNSYMMETRIC");
+            matrix.storage = type == "SYMMETRIC"
+                               ? RawMatrix::Storage::symmetric_or_full
+                               : RawMatrix::Storage::general;
+          }
         if (line.find("INPUT=") != std::string::npos ||
             line.find("SCALEFACTOR=") != std::string::npos)
           file.fail("INPUT= and SCALE FACTOR= are not followed: name the file "

@@ -132,6 +132,9 @@ namespace
     refused({"Transient/Checkpoint file = " +
              fs::absolute("others/precious.h5").string()},
             "leaves the output directory");
+    for (const char *name : {"forces.csv", "run.json", "contact_history.h5"})
+      refused({std::string("Transient/Checkpoint file = ") + name},
+              "a name of its own that ends in '.h5'");
     refused({"Transient/Campaign table = ../precious.csv"},
             "leaves the output directory");
     write_text("sweep.prm", brake_sweep(folder));

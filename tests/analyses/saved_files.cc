@@ -3,6 +3,7 @@
 // Files that squeal reads back: a damaged checkpoint or basis is never used.
 
 #include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/state_files.h>
 #include <squeal/run/checkpoints.h>
@@ -13,6 +14,9 @@
 #include <fstream>
 #include <random>
 #include <sstream>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "check.h"
 
@@ -282,6 +286,31 @@ namespace
     check(!read().find(some_run("2800"), "row", 1, found),
           "a row with an infinite number is not kept");
   }
+
+
+
+  /** A pipe under the name of a saved file has no first bytes to wait for. */
+  void
+  pipes()
+  {
+    check(::mkfifo("pipe.h5", 0600) == 0, "a pipe is made");
+    ::alarm(20); // the default action ends the program
+    check(!is_state_file("pipe.h5"), "a pipe is no file of squeal");
+    fs::create_directory("results");
+    fs::rename("pipe.h5", "results/checkpoint.h5");
+    check_throws<InputError>([]() { OutputDirectory("results", false); },
+                             "not empty",
+                             "nor may it be overwritten");
+    OutputDirectory output("results", true);
+    check_throws<InputError>(
+      [&]() {
+        output.state_file(
+          "checkpoint.h5", state_kind::checkpoint, "Transient/Checkpoint file");
+      },
+      "no checkpoint that squeal has written",
+      "and it is refused in place of a checkpoint");
+    ::alarm(0);
+  }
 } // namespace
 
 
@@ -296,4 +325,5 @@ main()
   checkpoints_of_others();
   damaged_bases();
   damaged_rows();
+  pipes();
 }

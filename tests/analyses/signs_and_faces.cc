@@ -7,6 +7,8 @@
 
 #include <squeal/results/table.h>
 
+#include <array>
+
 #include "../contact/turned_block.h"
 #include "program.h"
 
@@ -197,6 +199,59 @@ namespace
 
 
 
+  /** A disc that turns slides along the pad as it turns. */
+  void
+  turning()
+  {
+    const auto brake = [](const std::string &speed,
+                          const std::string &axis,
+                          const std::string &mu,
+                          const std::string &direction) {
+      return changed(
+        small_brake,
+        {{"set Cells         = 8, 1, 1",
+          "set Cells         = 8, 1, 1\n    set Rotation speed = " + speed +
+            "\n    set Rotation axis = 0, 0, " + axis},
+         {"set Friction coefficient = 0.3",
+          "set Friction coefficient = " + mu +
+            "\n    set Friction direction = " + direction}});
+    };
+    accepts(brake("300", "1", "0.3", "slip"), "turning as it slides");
+    accepts(brake("-300", "1", "-0.3", "slip"), "both the other way");
+    accepts(brake("-300", "-1", "0.3", "slip"), "about -z");
+    accepts(brake("-300", "1", "0", "slip"), "without friction");
+    for (const auto &[speed, axis, mu, direction] :
+         std::vector<std::array<std::string, 4>>{
+           {{"-300", "1", "0.3", "slip"}},
+           {{"300", "1", "-0.3", "slip"}},
+           {{"300", "-1", "0.3", "slip"}},
+           {{"-300", "1", "0.3", "fixed y"}},
+           {{"300",
+             "1",
+             "0.3",
+             "given\n    set Sliding direction = 0, -1, 0"}}})
+      refuses(brake(speed, axis, mu, direction),
+              {"pad_disc", "Rotation speed", "the other way"},
+              "a disc that turns against its sliding is refused: " + speed +
+                " rad/s, axis " + axis + ", mu = " + mu + ", " + direction);
+    const auto sweep = [&](const std::string &mu, const std::string &values) {
+      return changed(brake("300", "1", mu, "slip"), {{"= cea", "= sweep"}}) +
+             "subsection Sweep\n  set Axes = mu\n  subsection Axis mu\n"
+             "    set Entries = Scene/Contact pad_disc/Friction coefficient\n"
+             "    set Scale = list\n    set Values = " +
+             values + "\n  end\nend\n";
+    };
+    accepts(sweep("0.3", "0, 0.3"), "a sweep of one sense");
+    refuses(sweep("0.3", "-0.3, 0.3"),
+            {"Axis mu", "0.3 in the scene and -0.3"},
+            "a sweep that reverses the sliding of a turning disc is refused");
+    refuses(sweep("0", "0.2, 0.3"),
+            {"Axis mu", "0 in the scene"},
+            "and one whose scene has no sense");
+  }
+
+
+
   void
   grids()
   {
@@ -334,6 +389,8 @@ main(int argc, char **argv)
   const std::string part = argv[3];
   if (part == "faces")
     faces();
+  else if (part == "turning")
+    turning();
   else if (part == "grids")
     grids();
   else if (part == "turned")
@@ -341,5 +398,5 @@ main(int argc, char **argv)
   else if (part == "contact_states")
     contact_states(argv[2]);
   else
-    check(false, "parts are faces, grids, turned, contact_states");
+    check(false, "parts are faces, turning, grids, turned, contact_states");
 }

@@ -105,6 +105,14 @@ namespace
           "names ascend by node and component, Abaqus' own nodes first");
     check(matrix.values == std::vector<double>({3., 2., 1.}),
           "values follow their names");
+    // Their product with anything overflows.
+    const ImportedMatrix large =
+      read_matrix(part_of(write_text("large_names.txt",
+                                     "5218811905693566749,1, "
+                                     "5218811905693566749,1, 1.\n"),
+                          Role::mass));
+    check(large.labels == std::vector<DofLabel>({{5218811905693566749, 1}}),
+          "a number of a node may be as large as it is");
   }
 
   void

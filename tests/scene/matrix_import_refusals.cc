@@ -194,6 +194,11 @@ namespace
            "1,1, 1,1, 1.\n*MATRIX INPUT, NAME=M\n1,1, 1,1, 1.\n",
            "bad.txt:2: a second matrix");
     refuse("no entries", "*MATRIX INPUT, NAME=M\n", "holds no matrix entry");
+    for (const char *type : {"SYMMET\xd2IC", "SYMMETRICAL", "", "FULL"})
+      refuse("an unknown type",
+             std::string("*MATRIX INPUT, NAME=K, TYPE=") + type +
+               "\n1,1, 1,1, 1.\n",
+             "bad.txt:1: TYPE");
   }
 
   void

@@ -10,8 +10,10 @@ namespace squeal
    * Looks at the mesh faces of every contact pair of meshed bodies before
    * anything is assembled: at all Gauss points of the source face there must be
    * the named target face, its normal against that of the source, and a sliding
-   * direction along it. Throws InputError that names contact and place, as
-   * contact_frames(), and where the source body has no faces of that name.
+   * direction along it, with the turning of the bodies and not against it.
+   * Throws InputError that names contact and place, as contact_frames() and
+   * require_sliding_as_turning(), and where the source body has no faces of
+   * that name.
    */
   void check_contact_faces(const Discretization &discretization);
 } // namespace squeal

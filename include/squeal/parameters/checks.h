@@ -64,6 +64,13 @@ namespace squeal
                         const std::string &section,
                         const std::string &entry);
 
+    /** Refuses the name of a file that outlives a run if it leaves the output
+     * directory or is that of a result: it must end in ".h5". The empty name
+     * stands for a default. */
+    void require_saved_name(const std::string &name,
+                            const std::string &section,
+                            const std::string &entry);
+
     /** Refuses a file that is named but is not there; the empty name is
      * refused too if @p is_needed. */
     void require_file(const std::string &file,

@@ -58,7 +58,9 @@ namespace squeal
         std::size_t
         operator()(const DofLabel &label) const
         {
-          return std::hash<long>()(label.node * 8 + label.component);
+          // of any number in a file, without overflow
+          return std::hash<std::size_t>()(
+            static_cast<std::size_t>(label.node) * 8 + label.component);
         }
       };
       std::unordered_map<DofLabel, unsigned int, Hash> index_of;
