@@ -19,8 +19,9 @@ namespace squeal
       for (const auto &body : scene.bodies)
         if (body.name == name)
           {
-            velocity[0] = -body.rotation_speed * (x[1] - body.position[1]);
-            velocity[1] = body.rotation_speed * (x[0] - body.position[0]);
+            const Vector3 &centre = body.centre_of_rotation();
+            velocity[0]           = -body.rotation_speed * (x[1] - centre[1]);
+            velocity[1]           = body.rotation_speed * (x[0] - centre[0]);
           }
       return velocity;
     }
