@@ -83,6 +83,22 @@ namespace squeal
 
 
 
+  double
+  FrictionLaw::remember(const double /*before*/,
+                        const double slip_rate,
+                        const double /*duration*/) const
+  {
+    return slip_rate;
+  }
+
+  double
+  FrictionLaw::recalled(const double memory) const
+  {
+    return memory >= 0. ? coefficient(memory) : at_rest();
+  }
+
+
+
   NodalFriction
   FrictionLaw::in_sliding(const Eigen::VectorXd &speed_ratio,
                           const double           speed) const

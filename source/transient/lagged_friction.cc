@@ -8,7 +8,7 @@ namespace squeal
 {
   namespace
   {
-    constexpr double sticks = -1.;
+    constexpr double stuck = FrictionLaw::stuck;
     /** Slip below this share of the sliding speed is rounding at the start. */
     constexpr double rounding = 1e-9;
   } // namespace
@@ -24,7 +24,7 @@ namespace squeal
     , ratio(speed_ratio)
   {
     if (by_slip_rate)
-      slip_rate = Eigen::VectorXd::Constant(ratio.size(), sticks);
+      memory = Eigen::VectorXd::Constant(ratio.size(), stuck);
   }
 
 
@@ -39,7 +39,8 @@ namespace squeal
       {
         const double slip =
           std::hypot(rate[3 * j + 1] + v * ratio[j], rate[3 * j + 2]);
-        slip_rate[j] = slip > rounding * std::abs(v) ? slip : sticks;
+        memory[j] = laws->of(j).remember(
+          stuck, slip > rounding * std::abs(v) ? slip : stuck, 0.);
       }
   }
 
@@ -57,9 +58,8 @@ namespace squeal
     step.nodal_friction.resize(ratio.size());
     for (Eigen::Index j = 0; j < ratio.size(); ++j)
       {
-        const bool   is_known = by_slip_rate && slip_rate[j] >= 0.;
-        const double mu       = is_known ? laws->of(j).coefficient(slip_rate[j])
-                                         : laws->of(j).at_rest();
+        const double mu        = by_slip_rate ? laws->of(j).recalled(memory[j])
+                                              : laws->of(j).at_rest();
         step.nodal_friction[j] = std::max(0., mu + (ratio[j] > 0. ? more : 0.));
       }
   }
@@ -78,21 +78,23 @@ namespace squeal
         Eigen::Vector2d slip = motion.segment<2>(3 * j + 1) -
                                step.previous_motion.segment<2>(3 * j + 1);
         slip[0] += step.duration * step.speed * ratio[j];
-        slip_rate[j] = status[j] == ContactStatus::stick
-                         ? sticks
-                         : slip.norm() / step.duration;
+        memory[j] = laws->of(j).remember(memory[j],
+                                         status[j] == ContactStatus::stick
+                                           ? stuck
+                                           : slip.norm() / step.duration,
+                                         step.duration);
       }
   }
 
   Eigen::VectorXd &
   LaggedFriction::state()
   {
-    return slip_rate;
+    return memory;
   }
 
   const Eigen::VectorXd &
   LaggedFriction::state() const
   {
-    return slip_rate;
+    return memory;
   }
 } // namespace squeal

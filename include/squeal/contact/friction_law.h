@@ -48,6 +48,24 @@ namespace squeal
     /** What the tangential force of a node that sticks is limited by. */
     double at_rest() const;
 
+    /**
+     * @name Memory
+     * One number a node goes from step to step and is part of checkpoints.
+     * These laws remember the slip rate, negative where the node stuck; a law
+     * with a state of its own (a temperature, an age of the contact) keeps that
+     * instead and lets it evolve in remember().
+     */
+    //@{
+    static constexpr double stuck = -1.;
+    /** After a step of @p duration, s, at @p slip_rate, m/s, or `stuck`;
+     * @p before: what the node remembered, `stuck` at the start. */
+    double remember(const double before,
+                    const double slip_rate,
+                    const double duration) const;
+    /** mu of a node that remembers @p memory. */
+    double recalled(const double memory) const;
+    //@}
+
     /** Nodes that slip with the sliding speed @p speed, m/s, times their @p
      * speed_ratio. */
     NodalFriction in_sliding(const Eigen::VectorXd &speed_ratio,

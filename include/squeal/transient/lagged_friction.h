@@ -33,8 +33,8 @@ namespace squeal
               const Eigen::VectorXd            &motion,
               const std::vector<ContactStatus> &status);
 
-    /** What later steps depend on: a slip rate a node, m/s, negative where it
-     * sticks; empty where the coefficient does not depend on it. */
+    /** What later steps depend on: what each node remembers, see FrictionLaw;
+     * empty where all coefficients are constant. */
     Eigen::VectorXd       &state();
     const Eigen::VectorXd &state() const;
 
@@ -43,7 +43,7 @@ namespace squeal
     TransientDrive::Function            speed;
     std::shared_ptr<const FrictionLaws> laws;
     bool            by_slip_rate; /**< whether some law depends on it */
-    Eigen::VectorXd ratio, slip_rate;
+    Eigen::VectorXd ratio, memory;
   };
 } // namespace squeal
 
