@@ -4,6 +4,7 @@
 #include <squeal/results/vtk_xml.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -26,6 +27,40 @@ namespace squeal
       for (const auto &p : points)
         result.push_back({p[0], p[1]});
       return result;
+    }
+
+
+
+    /** Ticks of both axes, mm: with equal scales a narrow face has little room
+     * for numbers. */
+    std::string
+    ticks_of(const std::vector<PlanarPoint> &places)
+    {
+      std::array<double, 2> extent{};
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          const auto ends = std::minmax_element(
+            places.begin(), places.end(), [c](const auto &a, const auto &b) {
+              return a[c] < b[c];
+            });
+          extent[c] = 1e3 * ((*ends.second)[c] - (*ends.first)[c]);
+        }
+      const double longer = std::max(extent[0], extent[1]);
+      std::string  text;
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          const double most =
+            std::max(1.5, std::floor((c == 0 ? 7. : 9.) * extent[c] / longer));
+          const double least = std::max(extent[c], 1e-6) / most,
+                       power = std::pow(10., std::floor(std::log10(least)));
+          double step        = 10. * power;
+          for (const double round : {5., 2., 1.})
+            if (round * power >= least)
+              step = round * power;
+          text += std::string(text.empty() ? "" : "\n") + "set " + "xy"[c] +
+                  "tics " + plot_number(step);
+        }
+      return text;
     }
 
 
@@ -100,6 +135,7 @@ namespace squeal
     drawing.add("set view map\nset size ratio -1\nunset key\nunset ztics");
     drawing.add("set style fill solid noborder");
     drawing.add(axis_labels);
+    drawing.add(ticks_of(places));
     // One scale for all arrows: those of one traction are of one length,
     // whatever the panel and the cell of the node.
     double longest = 0.;
