@@ -25,6 +25,8 @@ namespace squeal
     /** Diagonal entries of an operator that differ by more, relatively, are
      * those of another problem. */
     constexpr double largest_change = 0.2;
+    /** Of the largest free motion, by which motions are off. */
+    constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
   } // namespace
 
 
@@ -60,6 +62,20 @@ namespace squeal
     , starts_single(is_single)
     , method(m)
   {
+    // In statics soft supports make W large: the law is scaled by the stiffness
+    // of each node beside all others at rest, or statuses change sluggishly.
+    if (is_single || method == Method::gauss_seidel)
+      return;
+    const Eigen::Index    n = now.W.rows();
+    const Eigen::MatrixXd K =
+      now.W.partialPivLu().solve(Eigen::MatrixXd::Identity(n, n));
+    for (Eigen::Index j = 0; j < now.rho_normal.size(); ++j)
+      {
+        now.rho_normal[j]     = std::max(now.rho_normal[j], K(3 * j, 3 * j));
+        now.rho_tangential[j] = std::max({now.rho_tangential[j],
+                                          K(3 * j + 1, 3 * j + 1),
+                                          K(3 * j + 2, 3 * j + 2)});
+      }
   }
 
   ContactSolver::Operator::Operator(Eigen::MatrixXd delassus)
@@ -320,14 +336,58 @@ namespace squeal
                         Eigen::VectorXd   &lambda,
                         ContactReport     &report)
   {
-    double       residual = evaluate(step, lambda);
-    double       best     = residual;
-    unsigned int n_slow   = 0;
-    bool         is_new   = false;
+    if (starts_single)
+      return iterate(step, lambda, report);
+    // Whether the iterations cycle depends on what the law is scaled by.
+    const Eigen::VectorXd start = lambda;
+    double                scale = 1.;
+    bool                  found = iterate(step, lambda, report);
+    for (const double next : {0.1, 0.01, 0.001})
+      if (!found)
+        {
+          scale_law(next / scale);
+          scale  = next;
+          lambda = start;
+          found  = iterate(step, lambda, report);
+        }
+    if (scale != 1.)
+      scale_law(1. / scale);
+    return found;
+  }
+
+
+
+  void
+  ContactSolver::scale_law(const double factor)
+  {
+    now.rho_normal *= factor;
+    now.rho_tangential *= factor;
+    has_inverse = false;
+    base.clear();
+    updated.clear();
+    changed.clear();
+  }
+
+
+
+  bool
+  ContactSolver::iterate(const ContactStep &step,
+                         Eigen::VectorXd   &lambda,
+                         ContactReport     &report)
+  {
+    double residual = evaluate(step, lambda);
+    // Motions that are large beside the gaps leave no more digits.
+    const double reachable =
+      std::max(tolerance,
+               rounding * worst_of(step.free_motion.cwiseAbs()) *
+                 worst_of(now.rho_normal) / mean_force);
+    double       best   = residual;
+    unsigned int n_slow = 0;
+    bool         is_new = false;
     for (unsigned int i = 0, n_idle = 0; i < maximum_iterations; ++i)
       {
         report.residual = residual;
-        if (residual <= tolerance)
+        if (residual <= tolerance || (residual <= reachable && n_idle > 2))
           return true;
         if (!(residual < std::numeric_limits<double>::max()) || n_idle > 12)
           return false;
@@ -422,6 +482,8 @@ namespace squeal
     const Eigen::VectorXd start = lambda;
     if (newton(step, lambda, report))
       return report;
+    if (!starts_single) // sweeps are for dynamics
+      throw_no_solution(report);
     lambda = start.allFinite() ? start : Eigen::VectorXd::Zero(lambda.size());
     for (unsigned int round = 0; round < maximum_rounds; ++round)
       {

@@ -102,14 +102,9 @@ namespace squeal
         return state;
       }
 
-      /** False where there is no solution near the forces of @p state. With
-       * @p by_sweeps Gauss-Seidel sweeps look for one where Newton's method
-       * cycles. */
+      /** False where there is no solution near the forces of @p state. */
       bool
-      solve(ContactStep    step,
-            const double   share,
-            SteadySliding &state,
-            const bool     by_sweeps = false)
+      solve(ContactStep step, const double share, SteadySliding &state)
       {
         const Eigen::MatrixXd &Psi = model.participation;
         const Eigen::VectorXd  f   = share * model.load;
@@ -118,7 +113,7 @@ namespace squeal
             const Eigen::VectorXd q_free =
               compliance.cwiseProduct(f + held.cwiseProduct(state.coordinates));
             step.free_motion = Psi * q_free + share * model.load_motion;
-            if (!solve_contact(step, state, by_sweeps))
+            if (!solver->newton(step, state.forces, state.report))
               return false;
             const Eigen::VectorXd contact = Psi.transpose() * state.forces;
             const Eigen::VectorXd q = q_free - compliance.cwiseProduct(contact);
@@ -142,24 +137,6 @@ namespace squeal
       }
 
     private:
-      bool
-      solve_contact(const ContactStep &step,
-                    SteadySliding     &state,
-                    const bool         by_sweeps)
-      {
-        if (!by_sweeps)
-          return solver->newton(step, state.forces, state.report);
-        try
-          {
-            state.report = solver->solve(step, state.forces);
-            return true;
-          }
-        catch (const ComputationError &)
-          {
-            return false;
-          }
-      }
-
       /** The size of nodal forces, N: the even ones that would take back what
        * the full load moves the nodes together. */
       double
@@ -203,13 +180,9 @@ namespace squeal
 
   namespace
   {
-    /** Loads at rest before the targets slide, in equal shares. */
-    constexpr unsigned int pressing_steps = 10;
-    /** What the friction of sliding nodes may still be off its direction and
-     * its limit before the target slides on without end. */
-    constexpr double nearly_settled = 1e-6;
-    /** Doublings of the way that the targets slide, at most. */
-    constexpr unsigned int most_ways = 200;
+    /** Equal shares of the loads, and then of the friction of sliding pairs, in
+     * which pairs at rest get to their state. */
+    constexpr unsigned int order_steps = 10;
 
     /** A step in which nothing has moved yet. */
     ContactStep
@@ -250,7 +223,7 @@ namespace squeal
               if (reached == 0. && !contact.solve(step, share, next))
                 throw_none(true, 0.);
               step.nodal_friction = friction;
-              if (contact.solve(step, share, next, true))
+              if (contact.solve(step, share, next))
                 {
                   now     = next;
                   reached = share;
@@ -301,76 +274,46 @@ namespace squeal
       return result;
     }
 
-    /** How far the friction of the sliding nodes is from that of sliding on
-     * along V, over what it may be. */
-    double
-    distance_to_sliding(const ReducedContactModel &model,
-                        const SteadySliding       &state,
-                        const Eigen::VectorXd     &friction)
-    {
-      double worst = 0.;
-      for (unsigned int j = 0; j < model.n_nodes(); ++j)
-        if (const double limit = friction[j] * state.forces[3 * j];
-            model.speed_ratio[j] > 0. && limit > 0.)
-          worst =
-            std::max(worst, std::abs(1. - state.forces[3 * j + 1] / limit));
-      return worst;
-    }
-
-    /** A way over which the sliding pairs only begin to slip, m. */
-    double
-    first_way(const ReducedContactModel &model,
-              const SteadySliding       &pressed,
-              const Eigen::VectorXd     &friction)
-    {
-      double way = 0.;
-      for (unsigned int j = 0; j < model.n_nodes(); ++j)
-        if (model.speed_ratio[j] > 0.)
-          way = std::max(way,
-                         friction[j] * pressed.forces[3 * j] *
-                           model.flexibility(3 * j + 1, 3 * j + 1));
-      return way > 0. ? way : 1e-9;
-    }
-
-    /** Some nodes are at rest: loads first, then the others slide. */
+    /** Some nodes are at rest: the loads come on without friction in the
+     * sliding pairs, which then grows to its full size in equal steps. */
     SteadySliding
     slide_after_pressing(StaticContact             &contact,
                          const ReducedContactModel &model,
                          const Eigen::VectorXd     &friction,
                          const double               load_factor)
     {
+      const Eigen::ArrayXd slides =
+        (model.speed_ratio.array() > 0.).cast<double>();
+      const auto friction_at = [&](const double share) {
+        return Eigen::VectorXd(friction.array() *
+                               (1. - slides + share * slides));
+      };
+      // The targets slide so far that the slip has its direction.
+      ContactStep step = first_step(model, 1.);
+      step.duration    = 1e6;
       SteadySliding now =
-        press(
-          contact, friction, pressing_steps, load_factor, first_step(model, 0.))
-          .back();
-      ContactStep step    = first_step(model, 1.);
-      step.nodal_friction = friction;
-      step.duration       = first_way(model, now, friction);
-      const double least  = 1e-6 * step.duration;
-      for (unsigned int k = 0; k < most_ways; ++k)
+        press(contact, friction_at(0.), order_steps, load_factor, step).back();
+      double reached = 0., increment = 1. / order_steps;
+      while (reached < 1.)
         {
+          const double  share  = std::min(reached + increment, 1.);
           SteadySliding next   = now;
           step.previous_motion = now.motion;
-          if (!contact.solve(step, load_factor, next, true))
+          step.nodal_friction  = friction_at(share);
+          if (contact.solve(step, load_factor, next))
             {
-              step.duration *= 0.25;
-              if (step.duration < least)
-                throw ComputationError(
-                  "there is no steady sliding: the friction wedges or sprags "
-                  "while the targets begin to slide");
+              now     = next;
+              reached = share;
               continue;
             }
-          now = next;
-          if (step.duration == 1e6)
-            return now;
-          // Without end once they slip all along V.
-          step.duration =
-            distance_to_sliding(model, now, friction) < nearly_settled
-              ? 1e6
-              : 2. * step.duration;
+          increment *= 0.5;
+          if (increment < 1e-3 / order_steps)
+            throw ComputationError(
+              "there is no steady sliding beyond " +
+              rounded_text(100. * reached, 4) +
+              " % of the friction of the sliding pairs: it wedges or sprags");
         }
-      throw ComputationError("there is no steady sliding: the targets drag "
-                             "something on and on that nothing holds");
+      return now;
     }
 
     /** Nothing moves in pairs at rest: what has friction sticks there. */

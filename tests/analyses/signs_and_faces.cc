@@ -153,9 +153,9 @@ namespace
         "steady sliding is taken");
       return read_csv("out/preload.csv");
     };
-    const Table       from_above = pressed(small_brake, "z_max", "-100"),
-                      from_below = pressed(below, "z_min", "100");
-    const std::size_t last       = from_above.n_rows() - 1;
+    const Table from_above = pressed(small_brake, "z_max", "-100"),
+                from_below = pressed(below, "z_min", "100");
+    const std::size_t last = from_above.n_rows() - 1;
     for (const char *column : {"normal_n",
                                "tangential_n",
                                "centre_y_m",

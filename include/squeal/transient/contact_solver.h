@@ -116,6 +116,13 @@ namespace squeal
   private:
     struct Projection; // of one node
 
+    /** Newton's method with the law scaled as it is. */
+    bool iterate(const ContactStep &step,
+                 Eigen::VectorXd   &lambda,
+                 ContactReport     &report);
+    /** Multiplies what the law is scaled by at each node. */
+    void scale_law(const double factor);
+
     Projection project(const ContactStep     &step,
                        const Eigen::VectorXd &lambda,
                        const unsigned int     node) const;

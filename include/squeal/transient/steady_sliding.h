@@ -33,8 +33,9 @@ namespace squeal
    *
    * What sticks in a pair at rest depends on the order of things. Where the
    * model has such pairs (nodes with a speed ratio of 0) the loads come on
-   * while everything is at rest, in equal shares, and the targets slide after
-   * that, on and on until nothing changes any more. */
+   * first, while the friction of the sliding pairs is zero, then that friction
+   * grows to its full size, both in ten equal steps.
+   */
   SteadySliding steady_sliding(const ReducedContactModel &model,
                                const double               friction,
                                const double               load_factor = 1.,
