@@ -28,6 +28,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/history/clipped_sine.cc
     source/history/contact_grid.cc
     source/history/csv_import.cc
+    source/images/agreement.cc
     source/images/areas.cc
     source/images/centre_line.cc
     source/images/crack_depth.cc
@@ -44,6 +45,8 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/metadata.cc
     source/images/micrograph.cc
     source/images/path_evidence.cc
+    source/images/rater_masks.cc
+    source/images/rating.cc
     source/images/registration.cc
     source/images/ridge_filter.cc
     source/images/run_segmentation.cc

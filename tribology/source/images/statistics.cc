@@ -24,7 +24,9 @@ namespace squeal::tribology
      * of the length, in independent parts of a share p of a crack, the variance
      * is f p times the sum of the squares of the lengths of the cracks. */
     double
-    error_of_length(const cv::Mat &line, const cv::Mat &lengths)
+    error_of_length(const cv::Mat &line,
+                    const cv::Mat &lengths,
+                    const bool     is_drawn)
     {
       double length = 0., squares = 0., n_ends = 0.;
       for (const LinePiece &crack : line_pieces(line))
@@ -40,7 +42,7 @@ namespace squeal::tribology
         }
       return std::sqrt(std::pow(length_error * length, 2) +
                        std::pow(end_error, 2) * n_ends +
-                       wrongly_found * part_found * squares);
+                       (is_drawn ? 0. : wrongly_found * part_found * squares));
     }
 
 
@@ -124,7 +126,7 @@ namespace squeal::tribology
       {
         r.orientation          = scaled(r.orientation, 1. / length);
         r.crack_width          = weighted_width / length * pixel_size;
-        const double deviation = error_of_length(line, lengths);
+        const double deviation = error_of_length(line, lengths, s.cracks.is_drawn);
         const double area_deviation =
           error_of_area(s.cracks, lengths, deviation / length);
         r.crack_length_error = 1e-3 * deviation * pixel_size;

@@ -16,6 +16,7 @@ namespace squeal::tribology
                             alike along a crack, apart between cracks */
     cv::Mat common_width_error; /**< as above, but alike in the image */
     cv::Mat direction; /**< CV_32F, radians in [0, pi), on the centre line */
+    bool    is_drawn = false; /**< by people or other programs */
   };
 
   /** Centre lines and the evidence that they were found in. */
