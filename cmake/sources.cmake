@@ -203,65 +203,71 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/vtk_xml.cc
     source/results/wav_file.cc)
 
-set(SQUEAL_SOURCES_DRIVER
-    source/driver/campaign_amplitudes.cc
-    source/driver/campaign_plots.cc
-    source/driver/campaign_runs.cc
-    source/driver/campaign_table.cc
-    source/driver/cea_quantities.cc
-    source/driver/cea_solution.cc
-    source/driver/checkpoints.cc
-    source/driver/command_line.cc
-    source/driver/contact_output.cc
-    source/driver/contact_states.cc
-    source/driver/doublets.cc
-    source/driver/entry_units.cc
-    source/driver/finer_modes.cc
-    source/driver/fingerprint.cc
-    source/driver/finished_runs.cc
-    source/driver/headline_error.cc
-    source/driver/matrix_output.cc
-    source/driver/measured_points.cc
-    source/driver/mode_solution.cc
-    source/driver/model.cc
-    source/driver/motion_output.cc
-    source/driver/pressed_model.cc
-    source/driver/response_solution.cc
-    source/driver/response_tables.cc
-    source/driver/run_cea.cc
-    source/driver/run_context.cc
-    source/driver/run_frequency_response.cc
-    source/driver/run_modes.cc
-    source/driver/run_preload.cc
-    source/driver/run_session.cc
-    source/driver/run_sweep.cc
-    source/driver/run_transient.cc
-    source/driver/run_updating.cc
-    source/driver/run_work_precision.cc
-    source/driver/shape_output.cc
-    source/driver/sweep_basis_file.cc
-    source/driver/sweep_boundary.cc
-    source/driver/sweep_checks.cc
-    source/driver/sweep_model.cc
-    source/driver/sweep_plots.cc
-    source/driver/sweep_residuals.cc
-    source/driver/sweep_scatter.cc
-    source/driver/sweep_scenes.cc
-    source/driver/sweep_sensitivity.cc
-    source/driver/sweep_solution.cc
-    source/driver/sweep_suggestions.cc
-    source/driver/sweep_tables.cc
-    source/driver/transient_campaign.cc
-    source/driver/transient_checkpoint.cc
-    source/driver/transient_figures.cc
-    source/driver/transient_output.cc
-    source/driver/transient_phase.cc
-    source/driver/transient_plots.cc
-    source/driver/transient_run.cc
-    source/driver/transient_verdict.cc
-    source/driver/turning_modes.cc
-    source/driver/updating_fit.cc
-    source/driver/updating_model.cc)
+set(SQUEAL_SOURCES_RUN
+    source/run/checkpoints.cc
+    source/run/command_line.cc
+    source/run/entry_units.cc
+    source/run/fingerprint.cc
+    source/run/finished_runs.cc
+    source/run/run_context.cc
+    source/run/run_session.cc)
+
+set(SQUEAL_SOURCES_MODEL
+    source/model/cea_solution.cc
+    source/model/contact_states.cc
+    source/model/doublets.cc
+    source/model/finer_modes.cc
+    source/model/measured_points.cc
+    source/model/mode_solution.cc
+    source/model/model.cc
+    source/model/pressed_model.cc
+    source/model/turning_modes.cc)
+
+set(SQUEAL_SOURCES_OUTPUT
+    source/output/cea_quantities.cc
+    source/output/contact_output.cc
+    source/output/headline_error.cc
+    source/output/matrix_output.cc
+    source/output/shape_output.cc)
+
+set(SQUEAL_SOURCES_ANALYSES
+    source/analyses/cea/run_cea.cc
+    source/analyses/frequency_response/response_solution.cc
+    source/analyses/frequency_response/response_tables.cc
+    source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/modes/run_modes.cc
+    source/analyses/preload/run_preload.cc
+    source/analyses/sweep/run_sweep.cc
+    source/analyses/sweep/sweep_basis_file.cc
+    source/analyses/sweep/sweep_boundary.cc
+    source/analyses/sweep/sweep_checks.cc
+    source/analyses/sweep/sweep_model.cc
+    source/analyses/sweep/sweep_plots.cc
+    source/analyses/sweep/sweep_residuals.cc
+    source/analyses/sweep/sweep_scatter.cc
+    source/analyses/sweep/sweep_scenes.cc
+    source/analyses/sweep/sweep_sensitivity.cc
+    source/analyses/sweep/sweep_solution.cc
+    source/analyses/sweep/sweep_suggestions.cc
+    source/analyses/sweep/sweep_tables.cc
+    source/analyses/transient/campaign_amplitudes.cc
+    source/analyses/transient/campaign_plots.cc
+    source/analyses/transient/campaign_runs.cc
+    source/analyses/transient/campaign_table.cc
+    source/analyses/transient/motion_output.cc
+    source/analyses/transient/run_transient.cc
+    source/analyses/transient/transient_campaign.cc
+    source/analyses/transient/transient_checkpoint.cc
+    source/analyses/transient/transient_figures.cc
+    source/analyses/transient/transient_output.cc
+    source/analyses/transient/transient_phase.cc
+    source/analyses/transient/transient_plots.cc
+    source/analyses/transient/transient_run.cc
+    source/analyses/transient/transient_verdict.cc
+    source/analyses/updating/run_updating.cc
+    source/analyses/updating/updating_fit.cc
+    source/analyses/updating/updating_model.cc
+    source/analyses/work_precision/run_work_precision.cc)
 
 set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_BASE}
@@ -273,4 +279,7 @@ set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_SWEEP}
     ${SQUEAL_SOURCES_TRANSIENT}
     ${SQUEAL_SOURCES_RESULTS}
-    ${SQUEAL_SOURCES_DRIVER})
+    ${SQUEAL_SOURCES_RUN}
+    ${SQUEAL_SOURCES_MODEL}
+    ${SQUEAL_SOURCES_OUTPUT}
+    ${SQUEAL_SOURCES_ANALYSES})

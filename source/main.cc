@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/analyses.h>
 #include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/base/unknown_choice.h>
-#include <squeal/driver/analyses.h>
-#include <squeal/driver/command_line.h>
 #include <squeal/results/compare.h>
+#include <squeal/run/command_line.h>
 
 #include <deal.II/base/mpi.h>
 

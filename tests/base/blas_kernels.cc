@@ -3,7 +3,7 @@
 // OpenBLAS works with the widest kernels that the processor has, also where it
 // does not know the processor; what the user sets stays.
 
-#include "../driver/program.h"
+#include "../analyses/program.h"
 #include "check.h"
 
 #include <squeal/base/blas_kernels.h>

@@ -7,7 +7,7 @@
 // that do not follow it are not linked at all; a verdict on made images says
 // so. Arguments: the program, the folder of the parameter files; for histories
 // of short transients also the program that computes them.
-#include "../driver/program.h"
+#include "../analyses/program.h"
 #include "worst.h"
 
 #include <squeal/results/table.h>

@@ -2,7 +2,7 @@
 
 // Mosaics with element maps, and sections, through the program. Argument: the
 // program.
-#include "../driver/program.h"
+#include "../analyses/program.h"
 
 #include <squeal/results/table.h>
 #include <squeal/tribology/images/image_files.h>

@@ -3,7 +3,7 @@
 // The program from end to end: histories, damage, correlation; and what a user
 // can get wrong ends in one line and a non-zero exit code, with no results.
 // Argument: the program.
-#include "../driver/program.h"
+#include "../analyses/program.h"
 #include "worst.h"
 
 #include <squeal/results/table.h>

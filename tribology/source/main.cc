@@ -3,7 +3,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/base/unknown_choice.h>
-#include <squeal/driver/command_line.h>
+#include <squeal/run/command_line.h>
 #include <squeal/tribology/driver/analyses.h>
 
 #include <deal.II/base/mpi.h>

@@ -2,7 +2,7 @@
 #ifndef squeal_tribology_driver_context_h
 #define squeal_tribology_driver_context_h
 
-#include <squeal/driver/run_session.h>
+#include <squeal/run/run_session.h>
 #include <squeal/tribology/setup/tribology_parameters.h>
 
 namespace squeal::tribology

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_transient_transient_results_h
+#define squeal_analyses_transient_transient_results_h
+
+#include <squeal/analyses/transient/transient_run.h>
+#include <squeal/eigen/complex_pairs.h>
+#include <squeal/results/table.h>
+#include <squeal/transient/growth.h>
+#include <squeal/transient/spectrum.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  class RunContext;
+  class RunLog;
+  class HtmlReport;
+
+  /** All that a transient is started from. */
+  struct PreparedTransient
+  {
+    PressedModel              pressed;
+    SteadySliding             steady;
+    LinearizedMotion          linear;
+    std::vector<unsigned int> branches; /**< pairs within the band */
+
+    PreparedTransient(const PressedModel &pressed,
+                      const Parameters   &parameters,
+                      Timers             &timers);
+  };
+
+  /** One pair about steady sliding and what the motion makes of it. */
+  struct BranchResult
+  {
+    double sigma     = 0.;           /**< of the reduced model, 1/s */
+    double frequency = 0.;           /**< Hz */
+    double sigma_cea, frequency_cea; /**< of the whole model; NaN if not
+                                        computed */
+    GrowthFit fit;
+    double    last_amplitude = 0.; /**< rms over the second half of the run,
+                                      sqrt(J) */
+  };
+
+  /** What comes out of a transient. */
+  struct TransientFigures
+  {
+    std::vector<BranchResult> branches;
+    int                       leading = -1; /**< branch of the largest sigma */
+    std::string               verdict;      /**< stable, unstable, undecided */
+    double linear_start = 0., linear_end = 0.; /**< of the linear phase, s */
+
+    /** @name Over the second half of the run */
+    //@{
+    /** The vibration keeps its size and is none that only dies out slowly. */
+    bool has_limit_cycle = false;
+    /** No status other than that of steady sliding, about which every motion
+     * decays: what still vibrates dies out, however slowly. */
+    bool   dies_out  = false;
+    bool   vibrates  = false;             /**< more than noise, to stay */
+    double least_rms = 0., most_rms = 0.; /**< of its four quarters, N */
+    double frequency = 0.; /**< of the periodic normal resultant, Hz */
+    /** Largest deviation of its quarters, Hz; NaN if none has a line. */
+    double frequency_ci = std::numeric_limits<double>::quiet_NaN();
+    double largest_line = 0.;      /**< this frequency or a multiple, Hz */
+    std::vector<double> harmonics; /**< rms of its multiples 1.., N */
+    double repetition  = 0.;       /**< of the normal resultant (spectrum.h) */
+    double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
+    double min_normal = 0., max_normal = 0.;
+    double mean_tangential = 0., rms_tangential = 0.;
+    double macroscopic_friction = 0.; /**< mean tangential over mean normal */
+    double phase = 0.; /**< of the tangential against the normal force at the
+                          largest line, deg */
+    bool         separates            = false; /**< all nodes open at a time */
+    double       stick_fraction       = 0.;    /**< of closed node-time */
+    double       max_slip_speed_ratio = 0.;
+    double       rms_acceleration = 0.; /**< of the source's centre, m/s^2 */
+    double       mean_leading_edge_factor = 0.;
+    double       peak_pressure            = 0.; /**< Pa */
+    unsigned int n_never = 0, n_slip = 0, n_stick_slip = 0, n_separating = 0;
+    //@}
+
+    double worst_imbalance = 0.; /**< of the ledger, over the work of the run */
+    double steps_per_second = 0., iterations_per_step = 0., n_inversions = 0.;
+  };
+
+  TransientFigures evaluate_transient(const PreparedTransient &prepared,
+                                      const TransientRecord   &record,
+                                      const Parameters        &parameters,
+                                      const ComplexPairs      *cea = nullptr);
+
+  /** The limit cycle in words, or why there is none. */
+  std::string limit_cycle_text(const TransientFigures &figures);
+
+  /** What a trigger, hammer or friction impulse, has made of a run. Roots of
+   * mean squares of the normal force about its mean, N. */
+  struct TriggerOutcome
+  {
+    double before = 0.; /**< over the last quarter of the time before it */
+    double after  = 0.; /**< over the tenth of the run that follows it */
+    double end    = 0.; /**< over the last tenth of the run */
+    /** Time from the end of the trigger to the last window of a hundredth of
+     * the run in which the vibration exceeds 10 % of the mean force, s. */
+    double lasting = 0.;
+    /** `squeal by itself`: it is there before the trigger, above 1 % of the
+     * mean force; `squeal after the trigger`: it lasts to the end; `temporary
+     * after the trigger`: it decays; `none`: no vibration above 1 % follows;
+     * empty: no trigger. */
+    std::string text;
+  };
+
+  /** Whether a hammer or a friction impulse is there. */
+  bool           has_trigger(const TransientParameters &parameters);
+  TriggerOutcome evaluate_trigger(const TransientRecord     &record,
+                                  const TransientParameters &parameters);
+
+  /** Largest real part in the band with the whole face closed under an even
+   * pressure, whatever the steady sliding, 1/s. */
+  double sigma_with_full_contact(const PreparedTransient &prepared,
+                                 const Parameters        &parameters);
+
+  /** Pairs of the whole model about a contact state. */
+  ComplexPairs whole_model_pairs(const Parameters   &parameters,
+                                 const ContactState &state,
+                                 RunLog             &log,
+                                 Timers             &timers);
+
+  /** @name Tables and files of one run */
+  //@{
+  Table transient_table(const TransientFigures &figures);
+  Table branch_table(const TransientFigures &figures);
+  Table force_table(const TransientRecord &record);
+  Table energy_table(const TransientRecord &record);
+  Table probe_table(const TransientRecord &record);
+  /** Phase between tangential and normal resultant at the largest line of the
+   * run, over time. */
+  Table phase_table(const TransientRecord  &record,
+                    const TransientFigures &figures);
+  Table zone_table(const PreparedTransient &prepared,
+                   const TransientRecord   &record);
+  /** Vibration and friction over the sliding speed of a run whose speed
+   * changes: means over equal stretches of it. */
+  Table speed_table(const TransientRecord &record,
+                    const Parameters      &parameters);
+  /** transient.json; @p explanation: the verdict in words, which says what
+   * stands beside stable steady sliding. */
+  void write_transient_json(const TransientFigures &figures,
+                            const std::string      &explanation,
+                            const std::string      &path);
+  void write_contact_history(const PreparedTransient &prepared,
+                             const TransientRecord   &record,
+                             const std::string       &name,
+                             const std::string       &path);
+  void draw_transient(RunContext              &context,
+                      const PreparedTransient &prepared,
+                      const TransientRecord   &record,
+                      const TransientFigures  &figures,
+                      HtmlReport              &report);
+  void draw_speeds(RunContext  &context,
+                   const Table &speeds,
+                   HtmlReport  &report);
+  /** Amplitudes and phases of phase tables, each with its label. */
+  void draw_phases(RunContext                                       &context,
+                   const std::vector<std::pair<std::string, Table>> &runs,
+                   HtmlReport                                       &report);
+  //@}
+
+  /** One run for each point of the axes of `Sweep` and each top. */
+  void run_campaign(RunContext &context);
+} // namespace squeal
+
+#endif

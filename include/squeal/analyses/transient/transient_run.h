@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_transient_transient_run_h
+#define squeal_analyses_transient_transient_run_h
+
+#include <squeal/model/pressed_model.h>
+#include <squeal/results/contact_history.h>
+#include <squeal/run/fingerprint.h>
+#include <squeal/transient/transient_integrator.h>
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  /** One sample of a transient. */
+  struct TransientSample
+  {
+    double time       = 0.;
+    double tangential = 0., radial = 0., normal = 0.; /**< N: along and across
+                                                         the sliding, z; target
+                                                         on source */
+    double n_open = 0., n_stick = 0.;                 /**< nodes */
+    /** 1 where every status has been that of steady sliding since the sample
+     * before. */
+    double is_linear       = 0.;
+    double position[3]     = {}; /**< of the source's centre, m */
+    double acceleration[3] = {}; /**< m/s^2 */
+    double leading_edge    = 0.; /**< its pressure over the mean one */
+    double kinetic = 0., elastic = 0., damping = 0., friction = 0.,
+           driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
+  };
+
+  /** What a node has done since a time. */
+  struct NodeShares
+  {
+    double open = 0., stick = 0., slip = 0.; /**< steps */
+    double fastest_slip  = 0.;               /**< |v_t| over |V| */
+    double peak_pressure = 0.;               /**< Pa */
+  };
+
+  /** A moment of the animation: what the motion of the bodies follows from. */
+  struct MotionFrame
+  {
+    double          time = 0.;   /**< s */
+    Eigen::VectorXd coordinates; /**< of the modes */
+    Eigen::VectorXd forces;      /**< of the contact, N */
+    Eigen::VectorXd unknowns;    /**< all of them, m; empty: only modes move */
+  };
+
+  /** All that a transient leaves. */
+  struct TransientRecord
+  {
+    std::vector<TransientSample>      samples;
+    std::vector<std::complex<double>> amplitudes; /**< samples x branches */
+    HistorySamples                    history;
+    std::vector<StatusChange>         changes;
+    /** The last samples, as many as `Animation frames`, and their nodes. */
+    std::vector<MotionFrame> frames;
+    HistorySamples           frame_nodes;
+    /** Over the second half of the run. */
+    std::vector<NodeShares> nodes;
+    double                  n_steps = 0., n_iterations = 0., n_sweeps = 0.;
+    double                  worst_residual = 0.;
+    double                  cpu_seconds    = 0.; /**< of the steps */
+    double                  n_inversions   = 0.;
+
+    std::vector<double>               times() const;
+    std::vector<std::complex<double>> branch(const unsigned int k,
+                                             const unsigned int n) const;
+  };
+
+  /**
+   * One transient by the integrator of the parameters, from its start to its
+   * end, with checkpoints.
+   */
+  class TransientRun
+  {
+  public:
+    /** @p branches: the pairs of @p linear whose amplitudes are recorded. */
+    TransientRun(const PressedModel              &pressed,
+                 const SteadySliding             &steady,
+                 const LinearizedMotion          &linear,
+                 const std::vector<unsigned int> &branches,
+                 const Parameters                &parameters);
+
+    /** Called now and then with the steps since; true: stop. */
+    using Watch = std::function<bool(const unsigned int n_steps)>;
+
+    /** Goes on to the end; false where @p watch stopped it. Throws
+     * ComputationError. */
+    bool advance(const Watch &watch = {});
+
+    const TransientRecord &record() const;
+    unsigned int           n_steps_left() const;
+
+    /** @name For checkpoints: a run that continues from one gives the same
+     * bits */
+    //@{
+    NamedNumbers memory() const;
+    /** Throws InputError where sizes are not those of this run; it must not go
+     * on then. */
+    void restore(const NamedNumbers &memory);
+    //@}
+
+    /** Enters the sizes that the memory has: nodes, modes, steps. */
+    void describe(Fingerprint &fingerprint) const;
+
+  private:
+    void take_sample(const bool is_linear);
+    void take_node_fields(const TransientSample &sample,
+                          HistorySamples        &history) const;
+    void take_frame(const TransientSample &sample);
+    void take_node_shares();
+
+    const PressedModel                  &pressed;
+    const SteadySliding                 &steady;
+    const LinearizedMotion               recorded; /**< the branches only */
+    const TransientParameters           &settings;
+    const std::vector<bool>              edge;
+    double                               edge_area = 0., area = 0.;
+    unsigned int                         n_steps, stride;
+    std::unique_ptr<TransientIntegrator> motion;
+    TransientRecord                      kept;
+    std::vector<ContactStatus>           status;
+    bool                                 linear_since_sample = true;
+    Eigen::VectorXd                      last_motion;
+  };
+
+  /** What drives a run of these parameters. */
+  TransientDrive make_drive(const PressedModel &pressed,
+                            const Parameters   &parameters);
+
+  /** The integrator of the parameters about @p steady. */
+  std::unique_ptr<TransientIntegrator> make_integrator(
+    const PressedModel  &pressed,
+    const SteadySliding &steady,
+    const Parameters    &parameters);
+} // namespace squeal
+
+#endif

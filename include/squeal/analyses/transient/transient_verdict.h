@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_transient_transient_verdict_h
+#define squeal_analyses_transient_transient_verdict_h
+
+#include <squeal/analyses/transient/transient_results.h>
+
+#include <string>
+
+namespace squeal
+{
+  /** The verdict about steady sliding with what stands beside it: it may be
+   * stable, and a limit cycle there all the same. */
+  std::string explained_verdict(const TransientFigures &figures,
+                                const TriggerOutcome   &trigger);
+
+  /** Whether a vibration stays, by itself or after a trigger. */
+  bool squeals(const TransientFigures &figures, const TriggerOutcome &trigger);
+
+  /** Why the leading pair has no growth rate. */
+  std::string reason_for_no_rate(const TransientFigures &figures);
+
+  /** Names the pairs whose fits are left out, since they tell no rate
+   * (growth_rule.h) or turn at another frequency; empty if there are none. */
+  std::string left_out_text(const TransientFigures &figures);
+} // namespace squeal
+
+#endif

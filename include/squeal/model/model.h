@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_model_model_h
+#define squeal_model_model_h
+
+#include <squeal/contact/contact_terms.h>
+#include <squeal/eigen/mode_naming.h>
+#include <squeal/parameters/parameters.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  class RunLog;
+  class Timers;
+
+  /**
+   * A scene made ready for the linear analyses, whatever it comes from: meshed
+   * and rigid bodies, or matrices of another code.
+   */
+  class Model
+  {
+  public:
+    /** Discretises and assembles. The contact states are those of the
+     * parameters (`preload`: of the steady sliding) unless they are given, a
+     * list for each pair. Throws InputError. */
+    Model(const Parameters                 &parameters,
+          Timers                           &timers,
+          const std::vector<ContactStates> &states = {});
+
+    /** Assembles again on a (refined) mesh. */
+    void assemble(Timers &timers);
+
+    /** Null for imported models. */
+    Discretization                  *discretization() const;
+    const LinearizedSystem          &linearized() const;
+    const std::vector<BodyMatrices> &body_matrices() const;
+    const ModeNamer                 &namer() const;
+    const std::vector<std::string>  &body_names() const;
+    /** Unknowns of the system that is solved. */
+    unsigned int      n_unknowns() const;
+    const Parameters &parameters() const;
+
+    /** Share of the kinetic energy of every body in real or complex shapes of
+     * the system: bodies x shapes, columns of sum 1. */
+    Eigen::MatrixXd energy_shares(const Block &shapes) const;
+    Eigen::MatrixXd energy_shares(const ComplexBlock &shapes) const;
+
+    /** x^T M_b x of every body b on the vectors of a basis, with the densities
+     * taken out: the kinetic energies of combinations follow without the full
+     * vectors. */
+    std::vector<Eigen::MatrixXd> energy_forms(const Block &basis) const;
+
+    /** Masses, centres, sizes, contact areas and unknowns. */
+    void print_summary(RunLog &log) const;
+
+  private:
+    void assemble_bodies_scene(Timers &timers);
+    void assemble_imported();
+
+    const Parameters                     &all_parameters;
+    const std::vector<ContactStates>      given_states;
+    std::unique_ptr<Discretization>       space;
+    std::vector<BodyMatrices>             bodies;
+    LinearizedSystem                      system;
+    std::unique_ptr<ModeNamer>            mode_namer;
+    std::vector<std::string>              names;
+    std::vector<unsigned int>             body_of_row; /**< imported models */
+    std::shared_ptr<const LinearOperator> imported_mass;
+  };
+} // namespace squeal
+
+#endif

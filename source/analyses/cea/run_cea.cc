@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/output/matrix_output.h>
+#include <squeal/output/shape_output.h>
+
+#include <squeal/analyses/analyses.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/worst_of.h>
+#include <squeal/model/cea_solution.h>
+#include <squeal/model/turning_modes.h>
+#include <squeal/output/cea_quantities.h>
+#include <squeal/output/headline_error.h>
+#include <squeal/results/compare.h>
+#include <squeal/results/plots.h>
+
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    std::vector<PlottedPair>
+    plotted_pairs(const ComplexPairs &pairs, const PairQuantities &q)
+    {
+      std::vector<PlottedPair> result;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          PlottedPair pair;
+          pair.sigma                = pairs.sigma(i);
+          pair.frequency            = pairs.frequency(i);
+          pair.name                 = q.names[i].text;
+          pair.is_unstable          = is_unstable(pairs, i);
+          pair.residual             = pairs.residual[i];
+          pair.error_estimate       = pairs.error_estimate[i];
+          pair.discretisation_error = q.discretisation_error[i];
+          for (Eigen::Index b = 0; b < q.energy_shares.rows(); ++b)
+            pair.energy_shares.push_back(q.energy_shares(b, i));
+          result.push_back(pair);
+        }
+      return result;
+    }
+
+    void
+    draw_charts(RunContext                         &context,
+                const Model                        &model,
+                const std::vector<PlottedPair>     &pairs,
+                const std::vector<BasisEnrichment> &history,
+                HtmlReport                         &report)
+    {
+      if (!context.is_root)
+        return;
+      const auto &p    = context.parameters.eigen;
+      const auto  path = [&](const std::string &name) {
+        context.output.file("plots/" + name + ".png");
+        return context.output.path() + "/plots/" + name;
+      };
+      const auto &plotter = context.plotter;
+      report.section("Charts");
+      plot_spectrum(plotter, pairs, path("spectrum"));
+      report.figure(path("spectrum") + ".png", "Complex eigenvalues", true);
+      plot_damping_chart(
+        plotter, pairs, p.damping_threshold_percent, path("damping"));
+      report.figure(path("damping") + ".png", "Damping ratio", true);
+      plot_energy_shares(
+        plotter, model.body_names(), pairs, path("energy_shares"));
+      report.figure(path("energy_shares") + ".png", "Energy by body", true);
+      plot_error_estimates(plotter,
+                           pairs,
+                           p.residual_tolerance,
+                           p.error_tolerance,
+                           path("errors"));
+      report.figure(path("errors") + ".png", "Error of every pair", true);
+      std::vector<EnrichmentStep> steps;
+      for (const auto &step : history)
+        steps.push_back(
+          {step.basis_size, step.worst_residual, step.worst_estimate});
+      plot_enrichment_decay(
+        plotter, steps, p.residual_tolerance, p.error_tolerance, path("basis"));
+      report.figure(path("basis") + ".png", "Certified basis", true);
+    }
+
+    void
+    write_signature(RunContext         &context,
+                    const Model        &model,
+                    const ComplexPairs &pairs)
+    {
+      const auto signature = model.namer().signature();
+      if (!signature)
+        return;
+      ComplexBlock full = model.linearized()
+                            .expand(Block(pairs.right.real()))
+                            .cast<std::complex<double>>();
+      full.imag() = model.linearized().expand(Block(pairs.right.imag()));
+      const Eigen::MatrixXcd samples = signature->apply(full);
+      std::vector<long long> indices;
+      std::vector<std::vector<std::complex<double>>> rows;
+      for (Eigen::Index j = 0; j < samples.cols(); ++j)
+        {
+          indices.push_back(j + 1);
+          rows.emplace_back(samples.col(j).data(),
+                            samples.col(j).data() + samples.rows());
+        }
+      context.write_table("signature.csv", make_signature_table(indices, rows));
+    }
+
+
+
+    /** The pairs with sigma > 0, in words too. */
+    struct UnstablePairs
+    {
+      std::vector<bool> is_unstable; /**< one a pair */
+      unsigned int      number = 0;
+      std::string       text; /**< names, frequencies, growth rates */
+
+      std::string
+      verdict() const
+      {
+        if (number == 0)
+          return "no unstable pair in the band";
+        return number == 1
+                 ? "1 unstable pair: " + text
+                 : std::to_string(number) + " unstable pairs: " + text;
+      }
+    };
+
+
+
+    UnstablePairs
+    unstable_pairs(const ComplexPairs &pairs, const PairQuantities &quantities)
+    {
+      UnstablePairs result;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          result.is_unstable.push_back(is_unstable(pairs, i));
+          if (!result.is_unstable.back())
+            continue;
+          ++result.number;
+          result.text += (result.text.empty() ? "" : "; ") +
+                         quantities.names[i].text + " at " +
+                         rounded_text(pairs.frequency(i), 5) + " Hz, sigma " +
+                         rounded_text(pairs.sigma(i), 4) + " 1/s";
+        }
+      return result;
+    }
+
+
+
+    void
+    log_eigenvalues(RunLog &log, const Table &table, const bool with_names)
+    {
+      log.heading("Eigenvalues: lambda = sigma + i omega, sigma > 0 "
+                  "unstable, f = omega / 2 pi, zeta = -sigma / |lambda|");
+      if (with_names)
+        log.info(explanation_of_names());
+      std::ostringstream text;
+      table.print(text,
+                  {"index",
+                   "frequency_hz",
+                   "sigma_per_s",
+                   "damping_ratio",
+                   "residual_rel",
+                   "error_estimate_rel",
+                   "discretisation_error_rel",
+                   "unstable",
+                   "name"});
+      log.info(text.str());
+    }
+
+
+
+    /** Bodies without a mesh have no error of one. */
+    std::string
+    largest_error(const Model        &model,
+                  const ComplexPairs &pairs,
+                  const Table        &table)
+    {
+      std::vector<ErrorSource> sources = {
+        {"reduction", worst_of(pairs.error_estimate)}};
+      if (!model.discretization() || model.discretization()->has_mesh())
+        sources.push_back(
+          error_of_column("mesh", table, "discretisation_error_rel"));
+      return headline_error(sources);
+    }
+
+
+
+    /** Motions without stiffness: lambda = 0 is defective there (x and t x),
+     * and friction must not decide on which side of the axis it is found. */
+    void
+    warn_of_free_motions(const Parameters   &p,
+                         const Model        &model,
+                         const ModeSolution &modes,
+                         RunLog             &log)
+    {
+      const std::string free = free_motions(model, modes);
+      if (free.empty())
+        return;
+      if (p.eigen.lowest_frequency == 0.)
+        throw InputError(free +
+                         ": raise Eigenvalues/Lowest frequency above 0, or "
+                         "hold them by Scene/Supports or Scene/Springs");
+      log.warning(free);
+    }
+  } // namespace
+
+
+
+  void
+  run_cea(RunContext &context)
+  {
+    const auto &p = context.parameters;
+    Model       model(p, context.timers);
+    model.print_summary(context.log);
+    ModeSolution modes =
+      solve_modes_adaptively(model, context.log, context.timers);
+    if (modes.modes.shapes.cols() + modes.modes.supplement.cols() == 0)
+      refuse_empty_band(p, modes);
+    warn_of_free_motions(p, model, modes, context.log);
+    if (const std::string text = beyond_critical_speed(model, modes);
+        !text.empty())
+      context.log.warning(text);
+    if (p.output.export_matrices)
+      {
+        write_matrices(context, *modes.pencil, "matrices");
+        write_matrix_parts(context, model.linearized().system, "matrices");
+      }
+    const CeaSolution solution =
+      solve_cea(model, modes, context.log, context.timers);
+    const ComplexPairs &pairs = solution.pairs;
+    if (pairs.size() == 0)
+      refuse_empty_band(p, modes);
+    context.write_table("modes.csv", mode_table(model, modes));
+
+    PairQuantities quantities;
+    {
+      Timers::Section section(context.timers, "Solve: names and indices");
+      quantities = pair_quantities(model, modes, pairs);
+    }
+    const Table table = eigenvalue_table(model, modes, pairs, quantities);
+    context.write_table("eigenvalues.csv", table);
+    if (p.eigen.compare_direct)
+      context.write_table(
+        "direct_check.csv",
+        compare_with_direct(model, modes, pairs, context.log, context.timers));
+    write_signature(context, model, pairs);
+    if (p.output.export_matrices)
+      write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
+
+    log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
+    const UnstablePairs unstable = unstable_pairs(pairs, quantities);
+    context.record.n_dofs        = model.n_unknowns();
+    context.record.figures       = {
+            {"unstable pairs", std::to_string(unstable.number)},
+            {"which", unstable.number ? unstable.text : "none"},
+            {"pairs in the band", std::to_string(pairs.size())},
+            {"worst residual", rounded_text(worst_of(pairs.residual), 2)},
+            {"largest error of a pair, relative", largest_error(model, pairs, table)},
+            {"worst error estimate of the reduction",
+             rounded_text(worst_of(pairs.error_estimate), 2)},
+            {"unknowns", std::to_string(model.n_unknowns())},
+            {"basis", std::to_string(solution.basis_size)}};
+
+    HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
+                      "lambda = sigma + i omega, sigma > 0 unstable");
+    report.set_verdict(unstable.number ? HtmlReport::Verdict::bad
+                                       : HtmlReport::Verdict::good,
+                       unstable.verdict(),
+                       context.record.figures);
+    if (p.output.plots)
+      {
+        Timers::Section section(context.timers, "Write: charts");
+        draw_charts(context,
+                    model,
+                    plotted_pairs(pairs, quantities),
+                    solution.history,
+                    report);
+      }
+    std::string open_this;
+    if (p.output.shapes != OutputParameters::Shapes::none &&
+        model.discretization() && model.discretization()->has_mesh())
+      {
+        Timers::Section section(context.timers, "Write: shapes");
+        if (unstable.number)
+          report.section("Unstable shapes");
+        open_this =
+          write_pair_shapes(context, model, pairs, quantities, report);
+      }
+    report.section("Eigenvalues");
+    report.table(table, "Pairs in the band", {}, unstable.is_unstable);
+    if (model.namer().n_coordinates() > 0)
+      report.paragraph(explanation_of_names());
+    context.finish(p.output.report ? &report : nullptr, open_this);
+  }
+} // namespace squeal

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/base/packing.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Calls @p function with every member, to pack or to unpack. */
+    template <typename Pairs, typename Function>
+    void
+    for_each_member(Pairs &pairs, const Function &function)
+    {
+      function(pairs.lambda);
+      function(pairs.right);
+      function(pairs.left);
+      function(pairs.residual);
+      function(pairs.left_residual);
+      function(pairs.error_estimate);
+      function(pairs.noise_floor);
+      function(pairs.condition);
+      function(pairs.pair_partner);
+    }
+
+    void
+    put(Packer &packer, const ComplexPairs &pairs)
+    {
+      for_each_member(pairs, [&](const auto &member) { packer.put(member); });
+    }
+
+    void
+    get(Unpacker &unpacker, ComplexPairs &pairs)
+    {
+      for_each_member(pairs, [&](auto &member) { unpacker.get(member); });
+    }
+
+    void
+    put(Packer &packer, const SweepLine &line)
+    {
+      packer.put(line.start);
+      packer.put(line.points.size());
+      for (const auto &point : line.points)
+        {
+          packer.put(point.coordinate);
+          packer.put(point.asked);
+          packer.put(point.branch);
+          put(packer, point.pairs);
+        }
+      packer.put(line.branch_names);
+      packer.put(line.ranges);
+      packer.put(line.exceptional);
+      packer.put(line.mesh_errors_of_edges);
+    }
+
+    void
+    get(Unpacker &unpacker, SweepLine &line)
+    {
+      unpacker.get(line.start);
+      std::size_t n;
+      unpacker.get(n);
+      line.points.resize(n);
+      for (auto &point : line.points)
+        {
+          unpacker.get(point.coordinate);
+          unpacker.get(point.asked);
+          unpacker.get(point.branch);
+          get(unpacker, point.pairs);
+        }
+      unpacker.get(line.branch_names);
+      unpacker.get(line.ranges);
+      unpacker.get(line.exceptional);
+      unpacker.get(line.mesh_errors_of_edges);
+    }
+
+
+
+    /** Names from the two far ends of every branch. */
+    std::vector<std::string>
+    branch_names(const SweepModel &model, const SweepLine &line)
+    {
+      struct Ends
+      {
+        std::string first, last;
+      };
+      std::map<int, Ends> ends;
+      const auto          visit = [&](const std::size_t p) {
+        const TrackedPoint &point  = line.points[p];
+        bool                is_end = false;
+        for (const int b : point.branch)
+          {
+            const bool first = p == 0 || line.points[p - 1].pair_of(b) < 0;
+            const bool last =
+              p + 1 == line.points.size() || line.points[p + 1].pair_of(b) < 0;
+            is_end = is_end || first || last;
+          }
+        if (!is_end)
+          return;
+        SweepPoint at = line.start;
+        at[0]         = point.coordinate;
+        const auto names =
+          model.names(point.pairs.right,
+                      model.energy_shares(at, point.pairs.right),
+                      point.pairs.lambda);
+        for (std::size_t i = 0; i < point.branch.size(); ++i)
+          {
+            const int b = point.branch[i];
+            if (p == 0 || line.points[p - 1].pair_of(b) < 0)
+              ends[b].first = names[i].text;
+            if (p + 1 == line.points.size() ||
+                line.points[p + 1].pair_of(b) < 0)
+              ends[b].last = names[i].text;
+          }
+      };
+      for (std::size_t p = 0; p < line.points.size(); ++p)
+        visit(p);
+      std::vector<std::string>   names(ends.empty() ? 0
+                                                  : ends.rbegin()->first + 1);
+      std::map<std::string, int> seen;
+      for (const auto &[b, e] : ends)
+        {
+          names[b] = e.first == e.last ? e.first : e.first + " > " + e.last;
+          if (const int n = ++seen[names[b]]; n > 1)
+            names[b] += " #" + std::to_string(n);
+        }
+      return names;
+    }
+
+    /** An error of the difference of the two partners' frequencies moves the
+     * edge: the squared split is (detuning^2 - coupling^2) / 4 and the coupling
+     * is twice the peak sigma. */
+    double
+    mesh_error_of_edges(const SweepModel    &model,
+                        const SweepLine     &line,
+                        const UnstableRange &range)
+    {
+      const ExceptionalPoint *nearest  = nullptr;
+      double                  distance = 1e300;
+      for (const auto &e : line.exceptional)
+        if (e.branch_1 == range.branch || e.branch_2 == range.branch)
+          for (const double x : {range.lower, range.upper})
+            if (std::abs(e.coordinate.real() - x) < distance)
+              {
+                distance = std::abs(e.coordinate.real() - x);
+                nearest  = &e;
+              }
+      if (!nearest)
+        return std::nan("");
+      const double x = nearest->coordinate.real();
+      std::size_t  p = 0;
+      while (p + 1 < line.points.size() && line.points[p + 1].coordinate < x)
+        ++p;
+      double slope = 0.;
+      for (std::size_t q = p > 0 ? p - 1 : p;
+           q < std::min(p + 2, line.points.size() - 1);
+           ++q)
+        {
+          const auto &a = line.points[q], &b = line.points[q + 1];
+          const int   i = a.pair_of(nearest->branch_1),
+                    j   = a.pair_of(nearest->branch_2),
+                    k   = b.pair_of(nearest->branch_1),
+                    l   = b.pair_of(nearest->branch_2);
+          if (i >= 0 && j >= 0 && k >= 0 && l >= 0)
+            slope = std::max(slope,
+                             std::abs(squared_split(b.pairs, k, l) -
+                                      squared_split(a.pairs, i, j)) /
+                               (b.coordinate - a.coordinate));
+        }
+      SweepPoint at      = line.start;
+      at[0]              = x;
+      const auto   modes = model.undamped(at);
+      const double omega = 2. * M_PI * nearest->frequency;
+      // The two modes nearest in frequency are the partners.
+      double errors[2] = {std::nan(""), std::nan("")}, gaps[2] = {1e300, 1e300};
+      for (Eigen::Index m = 0; m < modes.modes.omega_squared.size(); ++m)
+        {
+          const double gap = std::abs(
+            std::sqrt(std::max(modes.modes.omega_squared[m], 0.)) - omega);
+          const int slot = gap < gaps[0] ? 0 : gap < gaps[1] ? 1 : 2;
+          if (slot == 0)
+            {
+              gaps[1]   = gaps[0];
+              errors[1] = errors[0];
+            }
+          if (slot < 2)
+            {
+              gaps[slot]   = gap;
+              errors[slot] = modes.mesh_errors[m];
+            }
+        }
+      const double detuning = omega * std::max(errors[0], errors[1]);
+      return slope > 0. ? range.peak_sigma * detuning / slope : std::nan("");
+    }
+  } // namespace
+
+
+
+  TrackingOptions
+  tracking_options(const SweepModel &model)
+  {
+    TrackingOptions  options;
+    const SweepGrid &grid     = model.grid();
+    const double     length   = grid.upper(0) - grid.lower(0);
+    const double     unit     = grid.is_logarithmic(0) ? 1. : length;
+    options.lowest_frequency  = model.band().lowest;
+    options.highest_frequency = model.band().highest;
+    options.smallest_step     = 1e-7 * std::max(unit, 1e-300);
+    options.touch_tolerance   = 1e-4 * std::max(unit, 1e-300);
+    LocalModel probe;
+    probe.parts   = model.reduced().parts;
+    probe.n_basis = 1;
+    for (auto &part : probe.parts)
+      part = Eigen::MatrixXd::Zero(1, 1);
+    options.real =
+      PointMatrices(probe, model.system().coefficients(grid.point(0)), 1)
+        .rayleigh;
+    return options;
+  }
+
+
+
+  namespace
+  {
+    using CertifiedPairs = std::map<double, ComplexPairs>;
+
+    /** A line whose points are solved. */
+    SweepLine
+    follow_line(SweepModel           &model,
+                const SweepPoint     &start,
+                const CertifiedPairs &certified,
+                RunContext           &context,
+                std::size_t          &n_solved)
+    {
+      const SweepGrid       &grid    = model.grid();
+      const SweepParameters &p       = context.parameters.sweep;
+      const TrackingOptions  options = tracking_options(model);
+      const double           length  = grid.upper(0) - grid.lower(0);
+      const double           tolerance =
+        p.edge_tolerance * (grid.is_logarithmic(0) ? 1. : length);
+      SweepLine line;
+      line.start        = start;
+      const auto solver = [&](const double x) {
+        SweepPoint point = line.start;
+        point[0]         = x;
+        ++n_solved;
+        return model.solve_between(point);
+      };
+      {
+        Timers::Section     section(context.timers, "Solve: points, branches");
+        std::vector<double> coordinates;
+        for (const auto &[x, pairs] : certified)
+          coordinates.push_back(x);
+        BranchTracker tracker(
+          [&](const double x) {
+            const auto known = certified.find(x);
+            return known == certified.end() ? solver(x) : known->second;
+          },
+          options);
+        line.points = tracker.track(coordinates);
+      }
+      Timers::Section     section(context.timers, "Solve: edges and peaks");
+      const LineStability stability(solver, options, tolerance);
+      line.branch_names = branch_names(model, line);
+      line.ranges       = stability.ranges(line.points);
+      if (p.exceptional_points)
+        line.exceptional = stability.exceptional_points(line.points);
+      if (model.has_contact_states())
+        line.exceptional.erase(
+          std::remove_if(line.exceptional.begin(),
+                         line.exceptional.end(),
+                         [&](const ExceptionalPoint &e) {
+                           SweepPoint at = start;
+                           at[0]         = e.coordinate.real();
+                           return model.is_at_contact_change(at);
+                         }),
+          line.exceptional.end());
+      for (const auto &range : line.ranges)
+        line.mesh_errors_of_edges.push_back(
+          mesh_error_of_edges(model, line, range));
+      return line;
+    }
+
+    /** Certified pairs of all points, each rank solving its share. Points at
+     * which a small basis has to grow come last, in order and on all ranks, so
+     * that all have the same bases. */
+    std::vector<ComplexPairs>
+    solve_points(SweepModel                    &model,
+                 const std::vector<SweepPoint> &points,
+                 WorstError                    &worst)
+    {
+      const unsigned int rank =
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+      const unsigned int n_ranks =
+        dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      std::vector<ComplexPairs> result(points.size());
+      Packer                    packer;
+      for (std::size_t i = rank; i < points.size(); i += n_ranks)
+        {
+          result[i] = model.solve(points[i]);
+          if (n_ranks > 1)
+            {
+              packer.put(i);
+              put(packer, result[i]);
+            }
+        }
+      if (n_ranks > 1)
+        for (const auto &bytes : gather_on_all(MPI_COMM_WORLD, packer.bytes()))
+          for (Unpacker unpacker(bytes); !unpacker.is_empty();)
+            {
+              std::size_t i;
+              unpacker.get(i);
+              get(unpacker, result[i]);
+            }
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (model.is_certified(result[i], points[i]))
+          add_to_worst(result[i], points[i], worst);
+        else
+          result[i] = model.solve_certified(points[i], worst);
+      return result;
+    }
+  } // namespace
+
+
+
+  SweepLine
+  solve_line(SweepModel       &model,
+             const SweepPoint &start,
+             RunContext       &context,
+             SweepSolution    &solution)
+  {
+    CertifiedPairs certified;
+    {
+      Timers::Section section(context.timers, "Solve: points, branches");
+      for (const double x : model.grid().coordinates(0))
+        {
+          SweepPoint point = start;
+          point[0]         = x;
+          certified[x]     = model.solve_certified(point, solution.worst);
+          ++solution.n_solved;
+        }
+    }
+    return follow_line(model, start, certified, context, solution.n_solved);
+  }
+
+
+
+  SweepSolution
+  solve_sweep(SweepModel &model, RunContext &context)
+  {
+    const SweepGrid        &grid = model.grid();
+    const std::size_t       n    = grid.coordinates(0).size();
+    SweepSolution           solution;
+    std::vector<SweepPoint> points;
+    for (std::size_t i = 0; i < grid.n_points(); ++i)
+      points.push_back(grid.point(i));
+    solution.n_solved = points.size();
+    std::vector<ComplexPairs> pairs;
+    {
+      Timers::Section section(context.timers, "Solve: points, branches");
+      pairs = solve_points(model, points, solution.worst);
+    }
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    solution.lines.resize(points.size() / n);
+    Packer      packer;
+    std::size_t n_solved = 0;
+    for (std::size_t l = rank; l < solution.lines.size(); l += n_ranks)
+      {
+        CertifiedPairs certified;
+        for (std::size_t i = l * n; i < (l + 1) * n; ++i)
+          certified[points[i][0]] = std::move(pairs[i]);
+        solution.lines[l] =
+          follow_line(model, points[l * n], certified, context, n_solved);
+        if (n_ranks > 1)
+          {
+            packer.put(l);
+            put(packer, solution.lines[l]);
+          }
+      }
+    if (n_ranks > 1)
+      {
+        Timers::Section section(context.timers, "Solve: exchange of lines");
+        for (const auto &bytes : gather_on_all(MPI_COMM_WORLD, packer.bytes()))
+          for (Unpacker unpacker(bytes); !unpacker.is_empty();)
+            {
+              std::size_t l;
+              unpacker.get(l);
+              get(unpacker, solution.lines[l]);
+            }
+      }
+    solution.n_solved += dealii::Utilities::MPI::sum(n_solved, MPI_COMM_WORLD);
+    return solution;
+  }
+} // namespace squeal

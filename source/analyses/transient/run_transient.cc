@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/transient/motion_output.h>
+
+#include <squeal/analyses/analyses.h>
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/analyses/transient/transient_verdict.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/root_action.h>
+#include <squeal/base/state_files.h>
+#include <squeal/base/stop_request.h>
+#include <squeal/results/wav_file.h>
+#include <squeal/run/checkpoints.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Length of the sound file, s: long enough to tell a squeal by ear. */
+    constexpr double sound_seconds = 3.;
+
+    /** Checkpoints of @p run, in the output directory. */
+    Checkpoints
+    checkpoints_of(const TransientRun &run, RunContext &context)
+    {
+      const Parameters &p = context.parameters;
+      Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
+      run.describe(fingerprint);
+      const std::string &asked = p.transient.checkpoint_file;
+      const std::string  name  = asked.empty() ? "checkpoint.h5" : asked;
+      const auto         path  = [&](const std::string &file) {
+        return on_root(context.is_root, [&]() {
+          return context.output.state_file(
+            file, state_kind::checkpoint, "Transient/Checkpoint file");
+        });
+      };
+      path(Checkpoints::name_before(name));
+      return {path(name), fingerprint};
+    }
+
+    /** Takes over what an earlier run has left; all ranks do as the root. */
+    void
+    resume(TransientRun      &run,
+           const Checkpoints &checkpoints,
+           RunContext        &context)
+    {
+      Checkpoints::Found found;
+      const std::string  state = on_root(context.is_root, [&]() {
+        found = checkpoints.find(context.parameters.transient.resume);
+        return found.state ? found.state->bytes() : std::string();
+      });
+      for (const std::string &note : found.notes)
+        context.log.warning(note);
+      if (state.empty())
+        return;
+      found.file = from_root(found.file);
+      try
+        {
+          run.restore(NamedNumbers::from_bytes(state));
+        }
+      catch (const InputError &e)
+        {
+          throw InputError("checkpoint '" + found.file +
+                           "' does not fit this run: " + e.what() +
+                           "; move it away or set Transient/Resume = false");
+        }
+      context.log.info("  continues from " + found.file + " at step " +
+                       std::to_string(static_cast<long>(run.record().n_steps)));
+    }
+
+    /** Goes on to the end with progress and checkpoints; a signal ends the
+     * program after one more checkpoint. */
+    void
+    integrate(TransientRun      &run,
+              const Checkpoints &checkpoints,
+              RunContext        &context)
+    {
+      const auto &t = context.parameters.transient;
+      resume(run, checkpoints, context);
+      StopRequest stop;
+      bool        finished;
+      {
+        Timers::Section section(context.timers, "Solve: time steps");
+        Progress        progress(context.log, "time steps", run.n_steps_left());
+        double          last = wall_seconds();
+        finished             = run.advance([&](const unsigned int n) {
+          progress.advance(
+            n,
+            "t = " + rounded_text(run.record().samples.back().time, 4) + " s");
+          if (t.checkpoint_interval > 0. &&
+              wall_seconds() - last > t.checkpoint_interval && context.is_root)
+            {
+              checkpoints.write(run.memory());
+              last = wall_seconds();
+            }
+          return stop.is_there();
+        });
+      }
+      if (!finished)
+        {
+          if (context.is_root)
+            checkpoints.write(run.memory());
+          context.log.info("stopped; the same command continues from " +
+                           checkpoints.path());
+          stop.repeat();
+          throw ComputationError("stopped by a signal");
+        }
+    }
+
+    /** The acceleration of the pad along z, to be listened to. */
+    void
+    write_sound(const TransientRecord &record, const std::string &path)
+    {
+      const auto &samples = record.samples;
+      if (samples.size() < 2)
+        return;
+      std::vector<double> acceleration;
+      for (const auto &sample : samples)
+        acceleration.push_back(sample.acceleration[2]);
+      const double rate =
+        (samples.size() - 1) / (samples.back().time - samples.front().time);
+      write_wav(path, prolonged(acceleration, rate, sound_seconds), rate);
+    }
+
+    /** Tables of the run but for that over a changing speed. */
+    struct RunTables
+    {
+      Table summary, branches, zones, phases;
+    };
+
+
+
+    RunTables
+    write_tables(RunContext              &context,
+                 const PreparedTransient &prepared,
+                 const TransientRecord   &record,
+                 const TransientFigures  &f)
+    {
+      RunTables tables = {transient_table(f),
+                          branch_table(f),
+                          zone_table(prepared, record),
+                          phase_table(record, f)};
+      context.write_table("transient.csv", tables.summary);
+      context.write_table("branches.csv", tables.branches);
+      context.write_table("forces.csv", force_table(record));
+      context.write_table("energy.csv", energy_table(record));
+      context.write_table("probes.csv", probe_table(record));
+      context.write_table("zones.csv", tables.zones);
+      context.write_table("phase.csv", tables.phases);
+      return tables;
+    }
+
+
+
+    /** History, JSON and sound. */
+    void
+    write_files(RunContext              &context,
+                const PreparedTransient &prepared,
+                const TransientRecord   &record,
+                const TransientFigures  &f)
+    {
+      if (!context.is_root)
+        return;
+      Timers::Section section(context.timers, "Write: history");
+      write_transient_json(
+        f,
+        explained_verdict(
+          f, evaluate_trigger(record, context.parameters.transient)),
+        context.output.file("transient.json"));
+      write_sound(record, context.output.file("pad.wav"));
+      if (record.history.n_samples() > 0)
+        write_contact_history(prepared,
+                              record,
+                              context.parameters.scene.name,
+                              context.output.file("contact_history.h5"));
+    }
+
+
+
+    std::vector<std::pair<std::string, std::string>>
+    figures_of_run(const Table            &summary,
+                   const TransientFigures &f,
+                   const TriggerOutcome   &trigger)
+    {
+      const auto shown = [&](const std::string &name) {
+        return summary.display(0, summary.column_index(name));
+      };
+      const bool has_fit = !summary.is_missing(0, "growth_rate_per_s");
+      std::vector<std::pair<std::string, std::string>> figures = {
+        {"verdict", explained_verdict(f, trigger)},
+        {"growth rate",
+         has_fit ? shown("growth_rate_per_s") + " +- " +
+                     shown("growth_rate_ci_per_s") + " 1/s at " +
+                     shown("growth_frequency_hz") +
+                     " Hz (fit and time step; mesh error not estimated)"
+                 : reason_for_no_rate(f)},
+        {"linearised about steady sliding",
+         shown("sigma_linear_per_s") + " 1/s at " +
+           shown("frequency_linear_hz") + " Hz"},
+        {"limit cycle", limit_cycle_text(f)},
+        {"normal force",
+         shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") + " N, " +
+           (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
+           " to " + shown("max_normal_n") + " N"},
+        {"nodes: slip, stick-slip, separating, never closed",
+         shown("n_slip") + ", " + shown("n_stick_slip") + ", " +
+           shown("n_separating") + ", " + shown("n_never")},
+        {"worst imbalance of the ledger", shown("worst_imbalance")},
+        {"steps per second",
+         shown("steps_per_second") + ", " + shown("iterations_per_step") +
+           " iterations a step"}};
+      if (!trigger.text.empty())
+        figures.emplace_back(
+          "outcome",
+          trigger.text + ": rms of the normal force " +
+            rounded_text(trigger.before, 3) + " N before the trigger, " +
+            rounded_text(trigger.after, 3) + " N after it, " +
+            rounded_text(trigger.end, 3) + " N at the end");
+      return figures;
+    }
+
+
+
+    void
+    log_pairs(RunLog &log, const Table &branches)
+    {
+      log.heading("Pairs about steady sliding and in time");
+      std::ostringstream text;
+      branches.print(text,
+                     {"branch",
+                      "frequency_linear_hz",
+                      "sigma_linear_per_s",
+                      "sigma_cea_per_s",
+                      "frequency_transient_hz",
+                      "growth_rate_per_s",
+                      "growth_rate_ci_per_s",
+                      "e_foldings"});
+      log.info(text.str());
+    }
+
+
+
+    void
+    report_run(RunContext              &context,
+               const Model             &model,
+               const PreparedTransient &prepared,
+               const TransientRecord   &record,
+               const TransientFigures  &f)
+    {
+      const auto     &p      = context.parameters;
+      const RunTables tables = write_tables(context, prepared, record, f);
+      write_files(context, prepared, record, f);
+      const TriggerOutcome trigger  = evaluate_trigger(record, p.transient);
+      const std::string    left_out = left_out_text(f);
+      context.record.figures = figures_of_run(tables.summary, f, trigger);
+      const bool  has_ramp   = p.transient.final_speed_ratio != 1.;
+      const Table speeds     = speed_table(record, p);
+      if (has_ramp)
+        context.write_table("speeds.csv", speeds);
+      const std::string animation =
+        write_animation(context, model, prepared, record);
+      log_pairs(context.log, tables.branches);
+      if (!left_out.empty())
+        context.log.info("  " + left_out);
+
+      HtmlReport report("Transient of " + p.scene.name,
+                        "motion in time about steady sliding");
+      report.set_verdict(
+        f.verdict == "unstable" || squeals(f, trigger)
+          ? HtmlReport::Verdict::bad
+        : f.verdict == "stable" ? HtmlReport::Verdict::good
+                                : HtmlReport::Verdict::neutral,
+        explained_verdict(f, trigger) +
+          (f.has_limit_cycle ? ", limit cycle at " : ", limit cycle: ") +
+          limit_cycle_text(f),
+        context.record.figures);
+      if (p.output.plots && context.is_root)
+        {
+          Timers::Section section(context.timers, "Write: charts");
+          draw_transient(context, prepared, record, f, report);
+          draw_phases(context, {{"", tables.phases}}, report);
+          if (has_ramp)
+            draw_speeds(context, speeds, report);
+        }
+      report.section("Pairs");
+      if (!left_out.empty())
+        report.paragraph(left_out);
+      report.table(tables.branches, "Pairs about steady sliding and in time");
+      report.section("Contact zones");
+      report.table(tables.zones, "Second half of the run", {}, {}, false);
+      context.finish(p.output.report ? &report : nullptr, animation);
+    }
+
+
+
+    /** What the damping that keeps impacts from ringing does to the growing
+     * pairs of the band: modes near the cut-off follow their motion too, and
+     * are damped in that. */
+    void
+    report_cut_off_damping(const PreparedTransient &prepared,
+                           const Parameters        &p,
+                           RunLog                  &log)
+    {
+      const double ratio = p.transient.cut_off_damping;
+      if (ratio == 0.)
+        return;
+      ReducedContactModel undamped = prepared.pressed.model();
+      add_cut_off_damping(undamped, -ratio);
+      const LinearizedMotion without =
+        linearize(undamped,
+                  prepared.steady,
+                  prepared.pressed.sliding_friction(),
+                  prepared.pressed.speed());
+      for (const unsigned int k : prepared.branches)
+        {
+          const std::complex<double> lambda = prepared.linear.lambda[k];
+          if (lambda.real() <= 0.)
+            continue;
+          Eigen::Index nearest;
+          (without.lambda.array() - lambda).abs().minCoeff(&nearest);
+          const std::complex<double> shift = lambda - without.lambda[nearest];
+          const std::string          text =
+            "damping at the cut-off shifts the pair at " +
+            rounded_text(lambda.imag() / (2. * M_PI), 6) + " Hz by " +
+            rounded_text(shift.real(), 3) + " 1/s and " +
+            rounded_text(shift.imag() / (2. * M_PI), 3) + " Hz";
+          log.info("  " + text);
+          if (std::abs(shift.real()) >
+              std::max(3., .02 * std::abs(lambda.real())))
+            log.warning(text + ": lower it or raise the cut-off");
+        }
+    }
+
+
+
+    /** What grows fastest in the reduced model about steady sliding, in the
+     * band or not. */
+    void
+    report_fastest(const LinearizedMotion &linear,
+                   const Parameters       &p,
+                   RunLog                 &log)
+    {
+      Eigen::Index      k;
+      const double      sigma     = linear.lambda.real().maxCoeff(&k);
+      const double      frequency = linear.lambda[k].imag() / (2. * M_PI);
+      const std::string text      = "sigma of " + rounded_text(sigma, 5) +
+                               " 1/s at " + rounded_text(frequency, 6) + " Hz";
+      log.info("  largest of all motions about steady sliding: " + text);
+      if (sigma > 0. && (frequency < p.eigen.lowest_frequency ||
+                         frequency > p.eigen.highest_frequency))
+        log.warning("the fastest motion of the reduced model, " + text +
+                    ", is outside the band: the branches do not show it");
+    }
+  } // namespace
+
+
+
+  void
+  run_transient(RunContext &context)
+  {
+    if (!context.parameters.sweep.axes.empty() ||
+        !context.parameters.transient.tops.empty() ||
+        !context.parameters.transient.integrators.empty())
+      return run_campaign(context);
+    Parameters p              = context.parameters;
+    p.scene.contacts[0].state = ContactParameters::State::full;
+    Model model(p, context.timers);
+    model.print_summary(context.log);
+    const PreparedTransient prepared(
+      PressedModel(p,
+                   *model.discretization(),
+                   model.body_matrices(),
+                   p.transient.cut_off,
+                   context.timers,
+                   p.transient.interface_cut_off),
+      p,
+      context.timers);
+    context.record.n_dofs = model.n_unknowns();
+    context.log.key_values(
+      {{"modes up to the cut-off",
+        std::to_string(prepared.pressed.model().n_modes())},
+       {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
+       {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
+       {"pairs in the band", std::to_string(prepared.branches.size())}});
+    report_cut_off_damping(prepared, p, context.log);
+    report_fastest(prepared.linear, p, context.log);
+    TransientRun run(
+      prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);
+    const Checkpoints checkpoints = checkpoints_of(run, context);
+    integrate(run, checkpoints, context);
+    ComplexPairs cea;
+    if (p.transient.compare_with_cea)
+      cea = whole_model_pairs(p,
+                              prepared.pressed.state_of(prepared.steady),
+                              context.log,
+                              context.timers);
+    report_run(context,
+               model,
+               prepared,
+               run.record(),
+               evaluate_transient(
+                 prepared, run.record(), p, cea.size() > 0 ? &cea : nullptr));
+    if (context.is_root)
+      checkpoints.remove();
+  }
+} // namespace squeal

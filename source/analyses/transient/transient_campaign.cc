@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Transients over the axes of `Sweep` and several tops, several at a time.
+
+#include <squeal/analyses/transient/campaign_table.h>
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/files.h>
+#include <squeal/base/inputs_read.h>
+#include <squeal/base/root_action.h>
+#include <squeal/base/state_files.h>
+#include <squeal/base/stop_request.h>
+#include <squeal/parameters/choices.h>
+#include <squeal/results/column_title.h>
+#include <squeal/run/finished_runs.h>
+#include <squeal/run/run_context.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <future>
+#include <map>
+#include <memory>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Names of the rows that a finished run keeps. */
+    const std::string row_name = "row", phase_name = "phases";
+
+    /** All runs with one set of bodies. */
+    class CampaignGroup
+    {
+    public:
+      CampaignGroup(const Parameters &p, RunContext &c)
+        : parameters(p)
+        , context(c)
+        , model(parameters, c.timers)
+        , pressed(parameters,
+                  *model.discretization(),
+                  model.body_matrices(),
+                  parameters.transient.cut_off,
+                  c.timers,
+                  parameters.transient.interface_cut_off)
+      {
+        context.record.n_dofs = model.n_unknowns();
+      }
+
+      struct Outcome
+      {
+        std::vector<Cell> row;
+        Table             phases;
+      };
+
+      /** Steady sliding and its linearisation; null where there is none. */
+      std::unique_ptr<PreparedTransient>
+      prepare(const CampaignRun &run)
+      {
+        PressedModel with = pressed;
+        with.set_friction(
+          std::abs(run.parameters.scene.contacts[0].friction_coefficient));
+        try
+          {
+            return std::make_unique<PreparedTransient>(
+              with, run.parameters, context.timers);
+          }
+        catch (const ComputationError &e)
+          {
+            context.log.warning(e.what());
+            return {};
+          }
+      }
+
+      /** For a thread of its own. With a comparison the run ends with its
+       * linear phase. */
+      static TransientRecord
+      integrate(const CampaignRun &run,
+                TransientRun      &transient,
+                const StopRequest &stop)
+      {
+        const bool linear_only = run.parameters.transient.compare_with_cea;
+        transient.advance([&](const unsigned int) {
+          return stop.is_there() ||
+                 (linear_only && !transient.record().changes.empty());
+        });
+        return transient.record();
+      }
+
+      Outcome
+      evaluate(const CampaignRun       &run,
+               const PreparedTransient &prepared,
+               const TransientRecord   &record)
+      {
+        ComplexPairs cea;
+        if (run.parameters.transient.compare_with_cea)
+          cea = whole_model_pairs(run.parameters,
+                                  prepared.pressed.state_of(prepared.steady),
+                                  context.log,
+                                  context.timers);
+        const TransientFigures f = evaluate_transient(
+          prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
+        return {campaign_row(run, prepared, record, f), phase_table(record, f)};
+      }
+
+    private:
+      const Parameters parameters;
+      RunContext      &context;
+      Model            model;
+      PressedModel     pressed;
+    };
+
+
+
+    /** Runs side by side: factorisations of full models stand one at a time. */
+    unsigned int
+    n_threads(const std::vector<CampaignRun> &runs, const unsigned int asked)
+    {
+      for (const auto &run : runs)
+        if (run.parameters.transient.integrator !=
+            TransientParameters::Integrator::reduced)
+          return 1;
+      return asked;
+    }
+
+    /** What a campaign gathers. */
+    struct CampaignResults
+    {
+      explicit CampaignResults(const Parameters &p)
+        : table(campaign_columns(p))
+        , keeps_phases(has_trigger(p.transient) &&
+                       !p.transient.compare_with_cea)
+      {
+      }
+
+      Table table;
+      /** Phases over time are kept where a trigger is there. */
+      bool                                       keeps_phases;
+      std::vector<std::pair<std::string, Table>> phases;
+    };
+
+    /** The values of a run's axes, its top and, of several, its integrator:
+     * "mu 0.35, guided". */
+    std::string
+    run_label(const CampaignRun &run, const Table &table)
+    {
+      std::string label;
+      for (std::size_t i = 0; i < run.shown.size(); ++i)
+        label += (label.empty() ? "" : ", ") +
+                 ColumnTitle(table.columns()[i]).with(run.shown[i]);
+      const auto &t = run.parameters.transient;
+      for (const std::string &part :
+           {run.top, t.integrators.empty() ? "" : choice_name(t.integrator)})
+        label += (label.empty() || part.empty() ? "" : ", ") + part;
+      return label;
+    }
+
+    /** All rows of a table of numbers one after the other, and back. */
+    std::vector<Cell>
+    joined(const Table &table)
+    {
+      std::vector<Cell> all;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        for (std::size_t c = 0; c < table.columns().size(); ++c)
+          all.push_back(table.cell(i, c));
+      return all;
+    }
+
+    Table
+    phases_of(const std::vector<Cell> &all)
+    {
+      Table             table = phase_table(TransientRecord(), {});
+      const std::size_t n     = table.columns().size();
+      for (std::size_t i = 0; i + n <= all.size(); i += n)
+        table.add_row({all.begin() + i, all.begin() + i + n});
+      return table;
+    }
+
+    /** The phases of all runs as one table, in front what tells runs apart. */
+    Table
+    all_phases(const CampaignResults          &results,
+               const std::vector<CampaignRun> &runs)
+    {
+      Table table;
+      for (std::size_t k = 0; k < results.phases.size(); ++k)
+        {
+          Table part = results.phases[k].second;
+          part.put_first({"integrator", Table::Type::text, "", ""},
+                         choice_name(runs[k].parameters.transient.integrator));
+          part.put_first({"top", Table::Type::text, "", "kind of the support"},
+                         runs[k].top);
+          for (std::size_t i = runs[k].shown.size(); i-- > 0;)
+            part.put_first(results.table.columns()[i], runs[k].shown[i]);
+          table.append(part);
+        }
+      return table;
+    }
+
+    /** A run of a group on its way. */
+    struct StartedRun
+    {
+      std::vector<Cell>                  row; /**< if it was finished before */
+      std::unique_ptr<PreparedTransient> prepared; /**< null: no sliding */
+      std::unique_ptr<TransientRun>      transient;
+      std::future<TransientRecord>       record;
+    };
+
+
+
+    /** Runs a campaign group by group and keeps what is finished. */
+    class CampaignRunner
+    {
+    public:
+      CampaignRunner(RunContext      &context,
+                     FinishedRuns    &finished,
+                     Progress        &progress,
+                     CampaignResults &results)
+        : context(context)
+        , finished(finished)
+        , progress(progress)
+        , results(results)
+      {
+      }
+
+      /** Runs of one group that are still to be done, a few at a time. */
+      void
+      run(const std::vector<CampaignRun> &runs)
+      {
+        std::unique_ptr<CampaignGroup> group;
+        const std::size_t              side_by_side =
+          n_threads(runs, context.parameters.transient.threads);
+        for (std::size_t first = 0; first < runs.size(); first += side_by_side)
+          {
+            const std::size_t n = std::min(side_by_side, runs.size() - first);
+            StopRequest       stop;
+            // They stay where they are: threads read them.
+            std::vector<StartedRun> started(n);
+            for (std::size_t i = 0; i < n; ++i)
+              start(runs[first + i], group, stop, started[i]);
+            for (std::size_t i = 0; i < n; ++i)
+              finish(runs[first + i], group, stop, i, started);
+          }
+      }
+
+    private:
+      RunContext      &context;
+      FinishedRuns    &finished;
+      Progress        &progress;
+      CampaignResults &results;
+      /** Contents that the runs are known by. */
+      const std::map<std::string, std::string> inputs = inputs_read();
+
+      /** A run that has read other files than it is known by is not kept. */
+      void
+      require_same_inputs() const
+      {
+        const auto now = inputs_read();
+        for (const auto &[file, content] : inputs)
+          if (now.at(file) != content)
+            throw InputError("'" + file +
+                             "' has changed since the campaign was started: "
+                             "start it again");
+      }
+
+      void
+      start(const CampaignRun              &run,
+            std::unique_ptr<CampaignGroup> &group,
+            const StopRequest              &stop,
+            StartedRun                     &started)
+      {
+        if (finished.find(run.fingerprint,
+                          row_name,
+                          results.table.columns().size(),
+                          started.row))
+          return;
+        if (!group)
+          group = std::make_unique<CampaignGroup>(run.parameters, context);
+        started.prepared = group->prepare(run);
+        if (!started.prepared)
+          return;
+        // Not in the thread: a blow is a load that MUMPS solves for, and MUMPS
+        // runs in one thread at a time.
+        started.transient =
+          std::make_unique<TransientRun>(started.prepared->pressed,
+                                         started.prepared->steady,
+                                         started.prepared->linear,
+                                         started.prepared->branches,
+                                         run.parameters);
+        started.record = std::async(std::launch::async, [&]() {
+          return CampaignGroup::integrate(run, *started.transient, stop);
+        });
+      }
+
+      void
+      finish(const CampaignRun              &run,
+             std::unique_ptr<CampaignGroup> &group,
+             StopRequest                    &stop,
+             const std::size_t               i,
+             std::vector<StartedRun>        &started)
+      {
+        if (!started[i].row.empty())
+          {
+            std::vector<Cell> phases;
+            finished.find(run.fingerprint, phase_name, 0, phases);
+            add(run, started[i].row, phases);
+            return;
+          }
+        if (!started[i].prepared)
+          {
+            keep(run, row_without_sliding(run, results.table), {});
+            return;
+          }
+        TransientRecord record;
+        {
+          Timers::Section section(context.timers, "Solve: time steps");
+          record = started[i].record.get();
+        }
+        if (stop.is_there())
+          {
+            for (StartedRun &other : started)
+              if (other.record.valid())
+                other.record.wait();
+            context.log.info("stopped; the same command goes on with the "
+                             "runs that are left");
+            stop.repeat();
+          }
+        const auto outcome = group->evaluate(run, *started[i].prepared, record);
+        keep(run, outcome.row, joined(outcome.phases));
+      }
+
+      void
+      add(const CampaignRun       &run,
+          const std::vector<Cell> &row,
+          const std::vector<Cell> &phases)
+      {
+        results.table.add_row(row);
+        if (results.keeps_phases)
+          results.phases.emplace_back(run_label(run, results.table),
+                                      phases_of(phases));
+        progress.advance(1, run.top);
+      }
+
+      /** A new row. */
+      void
+      keep(const CampaignRun       &run,
+           const std::vector<Cell> &row,
+           const std::vector<Cell> &phases)
+      {
+        require_same_inputs();
+        add(run, row, phases);
+        if (!context.is_root)
+          return;
+        // first what the row is not complete without
+        if (results.keeps_phases)
+          finished.add(run.fingerprint, phase_name, phases);
+        finished.add(run.fingerprint, row_name, row);
+      }
+    };
+
+
+
+    /** Says what the file of finished runs has for these @p runs. */
+    void
+    report_finished(const FinishedRuns             &finished,
+                    const std::vector<CampaignRun> &runs,
+                    const std::size_t               n_columns,
+                    const std::string              &file,
+                    RunLog                         &log)
+    {
+      std::vector<Cell>  row;
+      const CampaignRun *missing = nullptr;
+      unsigned int       n_found = 0;
+      for (const CampaignRun &run : runs)
+        if (finished.find(run.fingerprint, row_name, n_columns, row))
+          ++n_found;
+        else if (!missing)
+          missing = &run;
+      if (n_found > 0)
+        log.info("  " + std::to_string(n_found) + " of " +
+                 std::to_string(runs.size()) + " runs are taken from " + file);
+      else if (missing && finished.n_rows() > 0)
+        log.warning("the runs in " + file +
+                    " are others and are kept there: of the one most alike, " +
+                    finished.nearest_difference(missing->fingerprint));
+    }
+
+
+
+    /** The file of finished runs; without `Resume` an earlier one is put
+     * aside. */
+    std::string
+    finished_file(RunContext &context)
+    {
+      const std::string file = context.output.state_file(
+        "runs.json", state_kind::rows, "Output directory");
+      if (context.is_root && !context.parameters.transient.resume &&
+          std::filesystem::exists(file))
+        context.log.warning("the runs in " + file +
+                            " are not used, as Transient/Resume is false; kept "
+                            "as '" +
+                            set_aside(file) + "'");
+      return file;
+    }
+
+
+
+    /** "12 runs", and of how many a limit cycle stands beside stable sliding:
+     * "stable" alone would deny it. */
+    std::string
+    campaign_verdict(const Table &table)
+    {
+      std::string  text = std::to_string(table.n_rows()) + " runs";
+      unsigned int n    = 0;
+      if (table.has_column("outcome"))
+        for (std::size_t i = 0; i < table.n_rows(); ++i)
+          n += table.text(i, "stable") == "yes" &&
+               table.text(i, "outcome") == "squeal after the trigger";
+      if (n > 0)
+        text += ", " + std::to_string(n) +
+                " of them stable about steady sliding that squeal after the "
+                "trigger: a limit cycle stands beside it";
+      return text;
+    }
+
+
+
+    void
+    report_campaign(RunContext                     &context,
+                    const CampaignResults          &results,
+                    const std::vector<CampaignRun> &runs)
+    {
+      const Parameters &p     = context.parameters;
+      const Table      &table = results.table;
+      context.write_table(p.transient.campaign_table, table);
+      std::ostringstream text;
+      table.print(text);
+      context.log.heading("Campaign");
+      context.log.info(text.str());
+      context.record.figures = {{"runs", std::to_string(table.n_rows())}};
+      HtmlReport report("Transients of " + p.scene.name,
+                        "over the axes of the campaign");
+      report.set_verdict(HtmlReport::Verdict::neutral,
+                         campaign_verdict(table),
+                         context.record.figures);
+      if (results.keeps_phases)
+        context.write_table("phases.csv", all_phases(results, runs));
+      if (p.output.plots && context.is_root)
+        {
+          draw_campaign(context, table, report);
+          if (results.keeps_phases)
+            draw_phases(context, results.phases, report);
+        }
+      report.section("Runs");
+      report.table(table, "One row for each run");
+      context.finish(p.output.report ? &report : nullptr, "");
+    }
+  } // namespace
+
+
+
+  void
+  run_campaign(RunContext &context)
+  {
+    const Parameters        &p      = context.parameters;
+    const auto               groups = campaign_groups(p);
+    std::vector<CampaignRun> runs;
+    for (const auto &group : groups)
+      runs.insert(runs.end(), group.begin(), group.end());
+    CampaignResults   results(p);
+    const std::string file =
+      on_root(context.is_root, [&]() { return finished_file(context); });
+    FinishedRuns finished(file, on_root(context.is_root, [&]() {
+                            return std::filesystem::exists(file)
+                                     ? read_file(file)
+                                     : "";
+                          }));
+    report_finished(
+      finished, runs, results.table.columns().size(), file, context.log);
+    {
+      Progress       progress(context.log, "transients", runs.size());
+      CampaignRunner runner(context, finished, progress, results);
+      for (const auto &group : groups)
+        runner.run(group);
+    }
+    report_campaign(context, results, runs);
+  }
+} // namespace squeal

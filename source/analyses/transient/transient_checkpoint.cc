@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What checkpoints keep of a TransientRun: every field by its name.
+
+#include <squeal/analyses/transient/transient_run.h>
+#include <squeal/base/exceptions.h>
+
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr std::size_t last_status =
+      static_cast<std::size_t>(ContactStatus::slip);
+
+    template <typename T>
+    using Fields = std::vector<std::pair<std::string, double T::*>>;
+
+    const Fields<TransientSample> sample_fields = {
+      {"time", &TransientSample::time},
+      {"tangential", &TransientSample::tangential},
+      {"radial", &TransientSample::radial},
+      {"normal", &TransientSample::normal},
+      {"n_open", &TransientSample::n_open},
+      {"n_stick", &TransientSample::n_stick},
+      {"is_linear", &TransientSample::is_linear},
+      {"leading_edge", &TransientSample::leading_edge},
+      {"kinetic", &TransientSample::kinetic},
+      {"elastic", &TransientSample::elastic},
+      {"damping", &TransientSample::damping},
+      {"friction", &TransientSample::friction},
+      {"driving", &TransientSample::driving},
+      {"load", &TransientSample::load},
+      {"numerical", &TransientSample::numerical},
+      {"imbalance", &TransientSample::imbalance}};
+    static_assert(sizeof(TransientSample) == (16 + 2 * 3) * sizeof(double),
+                  "every member of a sample is kept: 16 numbers, 2 vectors");
+
+    const Fields<NodeShares> node_fields = {
+      {"open", &NodeShares::open},
+      {"stick", &NodeShares::stick},
+      {"slip", &NodeShares::slip},
+      {"fastest_slip", &NodeShares::fastest_slip},
+      {"peak_pressure", &NodeShares::peak_pressure}};
+    static_assert(sizeof(NodeShares) == 5 * sizeof(double),
+                  "every member of a node's shares is kept");
+
+    const Fields<TransientRecord> counters = {
+      {"n_steps", &TransientRecord::n_steps},
+      {"n_iterations", &TransientRecord::n_iterations},
+      {"n_sweeps", &TransientRecord::n_sweeps},
+      {"worst_residual", &TransientRecord::worst_residual},
+      {"cpu_seconds", &TransientRecord::cpu_seconds},
+      {"n_inversions", &TransientRecord::n_inversions}};
+
+    const std::vector<
+      std::pair<std::string, std::vector<double> HistorySamples::*>>
+      history_fields = {{"time", &HistorySamples::time},
+                        {"pressure", &HistorySamples::pressure},
+                        {"traction", &HistorySamples::traction},
+                        {"slip_rate", &HistorySamples::slip_rate},
+                        {"gap", &HistorySamples::gap},
+                        {"status", &HistorySamples::status},
+                        {"resultants", &HistorySamples::resultants},
+                        {"probes", &HistorySamples::probes},
+                        {"energies", &HistorySamples::energies}};
+    static_assert(sizeof(HistorySamples) == 9 * sizeof(std::vector<double>),
+                  "every array of a history is kept");
+
+    const std::vector<std::pair<std::string, Eigen::VectorXd MotionFrame::*>>
+      frame_fields = {{"coordinates", &MotionFrame::coordinates},
+                      {"forces", &MotionFrame::forces},
+                      {"unknowns", &MotionFrame::unknowns}};
+
+
+
+    /** Each field of all members of a list as one array. */
+    template <typename T>
+    NamedNumbers
+    by_field(const std::vector<T> &list, const Fields<T> &fields)
+    {
+      NamedNumbers result;
+      for (const auto &[name, field] : fields)
+        {
+          std::vector<double> values;
+          for (const T &member : list)
+            values.push_back(member.*field);
+          result.set(name, values);
+        }
+      return result;
+    }
+
+    template <typename T>
+    std::vector<T>
+    from_fields(const NamedNumbers &numbers, const Fields<T> &fields)
+    {
+      std::vector<T> list(numbers.get(fields[0].first).size());
+      for (const auto &[name, field] : fields)
+        {
+          const auto &values = numbers.get(name, list.size());
+          for (std::size_t i = 0; i < list.size(); ++i)
+            list[i].*field = values[i];
+        }
+      return list;
+    }
+
+
+
+    using SampleVector = double (TransientSample::*)[3];
+
+    const std::vector<std::pair<std::string, SampleVector>> sample_vectors = {
+      {"position", &TransientSample::position},
+      {"acceleration", &TransientSample::acceleration}};
+
+    NamedNumbers
+    numbers_of(const std::vector<TransientSample> &samples)
+    {
+      NamedNumbers result = by_field(samples, sample_fields);
+      for (const auto &[name, vector] : sample_vectors)
+        {
+          std::vector<double> values;
+          for (const TransientSample &s : samples)
+            values.insert(values.end(), s.*vector, s.*vector + 3);
+          result.set(name, values);
+        }
+      return result;
+    }
+
+    std::vector<TransientSample>
+    samples_from(const NamedNumbers &numbers)
+    {
+      auto samples = from_fields(numbers, sample_fields);
+      for (const auto &[name, vector] : sample_vectors)
+        {
+          const auto &values = numbers.get(name, 3 * samples.size());
+          for (std::size_t i = 0; i < samples.size(); ++i)
+            for (unsigned int c = 0; c < 3; ++c)
+              (samples[i].*vector)[c] = values[3 * i + c];
+        }
+      return samples;
+    }
+
+
+
+    NamedNumbers
+    numbers_of(const HistorySamples &history)
+    {
+      NamedNumbers result;
+      for (const auto &[name, field] : history_fields)
+        result.set(name, history.*field);
+      return result;
+    }
+
+    /** @p n_nodes numbers of each field of a node. */
+    HistorySamples
+    history_from(const NamedNumbers &numbers, const std::size_t n_nodes)
+    {
+      HistorySamples history;
+      for (const auto &[name, field] : history_fields)
+        history.*field = numbers.get(name);
+      const std::size_t n = history.n_samples();
+      for (const auto &[name, size] :
+           {std::pair<const char *, std::size_t>{"pressure", n_nodes},
+            {"traction", 2 * n_nodes},
+            {"slip_rate", 2 * n_nodes},
+            {"gap", n_nodes},
+            {"status", n_nodes},
+            {"resultants", 3},
+            {"probes", 3},
+            {"energies", 7}})
+        numbers.get(name, n * size);
+      return history;
+    }
+
+
+
+    NamedNumbers
+    numbers_of(const std::vector<MotionFrame> &frames)
+    {
+      NamedNumbers result;
+      for (const auto &[name, part] : frame_fields)
+        {
+          std::vector<double> values;
+          for (const MotionFrame &frame : frames)
+            values.insert(values.end(),
+                          (frame.*part).data(),
+                          (frame.*part).data() + (frame.*part).size());
+          result.set(name, values);
+        }
+      return result;
+    }
+
+    /** Frames at @p times whose vectors are as long as those of @p like. */
+    std::vector<MotionFrame>
+    frames_from(const NamedNumbers        &numbers,
+                const std::vector<double> &times,
+                const MotionFrame         &like)
+    {
+      std::vector<MotionFrame> frames(times.size());
+      for (const auto &[name, part] : frame_fields)
+        {
+          const Eigen::MatrixXd all =
+            numbers.matrix(name, (like.*part).size(), frames.size());
+          for (std::size_t k = 0; k < frames.size(); ++k)
+            frames[k].*part = all.col(k);
+        }
+      for (std::size_t k = 0; k < frames.size(); ++k)
+        frames[k].time = times[k];
+      return frames;
+    }
+
+
+
+    NamedNumbers
+    numbers_of(const std::vector<StatusChange> &changes)
+    {
+      std::vector<double> time, node, status;
+      for (const StatusChange &c : changes)
+        {
+          time.push_back(c.time);
+          node.push_back(static_cast<double>(c.node));
+          status.push_back(static_cast<double>(c.status));
+        }
+      NamedNumbers result;
+      result.set("time", time);
+      result.set("node", node);
+      result.set("status", status);
+      return result;
+    }
+
+    ContactStatus
+    status_from(const double value)
+    {
+      return static_cast<ContactStatus>(
+        whole_number(value, last_status, "status"));
+    }
+
+    std::vector<StatusChange>
+    changes_from(const NamedNumbers &numbers, const std::size_t n_nodes)
+    {
+      const auto               &time   = numbers.get("time");
+      const auto               &node   = numbers.get("node", time.size());
+      const auto               &status = numbers.get("status", time.size());
+      std::vector<StatusChange> changes;
+      for (std::size_t i = 0; i < time.size(); ++i)
+        changes.push_back({time[i],
+                           whole_number(node[i], n_nodes - 1, "node"),
+                           status_from(status[i])});
+      return changes;
+    }
+  } // namespace
+
+
+
+  NamedNumbers
+  TransientRun::memory() const
+  {
+    NamedNumbers result;
+    result.set("integrator", motion->memory());
+    for (const auto &[name, counter] : counters)
+      result.set("counters/" + name, kept.*counter);
+    result.set("samples", numbers_of(kept.samples));
+    result.set("nodes", by_field(kept.nodes, node_fields));
+    result.set("changes", numbers_of(kept.changes));
+    result.set("history", numbers_of(kept.history));
+    result.set("frame_nodes", numbers_of(kept.frame_nodes));
+    result.set("frames", numbers_of(kept.frames));
+    std::vector<double> real, imaginary, states;
+    for (const std::complex<double> &a : kept.amplitudes)
+      {
+        real.push_back(a.real());
+        imaginary.push_back(a.imag());
+      }
+    for (const ContactStatus s : status)
+      states.push_back(static_cast<double>(s));
+    result.set("amplitudes/real", real);
+    result.set("amplitudes/imaginary", imaginary);
+    result.set("status", states);
+    result.set("last_motion", Eigen::MatrixXd(last_motion));
+    result.set("linear_since_sample", linear_since_sample ? 1. : 0.);
+    return result;
+  }
+
+
+
+  void
+  TransientRun::restore(const NamedNumbers &memory)
+  {
+    const std::size_t n_nodes = status.size();
+    TransientRecord   record;
+    for (const auto &[name, counter] : counters)
+      record.*counter = memory.number("counters/" + name);
+    whole_number(record.n_steps, n_steps, "counters/n_steps");
+    record.samples   = samples_from(memory.group("samples"));
+    const auto &real = memory.get(
+      "amplitudes/real", record.samples.size() * recorded.lambda.size());
+    const auto &imaginary = memory.get("amplitudes/imaginary", real.size());
+    for (std::size_t i = 0; i < real.size(); ++i)
+      record.amplitudes.emplace_back(real[i], imaginary[i]);
+    memory.get("nodes/open", n_nodes);
+    record.nodes       = from_fields(memory.group("nodes"), node_fields);
+    record.changes     = changes_from(memory.group("changes"), n_nodes);
+    record.history     = history_from(memory.group("history"), n_nodes);
+    record.frame_nodes = history_from(memory.group("frame_nodes"), n_nodes);
+    MotionFrame like;
+    like.coordinates = motion->coordinates();
+    like.forces      = motion->forces();
+    if (const Eigen::VectorXd *all = motion->unknowns())
+      like.unknowns = *all;
+    record.frames =
+      frames_from(memory.group("frames"), record.frame_nodes.time, like);
+    const auto &states  = memory.get("status", n_nodes);
+    last_motion         = memory.vector("last_motion", last_motion.size());
+    linear_since_sample = memory.count("linear_since_sample", 1) == 1;
+    motion->restore(memory.group("integrator"));
+    for (std::size_t j = 0; j < n_nodes; ++j)
+      status[j] = status_from(states[j]);
+    kept = std::move(record);
+  }
+
+
+
+  void
+  TransientRun::describe(Fingerprint &fingerprint) const
+  {
+    const auto add = [&](const std::string &name, const std::size_t number) {
+      fingerprint.add(name, std::to_string(number));
+    };
+    add("contact nodes", status.size());
+    add("modes", motion->coordinates().size());
+    add("unknowns that move",
+        motion->unknowns() ? motion->unknowns()->size() : 0);
+    add("pairs recorded", recorded.lambda.size());
+    add("steps", n_steps);
+  }
+} // namespace squeal

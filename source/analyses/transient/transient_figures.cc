@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a transient says: growth of every branch in the linear phase, the limit
+// cycle in the second half of the run.
+
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/base/run_log.h>
+#include <squeal/base/timers.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/base/worst_of.h>
+#include <squeal/model/cea_solution.h>
+#include <squeal/output/contact_output.h>
+#include <squeal/transient/growth_rule.h>
+#include <squeal/transient/time_step_error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+    /** Share by which the frequency of a fit may be off that of its pair. */
+    constexpr double same_frequency = 0.02;
+
+    /** The longest stretch of samples without a change of status. */
+    std::pair<std::size_t, std::size_t>
+    linear_phase(const std::vector<TransientSample> &samples)
+    {
+      std::pair<std::size_t, std::size_t> best{0, 0};
+      for (std::size_t i = 0, first = 0; i <= samples.size(); ++i)
+        if (i == samples.size() || samples[i].is_linear == 0.)
+          {
+            if (i - first > best.second - best.first)
+              best = {first, i};
+            first = i + 1;
+          }
+      return best;
+    }
+
+    double
+    mean_of(const std::vector<double> &x)
+    {
+      double sum = 0.;
+      for (const double value : x)
+        sum += value;
+      return x.empty() ? 0. : sum / x.size();
+    }
+
+    double
+    rms_about_mean(const std::vector<double> &x)
+    {
+      const double mean = mean_of(x);
+      double       sum  = 0.;
+      for (const double value : x)
+        sum += (value - mean) * (value - mean);
+      return x.empty() ? 0. : std::sqrt(sum / x.size());
+    }
+
+    /** What the time step adds to lambda of every recorded branch, 1/s. */
+    std::vector<std::complex<double>>
+    step_errors(const PreparedTransient &prepared, const TransientParameters &t)
+    {
+      using Integrator = TransientParameters::Integrator;
+      std::vector<std::complex<double>> result;
+      const Eigen::VectorXcd            reduced =
+        reduced_step_error(prepared.pressed.model(), prepared.linear, t.step());
+      for (const unsigned int k : prepared.branches)
+        {
+          const auto lambda = prepared.linear.lambda[k];
+          const auto error  = [&]() {
+            switch (t.integrator)
+              {
+              case Integrator::implicit:
+                return implicit_step_error(lambda, t.step());
+              case Integrator::explicit_:
+                return explicit_step_error(lambda, t.step(), t.beta_2);
+              case Integrator::reduced:
+                return std::complex<double>(reduced[k]);
+              }
+            unknown_choice("integrator");
+          };
+          result.push_back(error());
+        }
+      return result;
+    }
+
+    /** Growth of the pair of @p lambda over the samples @p linear. */
+    GrowthFit
+    fit_linear_phase(const std::vector<double>                 &times,
+                     const std::vector<std::complex<double>>   &amplitudes,
+                     const std::pair<std::size_t, std::size_t> &linear,
+                     const std::complex<double>                 lambda)
+    {
+      if (linear.second < linear.first + 2)
+        return {};
+      const auto period  = static_cast<std::size_t>(std::round(
+        2. * M_PI / std::abs(lambda.imag()) / (times[1] - times[0])));
+      const auto turning = without_drift(
+        {amplitudes.begin() + linear.first, amplitudes.begin() + linear.second},
+        period);
+      // What is left turns by its constant share a half period off the ends.
+      const std::size_t edge = std::min(period, turning.size()) / 2;
+      const auto        window =
+        fit_window(turning, edge, turning.size() - edge, lambda.real() < 0.);
+      return fit_growth(
+        {times.begin() + linear.first, times.begin() + linear.second},
+        turning,
+        window.first,
+        window.second);
+    }
+
+    void
+    evaluate_branches(const PreparedTransient   &prepared,
+                      const TransientRecord     &record,
+                      const TransientParameters &settings,
+                      const ComplexPairs        *cea,
+                      TransientFigures          &f)
+    {
+      const auto   times    = record.times();
+      const auto   linear   = linear_phase(record.samples);
+      const double rms_from = 0.5 * times.back();
+      if (linear.first < linear.second)
+        {
+          f.linear_start = times[linear.first];
+          f.linear_end   = times[linear.second - 1];
+        }
+      const unsigned int n      = prepared.branches.size();
+      const auto         errors = step_errors(prepared, settings);
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const auto   lambda = prepared.linear.lambda[prepared.branches[k]];
+          BranchResult b;
+          b.sigma         = lambda.real();
+          b.frequency     = lambda.imag() / (2. * M_PI);
+          b.sigma_cea     = not_known;
+          b.frequency_cea = not_known;
+          const auto a    = record.branch(k, n);
+          b.fit           = fit_linear_phase(times, a, linear, lambda);
+          b.fit.include(errors[k]);
+          // In the linear phase a pair turns at its own frequency. What does
+          // not is a trace of other motions, and its slope nobody's rate.
+          if (std::abs(b.fit.frequency - b.frequency) >
+              same_frequency * b.frequency +
+                std::abs(errors[k].imag()) / (2. * M_PI))
+            b.fit.is_valid = false;
+          b.fit.is_valid = tells_a_rate(b.fit);
+          std::vector<double> sizes;
+          for (std::size_t i = 0; i < a.size(); ++i)
+            if (times[i] >= rms_from)
+              sizes.push_back(std::norm(a[i]));
+          b.last_amplitude = std::sqrt(mean_of(sizes));
+          for (unsigned int i = 0; cea && i < cea->size(); ++i)
+            if (const double d = std::abs(cea->lambda[i] - lambda);
+                std::isnan(b.sigma_cea) ||
+                d < std::hypot(b.sigma_cea - lambda.real(),
+                               2. * M_PI * b.frequency_cea - lambda.imag()))
+              {
+                b.sigma_cea     = cea->sigma(i);
+                b.frequency_cea = cea->frequency(i);
+              }
+          if (f.leading < 0 || b.sigma > f.branches[f.leading].sigma)
+            f.leading = k;
+          f.branches.push_back(b);
+        }
+    }
+
+    std::string
+    verdict_of(const TransientFigures &f)
+    {
+      if (f.leading < 0)
+        return "undecided";
+      const GrowthFit &fit = f.branches[f.leading].fit;
+      if (!fit.is_valid)
+        return "undecided";
+      return fit.rate - fit.rate_ci > 0.   ? "unstable"
+             : fit.rate + fit.rate_ci < 0. ? "stable"
+                                           : "undecided";
+    }
+
+    void
+    evaluate_nodes(const TransientRecord &record, TransientFigures &f)
+    {
+      double stick = 0., closed = 0.;
+      for (const NodeShares &node : record.nodes)
+        {
+          stick += node.stick;
+          closed += node.stick + node.slip;
+          f.max_slip_speed_ratio =
+            std::max(f.max_slip_speed_ratio, node.fastest_slip);
+          f.peak_pressure = std::max(f.peak_pressure, node.peak_pressure);
+          if (node.stick + node.slip == 0.)
+            ++f.n_never;
+          else if (node.open > 0.)
+            ++f.n_separating;
+          else if (node.stick > 0.)
+            ++f.n_stick_slip;
+          else
+            ++f.n_slip;
+        }
+      f.stick_fraction = closed > 0. ? stick / closed : 0.;
+    }
+
+    /** Frequency, lines and what the four quarters of the time say of them. */
+    void
+    evaluate_lines(const std::vector<double> &normal,
+                   const double               interval,
+                   const double               lowest,
+                   TransientFigures          &f)
+    {
+      const double   highest  = 0.45 / interval;
+      const Spectrum spectrum = power_spectrum(normal, interval);
+      f.largest_line          = spectrum.peak(lowest, highest);
+      f.frequency             = spectrum.fundamental(lowest, highest);
+      f.repetition            = repetition(normal, interval, f.frequency);
+      for (unsigned int k = 1; k <= 5 && k * f.frequency < highest; ++k)
+        f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
+      if (f.frequency > 0.)
+        f.frequency_ci = line_deviation(normal, interval, f.largest_line) /
+                         std::round(f.largest_line / f.frequency);
+    }
+
+    /** Vibration of the normal force, over its mean, that is more than the
+     * noise of the solver. */
+    constexpr double least_vibration = 1e-4;
+
+    void
+    evaluate_limit_cycle(const PreparedTransient &prepared,
+                         const TransientRecord   &record,
+                         const Parameters        &p,
+                         TransientFigures        &f)
+    {
+      const auto         &samples = record.samples;
+      const std::size_t   first   = samples.size() / 2;
+      std::vector<double> normal, tangential, edge, acceleration;
+      const double        n_nodes = record.nodes.size();
+      for (std::size_t i = first; i < samples.size(); ++i)
+        {
+          normal.push_back(samples[i].normal);
+          tangential.push_back(samples[i].tangential);
+          // By force: it means little while there is next to none.
+          edge.push_back(samples[i].leading_edge * samples[i].normal);
+          double square = 0.;
+          for (const double a : samples[i].acceleration)
+            square += a * a;
+          acceleration.push_back(square);
+          f.separates = f.separates || samples[i].n_open == n_nodes;
+        }
+      f.mean_normal     = mean_of(normal);
+      f.rms_normal      = rms_about_mean(normal);
+      f.min_normal      = *std::min_element(normal.begin(), normal.end());
+      f.max_normal      = *std::max_element(normal.begin(), normal.end());
+      f.mean_tangential = mean_of(tangential);
+      f.rms_tangential  = rms_about_mean(tangential);
+      // A pad that does not touch in all that time has neither.
+      const bool touches = f.mean_normal > 0.;
+      f.macroscopic_friction =
+        touches ? f.mean_tangential / f.mean_normal : not_known;
+      f.mean_leading_edge_factor =
+        touches ? mean_of(edge) / f.mean_normal : not_known;
+      f.rms_acceleration = std::sqrt(mean_of(acceleration));
+      f.least_rms        = f.rms_normal;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const double rms =
+            rms_about_mean({normal.begin() + k * normal.size() / 4,
+                            normal.begin() + (k + 1) * normal.size() / 4});
+          f.least_rms = std::min(f.least_rms, rms);
+          f.most_rms  = std::max(f.most_rms, rms);
+        }
+      // Weakly damped motion loses less than that in the half of a run; a mesh
+      // that turns goes on exciting it.
+      f.dies_out =
+        p.transient.disc_frame == TransientParameters::DiscFrame::eulerian &&
+        prepared.linear.lambda.real().maxCoeff() < 0. &&
+        std::all_of(samples.begin() + first, samples.end(), [](const auto &s) {
+          return s.is_linear != 0.;
+        });
+      f.vibrates = !f.dies_out && f.most_rms > least_vibration * f.mean_normal;
+      f.has_limit_cycle = f.vibrates && f.least_rms > 0.8 * f.most_rms;
+      const double interval =
+        samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
+      evaluate_lines(normal, interval, p.eigen.lowest_frequency, f);
+      if (f.largest_line > 0.)
+        f.phase =
+          phase_difference(normal, tangential, interval, f.largest_line);
+    }
+  } // namespace
+
+
+
+  PreparedTransient::PreparedTransient(const PressedModel &model,
+                                       const Parameters   &p,
+                                       Timers             &timers)
+    : pressed(model)
+    , steady(pressed.steady(p.preload.tolerance, timers))
+  {
+    Timers::Section section(timers, "Solve: linearised motion");
+    linear = linearize(
+      pressed.model(), steady, pressed.sliding_friction(), pressed.speed());
+    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
+      if (const double f = linear.lambda[k].imag() / (2. * M_PI);
+          f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency &&
+          linear.lambda[k].real() > -0.3 * linear.lambda[k].imag())
+        branches.push_back(k);
+  }
+
+
+
+  TransientFigures
+  evaluate_transient(const PreparedTransient &prepared,
+                     const TransientRecord   &record,
+                     const Parameters        &p,
+                     const ComplexPairs      *cea)
+  {
+    TransientFigures f;
+    evaluate_branches(prepared, record, p.transient, cea, f);
+    f.verdict = verdict_of(f);
+    evaluate_limit_cycle(prepared, record, p, f);
+    evaluate_nodes(record, f);
+    // Against the work of the whole run: at the start there is next to none.
+    const auto work = [&](const TransientSample &s) {
+      return std::abs(s.driving) + std::abs(s.load) +
+             record.samples.front().kinetic + record.samples.front().elastic;
+    };
+    for (const auto &sample : record.samples)
+      f.worst_imbalance =
+        worst_of(f.worst_imbalance,
+                 sample.imbalance * work(sample) /
+                   std::max(work(record.samples.back()), 1e-300));
+    f.steps_per_second    = record.n_steps / std::max(record.cpu_seconds, 1e-9);
+    f.n_inversions        = record.n_inversions;
+    f.iterations_per_step = record.n_iterations / std::max(record.n_steps, 1.);
+    return f;
+  }
+
+
+
+  std::string
+  limit_cycle_text(const TransientFigures &f)
+  {
+    if (f.has_limit_cycle)
+      return rounded_text(f.frequency, 5) +
+             (std::isfinite(f.frequency_ci)
+                ? " +- " + rounded_text(f.frequency_ci, 2) + " Hz"
+                : " Hz, in a run too short for an interval") +
+             (f.largest_line > 1.5 * f.frequency
+                ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
+                : "") +
+             ", repeats itself to " + rounded_text(f.repetition, 3);
+    if (f.most_rms <= least_vibration * f.mean_normal)
+      return "none: no vibration";
+    if (f.dies_out)
+      return "none: the vibration dies out";
+    return "none: uneven vibration of " + rounded_text(f.least_rms, 3) +
+           " to " + rounded_text(f.most_rms, 3) +
+           " N rms in the quarters of the second half of the run";
+  }
+
+
+
+  double
+  sigma_with_full_contact(const PreparedTransient &prepared,
+                          const Parameters        &p)
+  {
+    const auto           &areas = prepared.pressed.geometry().areas;
+    const Eigen::Vector3d sum   = prepared.steady.resultant();
+    double                total = 0.;
+    for (const double area : areas)
+      total += area;
+    SteadySliding whole = prepared.steady;
+    for (std::size_t j = 0; j < areas.size(); ++j)
+      {
+        whole.status[j]                = ContactStatus::slip;
+        whole.forces.segment<3>(3 * j) = areas[j] / total * sum;
+      }
+    const LinearizedMotion motion =
+      linearize(prepared.pressed.model(),
+                whole,
+                prepared.pressed.sliding_friction(),
+                prepared.pressed.speed());
+    double sigma = -std::numeric_limits<double>::infinity();
+    for (const auto &lambda : motion.lambda)
+      if (const double f = lambda.imag() / (2. * M_PI);
+          f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency)
+        sigma = std::max(sigma, lambda.real());
+    return sigma;
+  }
+
+
+
+  ComplexPairs
+  whole_model_pairs(const Parameters   &given,
+                    const ContactState &state,
+                    RunLog             &log,
+                    Timers             &timers)
+  {
+    // Shares of the nodes are forces in N where there is no reference.
+    Parameters parameters = given;
+    for (auto &contact : parameters.scene.contacts)
+      if (contact.normal_force == 0.)
+        contact.normal_force = 1.;
+    Model        model(parameters, timers, {{state}});
+    ModeSolution modes = solve_modes(model, log, timers);
+    return solve_cea(model, modes, log, timers).pairs;
+  }
+} // namespace squeal

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Phase between the resultants over time, and what a trigger has made of a run.
+
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/results/chart.h>
+#include <squeal/run/run_context.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+
+    /** A phase is given where both forces vibrate by more than this share of
+     * the mean normal force. */
+    constexpr double least_amplitude = 1e-3;
+
+    /** Vibration, over the mean normal force, that counts as squeal, and as
+     * large. */
+    constexpr double squeal_level = 0.01, large_level = 0.1;
+
+    /** Of the normal force from one time to another. */
+    struct Level
+    {
+      double mean = 0., rms = 0.;
+    };
+
+    Level
+    level(const std::vector<TransientSample> &samples,
+          const double                        from,
+          const double                        to)
+    {
+      double sum = 0., squares = 0., n = 0.;
+      for (const auto &s : samples)
+        if (s.time >= from && s.time <= to)
+          {
+            sum += s.normal;
+            squares += s.normal * s.normal;
+            n += 1.;
+          }
+      if (n == 0.)
+        return {};
+      const double mean = sum / n;
+      return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.))};
+    }
+
+    /** Runs of a campaign that one picture shows. */
+    constexpr std::size_t most_runs = 6;
+
+    ChartSeries
+    dots(const std::string &label, const Ink ink)
+    {
+      ChartSeries s;
+      s.label       = label;
+      s.ink         = ink;
+      s.marker_size = 0.8;
+      return s;
+    }
+    /** Adds one run to both charts of draw_phases(). */
+    void
+    add_run(const std::string &label,
+            const Table       &table,
+            Chart             &amplitude,
+            Chart             &phase)
+    {
+      const Ink   ink = series_ink(amplitude.series.size());
+      ChartSeries a = dots(label, ink), p = dots(label, ink);
+      a.style = ChartSeries::Style::lines;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        {
+          const double t    = 1e3 * table.real(i, "time_s"),
+                       size = table.real(i, "normal_amplitude_n");
+          // Six decades under the largest.
+          amplitude.y.lower =
+            std::max(amplitude.y.lower.value_or(0.), 1e-6 * size);
+          a.x.push_back(t);
+          a.y.push_back(size);
+          if (!table.is_missing(i, "phase_deg"))
+            {
+              p.x.push_back(t);
+              p.y.push_back(table.real(i, "phase_deg"));
+            }
+          for (Chart *chart : {&amplitude, &phase})
+            chart->x.upper = std::max(chart->x.upper.value_or(0.), t);
+        }
+      amplitude.series.push_back(a);
+      phase.series.push_back(p);
+    }
+  } // namespace
+
+
+
+  bool
+  has_trigger(const TransientParameters &t)
+  {
+    return !t.hammer.body.empty() || t.friction_impulse != 0.;
+  }
+
+
+
+  TriggerOutcome
+  evaluate_trigger(const TransientRecord &record, const TransientParameters &t)
+  {
+    TriggerOutcome r;
+    if (!has_trigger(t))
+      return r;
+    double begin = 1e300, end = 0.;
+    if (!t.hammer.body.empty())
+      {
+        begin = t.hammer.time;
+        end   = t.hammer.time + t.hammer.duration;
+      }
+    if (t.friction_impulse != 0.)
+      {
+        begin = std::min(begin, t.friction_impulse_time);
+        end =
+          std::max(end, t.friction_impulse_time + t.friction_impulse_duration);
+      }
+    const auto  &samples = record.samples;
+    const double last    = samples.back().time;
+    r.before             = level(samples, 0.75 * begin, begin).rms;
+    r.after              = level(samples, end, end + 0.1 * last).rms;
+    const Level  tail    = level(samples, 0.9 * last, last);
+    const double earlier = level(samples, 0.8 * last, 0.9 * last).rms;
+    r.end                = tail.rms;
+    const double window  = 0.01 * last;
+    for (double from = end; from + window <= last * (1. + 1e-9); from += window)
+      if (level(samples, from, from + window).rms > large_level * tail.mean)
+        r.lasting = from + window - end;
+    const double least = squeal_level * tail.mean;
+    // Small motion about steady sliding that shrinks ends, however slowly.
+    const bool ends =
+      r.end < earlier && std::all_of(samples.begin() + 9 * samples.size() / 10,
+                                     samples.end(),
+                                     [](const auto &s) { return s.is_linear; });
+    const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
+    // A squeal that grows is not there to its full size at the trigger.
+    r.text = r.before > least  ? "squeal by itself"
+             : lasts           ? "squeal after the trigger"
+             : r.after > least ? "temporary after the trigger"
+                               : "none";
+    return r;
+  }
+
+
+
+  Table
+  phase_table(const TransientRecord &record, const TransientFigures &f)
+  {
+    Table table(
+      {{"time_s", Type::real, "s", "middle of a window"},
+       {"normal_amplitude_n", Type::real, "N", ""},
+       {"tangential_amplitude_n", Type::real, "N", ""},
+       {"phase_deg", Type::real, "deg", "tangential against normal"}});
+    const auto         &samples = record.samples;
+    std::vector<double> normal, tangential;
+    for (const auto &s : samples)
+      {
+        normal.push_back(s.normal);
+        tangential.push_back(s.tangential);
+      }
+    if (samples.size() < 2)
+      return table;
+    const PhaseHistory h = phase_history(normal,
+                                         tangential,
+                                         samples.front().time,
+                                         samples[1].time - samples[0].time,
+                                         f.largest_line,
+                                         least_amplitude * f.mean_normal);
+    for (std::size_t i = 0; i < h.time.size(); ++i)
+      table.add_row({h.time[i],
+                     h.amplitude_a[i],
+                     h.amplitude_b[i],
+                     or_missing(h.phase[i])});
+    return table;
+  }
+
+
+
+  void
+  draw_phases(RunContext                                       &context,
+              const std::vector<std::pair<std::string, Table>> &runs,
+              HtmlReport                                       &report)
+  {
+    Chart amplitude, phase;
+    amplitude.title   = "Amplitude of the normal force at the largest line";
+    amplitude.x.label = "time in ms";
+    amplitude.y.label = "amplitude in N";
+    amplitude.y.scale = AxisSettings::Scale::logarithmic;
+    phase.title       = "Phase of the tangential against the normal force";
+    phase.x.label     = "time in ms";
+    phase.y.label     = "phase in degrees";
+    phase.y.lower     = -180.;
+    phase.y.upper     = 180.;
+    for (Chart *chart : {&amplitude, &phase})
+      {
+        chart->x.lower = 0.;
+        if (runs.size() < 2)
+          chart->legend = Chart::Legend::none;
+      }
+    const std::size_t n = std::min(runs.size(), most_runs);
+    for (std::size_t k = 0; k < n; ++k)
+      add_run(runs[k].first, runs[k].second, amplitude, phase);
+    if (!(amplitude.y.lower.value_or(0.) > 0.))
+      return;
+    context.output.file("plots/phase.png");
+    const std::string path = context.output.path() + "/plots/phase";
+    context.plotter.draw(
+      draw_charts({amplitude, phase}, 1400, runs.size() < 2 ? 1000 : 1200),
+      path);
+    report.figure(path + ".png",
+                  "Amplitude of the normal force, and phase of the tangential "
+                  "against the normal force where both are above 0.1 % of the "
+                  "mean normal force" +
+                    (n < runs.size()
+                       ? "; the first " + std::to_string(n) + " of " +
+                           std::to_string(runs.size()) + " runs"
+                       : ""),
+                  true);
+  }
+} // namespace squeal

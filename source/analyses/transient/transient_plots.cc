@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Pictures of a transient.
+
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/output/contact_output.h>
+#include <squeal/results/chart.h>
+#include <squeal/run/run_context.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr std::size_t most_points = 4000;
+
+    ChartSeries
+    line(const std::string &label, const Ink ink)
+    {
+      ChartSeries s;
+      s.label = label;
+      s.style = ChartSeries::Style::lines;
+      s.ink   = ink;
+      return s;
+    }
+
+    /** Both resultants over time between two samples. */
+    Chart
+    force_chart(const TransientRecord &record,
+                const std::size_t      first,
+                const std::size_t      last,
+                const std::string     &title)
+    {
+      Chart chart;
+      chart.title            = title;
+      chart.x.label          = "time in ms";
+      chart.y.label          = "force in N";
+      ChartSeries normal     = line("normal", Ink::blue),
+                  tangential = line("tangential", Ink::vermillion);
+      // Of many samples the least and the largest of every group.
+      const std::size_t group =
+        std::max<std::size_t>(1, 2 * (last - first) / most_points);
+      for (std::size_t i = first; i < last; i += group)
+        {
+          const auto begin = record.samples.begin() + i;
+          const auto end   = begin + std::min(group, last - i);
+          for (auto *s : {&normal, &tangential})
+            {
+              const auto value = [&](const TransientSample &x) {
+                return s == &normal ? x.normal : x.tangential;
+              };
+              const auto ends = std::minmax_element(
+                begin, end, [&](const auto &a, const auto &b) {
+                  return value(a) < value(b);
+                });
+              s->x.push_back(1e3 * begin->time);
+              s->y.push_back(value(*ends.first));
+              if (group > 1)
+                {
+                  s->x.push_back(1e3 * begin->time);
+                  s->y.push_back(value(*ends.second));
+                }
+            }
+        }
+      chart.series = {normal, tangential};
+      return chart;
+    }
+
+    Chart
+    spectrum_chart(const TransientRecord &record, const TransientFigures &f)
+    {
+      std::vector<double> normal, tangential;
+      const std::size_t   first = record.samples.size() / 2;
+      for (std::size_t i = first; i < record.samples.size(); ++i)
+        {
+          normal.push_back(record.samples[i].normal);
+          tangential.push_back(record.samples[i].tangential);
+        }
+      const double interval = record.samples[1].time - record.samples[0].time;
+      Chart        chart;
+      chart.title    = "Power spectral density, second half of the run";
+      chart.x.label  = "frequency in kHz";
+      chart.y.label  = "N^2/Hz";
+      chart.y.scale  = AxisSettings::Scale::logarithmic;
+      double largest = 0., least = 1e300;
+      for (const auto &[signal, label, ink] :
+           {std::make_tuple(&normal, "normal", Ink::blue),
+            std::make_tuple(&tangential, "tangential", Ink::vermillion)})
+        {
+          const Spectrum s     = power_spectrum(*signal, interval, 3);
+          ChartSeries    curve = line(label, ink);
+          for (std::size_t k = 1; k < s.density.size(); ++k)
+            {
+              curve.x.push_back(1e-3 * s.frequency[k]);
+              curve.y.push_back(s.density[k]);
+              largest = std::max(largest, s.density[k]);
+              least   = std::min(least, s.density[k]);
+            }
+          chart.series.push_back(curve);
+        }
+      chart.y.lower = std::max({1e-30, 1e-12 * largest, 0.5 * least});
+      if (f.has_limit_cycle)
+        chart.lines = {{true,
+                        1e-3 * f.frequency,
+                        rounded_text(f.frequency, 5) + " Hz",
+                        Ink::grey,
+                        true}};
+      return chart;
+    }
+
+    /** Amplitudes of the least stable branches. */
+    Chart
+    branch_chart(const TransientRecord &record, const TransientFigures &f)
+    {
+      std::vector<unsigned int> order;
+      for (unsigned int k = 0; k < f.branches.size(); ++k)
+        order.push_back(k);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return f.branches[a].sigma > f.branches[b].sigma;
+      });
+      order.resize(std::min<std::size_t>(order.size(), 6));
+      Chart chart;
+      chart.title   = "Amplitudes of the pairs about steady sliding";
+      chart.x.label = "time in ms";
+      chart.y.label = "root of kinetic energy amplitude in J^0.5";
+      chart.y.scale = AxisSettings::Scale::logarithmic;
+      const std::size_t step =
+        std::max<std::size_t>(1, record.samples.size() / most_points);
+      for (std::size_t i = 0; i < order.size(); ++i)
+        {
+          const BranchResult &b = f.branches[order[i]];
+          ChartSeries         s = line(rounded_text(b.frequency, 4) + " Hz, " +
+                                 rounded_text(b.sigma, 3) + " 1/s",
+                               series_ink(i));
+          const auto          a = record.branch(order[i], f.branches.size());
+          for (std::size_t k = 0; k < a.size(); k += step)
+            if (std::abs(a[k]) > 0.)
+              {
+                s.x.push_back(1e3 * record.samples[k].time);
+                s.y.push_back(std::abs(a[k]));
+              }
+          chart.series.push_back(s);
+        }
+      if (f.linear_end > f.linear_start)
+        {
+          Strip strip;
+          strip.lower  = 1e3 * f.linear_start;
+          strip.upper  = 1e3 * f.linear_end;
+          strip.tint   = "#eef4fb";
+          chart.strips = {strip};
+        }
+      return chart;
+    }
+
+    Chart
+    phase_portrait(const TransientRecord &record, const std::size_t first)
+    {
+      Chart chart;
+      chart.title   = "Tangential over normal force, last periods";
+      chart.x.label = "normal force in N";
+      chart.y.label = "tangential force in N";
+      ChartSeries s = line("", Ink::blue);
+      for (std::size_t i = first; i < record.samples.size(); ++i)
+        {
+          s.x.push_back(record.samples[i].normal);
+          s.y.push_back(record.samples[i].tangential);
+        }
+      chart.series = {s};
+      chart.legend = Chart::Legend::none;
+      return chart;
+    }
+
+    /** Pressure at eight moments of the last period kept, or fewer where that
+     * has fewer samples. */
+    std::vector<ContactMap::Panel>
+    pressure_panels(const TransientRecord &record, const double frequency)
+    {
+      std::vector<ContactMap::Panel> panels;
+      const auto                    &h = record.history;
+      const std::size_t              n = record.nodes.size();
+      if (h.n_samples() < 2)
+        return panels;
+      const double period = frequency > 0. ? 1. / frequency : 0.;
+      double       upper  = 0.;
+      std::size_t  before = h.n_samples();
+      for (unsigned int k = 0; k < 8; ++k)
+        {
+          const double time = h.time.back() - period * (7. - k) / 8.;
+          std::size_t  i =
+            std::lower_bound(h.time.begin(), h.time.end(), time - 1e-12) -
+            h.time.begin();
+          i = std::min(i, h.n_samples() - 1);
+          if (i == before)
+            continue;
+          before = i;
+          ContactMap::Panel panel;
+          panel.title = rounded_text(1e3 * h.time[i], 6) + " ms";
+          panel.label = "MPa";
+          for (std::size_t j = 0; j < n; ++j)
+            {
+              panel.values.push_back(1e-6 * h.pressure[n * i + j]);
+              panel.arrows_x.push_back(h.traction[2 * (n * i + j)]);
+              panel.arrows_y.push_back(h.traction[2 * (n * i + j) + 1]);
+              upper = std::max(upper, panel.values.back());
+            }
+          panels.push_back(panel);
+        }
+      for (auto &panel : panels)
+        panel.upper = upper;
+      return panels;
+    }
+  } // namespace
+
+
+
+  void
+  draw_transient(RunContext              &context,
+                 const PreparedTransient &prepared,
+                 const TransientRecord   &record,
+                 const TransientFigures  &f,
+                 HtmlReport              &report)
+  {
+    const auto path = [&](const std::string &name) {
+      context.output.file("plots/" + name + ".png");
+      return context.output.path() + "/plots/" + name;
+    };
+    const auto draw = [&](const std::string        &name,
+                          const std::vector<Chart> &charts,
+                          const std::string        &caption) {
+      const std::string file = path(name);
+      context.plotter.draw(draw_charts(charts), file);
+      report.figure(file + ".png", caption, true);
+    };
+    const std::size_t n = record.samples.size();
+    if (n < 16)
+      return;
+    const double interval     = record.samples[1].time - record.samples[0].time;
+    const std::size_t periods = std::min<std::size_t>(
+      n / 2,
+      f.frequency > 0. ? std::lround(6. / f.frequency / interval) + 1 : 100);
+    report.section("Charts");
+    draw("forces", {force_chart(record, 0, n, "Forces")}, "Forces over time");
+    draw("forces_last_periods",
+         {force_chart(record, n - periods, n, "Forces, last periods")},
+         "Forces, last periods");
+    draw("spectrum", {spectrum_chart(record, f)}, "Spectrum");
+    if (!f.branches.empty())
+      draw("branches",
+           {branch_chart(record, f)},
+           "Pairs of the largest sigma; shaded: the linear phase, in which "
+           "growth rates are fitted");
+    draw(
+      "limit_cycle",
+      {phase_portrait(record, n - periods)},
+      "Tangential over normal force, last periods: a closed curve in a limit "
+      "cycle");
+    const auto panels = pressure_panels(record, f.frequency);
+    if (panels.empty())
+      return;
+    const std::string file = path("pressure");
+    contact_map(prepared.pressed.geometry())
+      .plot(context.plotter, panels, file, 4);
+    report.figure(
+      file + ".png",
+      "Contact pressure over the last period, white: none; arrows: "
+      "tractions on the pad, on one scale; the target's surface moves "
+      "to " +
+        sliding_text(prepared.pressed.geometry()));
+  }
+
+
+
+  void
+  draw_speeds(RunContext &context, const Table &speeds, HtmlReport &report)
+  {
+    if (speeds.n_rows() == 0)
+      return;
+    Chart friction, amplitude;
+    friction.title    = "Macroscopic friction over sliding speed";
+    friction.y.label  = "tangential over normal force";
+    amplitude.title   = "Vibration over sliding speed";
+    amplitude.y.label = "rms of the normal force in N";
+    for (const auto &[chart, column] :
+         {std::make_pair(&friction, "macroscopic_friction"),
+          std::make_pair(&amplitude, "rms_normal_n")})
+      {
+        ChartSeries s  = line("", Ink::blue);
+        s.style        = ChartSeries::Style::lines_points;
+        s.x            = speeds.reals("speed_m_per_s");
+        s.y            = speeds.reals(column);
+        chart->x.label = "sliding speed in m/s";
+        chart->series  = {s};
+        chart->legend  = Chart::Legend::none;
+      }
+    context.output.file("plots/over_speed.png");
+    const std::string path = context.output.path() + "/plots/over_speed";
+    context.plotter.draw(draw_charts({friction, amplitude}, 1100, 1100), path);
+    report.figure(path + ".png",
+                  "Macroscopic friction coefficient and vibration over the "
+                  "sliding speed, which changes with time",
+                  true);
+  }
+} // namespace squeal

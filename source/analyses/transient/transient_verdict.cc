@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/transient/transient_verdict.h>
+
+namespace squeal
+{
+  namespace
+  {
+    /** "860.2 +- 1082 1/s": of a fit, whether it counts or not. */
+    std::string
+    rate_text(const GrowthFit &fit)
+    {
+      return rounded_text(fit.rate, 4) + " +- " + rounded_text(fit.rate_ci, 3) +
+             " 1/s";
+    }
+  } // namespace
+
+
+
+  std::string
+  reason_for_no_rate(const TransientFigures &f)
+  {
+    if (f.leading < 0)
+      return "not fitted: no pair in the band";
+    const GrowthFit &fit = f.branches[f.leading].fit;
+    if (!(fit.end > fit.start))
+      return "not fitted: the leading pair has no linear phase of its own";
+    return "left out: a fit of " + rate_text(fit) +
+           " tells no rate of the leading pair";
+  }
+
+
+
+  std::string
+  left_out_text(const TransientFigures &f)
+  {
+    unsigned int n = 0;
+    std::string  which;
+    for (const BranchResult &b : f.branches)
+      if (!b.fit.is_valid && b.fit.end > b.fit.start)
+        {
+          ++n;
+          which +=
+            (which.empty() ? "" : "; ") + rounded_text(b.frequency, 5) + " Hz";
+        }
+    return n == 0 ? ""
+                  : "growth rates of " + std::to_string(n) + " of " +
+                      std::to_string(f.branches.size()) +
+                      " pairs are left out, whose amplitudes are traces of "
+                      "other motions (another frequency, or an interval "
+                      "wider than half of the rate): " +
+                      which;
+  }
+
+
+
+  std::string
+  explained_verdict(const TransientFigures &f, const TriggerOutcome &trigger)
+  {
+    if (f.verdict == "unstable")
+      return f.verdict;
+    const std::string about = f.verdict + " about steady sliding; ";
+    if (trigger.text == "squeal after the trigger")
+      return about +
+             "squeals after the trigger: a limit cycle stands beside it";
+    if (trigger.text == "squeal by itself")
+      return about + "squeals before the trigger already";
+    if (f.has_limit_cycle)
+      return about + "a limit cycle stands beside it";
+    return f.verdict;
+  }
+
+
+
+  bool
+  squeals(const TransientFigures &f, const TriggerOutcome &trigger)
+  {
+    return trigger.text.rfind("squeal", 0) == 0 || f.has_limit_cycle;
+  }
+} // namespace squeal

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/updating/updating_model.h>
+#include <squeal/base/assignment.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/memory.h>
+#include <squeal/model/cea_solution.h>
+#include <squeal/output/cea_quantities.h>
+#include <squeal/parameters/text.h>
+#include <squeal/sweep/parametric_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** Modes may leave the band by this while the numbers change. */
+    constexpr double band_margin = 1.25;
+
+    /** Relative step of the coefficients' differences; they are polynomials of
+     * the second degree, so that it causes no error. */
+    constexpr double step = 1e-2;
+
+    constexpr double no_partner = 1e6;
+
+    std::vector<TermCoefficients>
+    coefficients(const AffineSystem &system, const SceneParameters &scene)
+    {
+      std::vector<TermCoefficients> result;
+      for (const auto &term : system.terms)
+        result.push_back(term.coefficients(scene));
+      return result;
+    }
+
+    ComplexBlock
+    times(const LinearOperator &A, const ComplexBlock &X)
+    {
+      ComplexBlock result(X.rows(), X.cols());
+      result.real() = A.multiply(X.real());
+      result.imag() = A.multiply(X.imag());
+      return result;
+    }
+
+  } // namespace
+
+
+
+  std::vector<MeasuredFrequency>
+  read_measured_frequencies(const std::string &path)
+  {
+    using Type                           = Table::Type;
+    const Table                    table = read_csv(path,
+                                 {{"name", Type::text, "", ""},
+                                                     {"frequency_hz", Type::real, "Hz", ""},
+                                                     {"weight", Type::real, "", ""}});
+    std::vector<MeasuredFrequency> result;
+    for (std::size_t r = 0; r < table.n_rows(); ++r)
+      {
+        const MeasuredFrequency m{table.text(r, "name"),
+                                  table.real(r, "frequency_hz"),
+                                  table.real(r, "weight")};
+        for (const auto &[column, value] :
+             {std::make_pair("frequency_hz", m.frequency),
+              std::make_pair("weight", m.weight)})
+          if (!(value > 0.))
+            throw InputError(path + ":" + std::to_string(r + 2) + ": " +
+                             column + " must be a number above 0");
+        result.push_back(m);
+      }
+    if (result.empty())
+      throw InputError(path + ": has no measured frequency");
+    return result;
+  }
+
+
+
+  double
+  UpdatingEvaluation::objective() const
+  {
+    return 0.5 * residuals.squaredNorm();
+  }
+
+
+
+  UpdatingModel::UpdatingModel(RunContext &context)
+    : context(context)
+    , current(context.parameters)
+    , data(read_measured_frequencies(
+        context.parameters.measurement.frequencies_file))
+  {
+    const auto &u = context.parameters.updating;
+    const auto &m = context.parameters.measurement;
+    if (data.size() < u.numbers.size())
+      throw InputError(m.frequencies_file + ": " + std::to_string(data.size()) +
+                       " frequencies cannot determine the " +
+                       std::to_string(u.numbers.size()) +
+                       " numbers of Updating/Numbers");
+    if (!m.shapes_file.empty())
+      shapes = read_measured_shapes(m.shapes_file);
+    std::vector<std::string> paths;
+    for (const auto &number : u.numbers)
+      {
+        starts.emplace_back();
+        for (const auto &path : number.entries)
+          {
+            require_affine("Updating/Number " + number.name + "/Entries", path);
+            paths.push_back(path);
+            starts.back().push_back(get_number(context.parameters, path));
+          }
+      }
+    setter = std::make_unique<NumberSetter>(context.parameters, paths);
+    current.eigen.lowest_frequency /= band_margin;
+    current.eigen.highest_frequency *= band_margin;
+    current.eigen.solver = EigenParameters::Solver::certified;
+    full                 = std::make_unique<Model>(current, context.timers);
+    full->print_summary(context.log);
+    if (current.discretization.refinement ==
+        DiscretizationParameters::Refinement::eigenvalue_error)
+      solve_modes_adaptively(*full, context.log, context.timers);
+    if (u.pairing == UpdatingParameters::Pairing::shape)
+      points = std::make_unique<MeasuredPoints>(*full);
+  }
+
+  unsigned int
+  UpdatingModel::n_numbers() const
+  {
+    return starts.size();
+  }
+  const std::vector<MeasuredFrequency> &
+  UpdatingModel::measured() const
+  {
+    return data;
+  }
+  const Model &
+  UpdatingModel::model() const
+  {
+    return *full;
+  }
+  double
+  UpdatingModel::start_value(const unsigned int number,
+                             const unsigned int entry) const
+  {
+    return starts[number][entry];
+  }
+  double
+  UpdatingModel::lower(const unsigned int number) const
+  {
+    return std::log(context.parameters.updating.numbers[number].lower /
+                    starts[number][0]);
+  }
+  double
+  UpdatingModel::upper(const unsigned int number) const
+  {
+    return std::log(context.parameters.updating.numbers[number].upper /
+                    starts[number][0]);
+  }
+
+
+
+  const SceneParameters &
+  UpdatingModel::scene(const Eigen::VectorXd &logarithms)
+  {
+    std::vector<double> values;
+    for (unsigned int n = 0; n < starts.size(); ++n)
+      for (const double start : starts[n])
+        values.push_back(start * std::exp(logarithms[n]));
+    return setter->scene(values);
+  }
+
+
+
+  std::vector<int>
+  UpdatingModel::first_pairing(const ComplexPairs             &pairs,
+                               const std::vector<std::string> &names,
+                               Eigen::VectorXd                &mac) const
+  {
+    std::vector<std::vector<double>> costs(
+      data.size(), std::vector<double>(pairs.size(), no_partner));
+    Eigen::MatrixXd values;
+    if (points)
+      values = points->mac(shapes, points->sample(pairs.right));
+    for (std::size_t i = 0; i < data.size(); ++i)
+      {
+        int row = -1;
+        for (std::size_t s = 0; points && s < shapes.size(); ++s)
+          if (shapes[s].name == data[i].name)
+            row = s;
+        if (points && row < 0)
+          throw InputError(context.parameters.measurement.shapes_file +
+                           ": has no shape called '" + data[i].name +
+                           "', which the frequencies name");
+        for (unsigned int k = 0; k < pairs.size(); ++k)
+          if (points)
+            costs[i][k] = 1. - values(row, k);
+          else if (data[i].name.empty() || is_called(names[k], data[i].name))
+            costs[i][k] =
+              std::abs(std::log(pairs.frequency(k) / data[i].frequency));
+      }
+    const std::vector<int> partner = smallest_assignment(costs);
+    for (std::size_t i = 0; i < data.size(); ++i)
+      {
+        if (partner[i] >= 0 && costs[i][partner[i]] < no_partner)
+          {
+            mac[i] = points ? 1. - costs[i][partner[i]] : 1.;
+            continue;
+          }
+        std::string known;
+        for (unsigned int k = 0; k < pairs.size(); ++k)
+          known += (k ? "; " : "") + names[k] + " at " +
+                   rounded_text(pairs.frequency(k), 4) + " Hz";
+        throw InputError(context.parameters.measurement.frequencies_file +
+                         ": no mode of the band is called '" + data[i].name +
+                         "' or is left for it; there are " + known);
+      }
+    return partner;
+  }
+
+  std::vector<int>
+  UpdatingModel::next_pairing(const Pencil       &pencil,
+                              const ComplexPairs &pairs,
+                              Eigen::VectorXd    &mac) const
+  {
+    const RowSpace &space = *pencil.space();
+    const auto      mass  = [&](const ComplexBlock &X) {
+      ComplexBlock result(X.rows(), X.cols());
+      result.real() = pencil.multiply_mass(X.real());
+      result.imag() = pencil.multiply_mass(X.imag());
+      return result;
+    };
+    const ComplexBlock     MX = mass(pairs.right);
+    const ComplexBlock     MR = mass(reference);
+    const Eigen::MatrixXcd cross =
+      space.dot(ComplexBlock(reference.conjugate()), MX);
+    const Eigen::VectorXd own =
+      space.dot(ComplexBlock(pairs.right.conjugate()), MX).diagonal().real();
+    const Eigen::VectorXd old =
+      space.dot(ComplexBlock(reference.conjugate()), MR).diagonal().real();
+    std::vector<std::vector<double>> costs(data.size());
+    for (std::size_t i = 0; i < data.size(); ++i)
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        costs[i].push_back(1. - std::norm(cross(i, k)) / (own[k] * old[i]));
+    const std::vector<int> partner = smallest_assignment(costs);
+    for (std::size_t i = 0; i < data.size(); ++i)
+      {
+        if (partner[i] < 0)
+          throw ComputationError("Updating: modes have left the band: widen "
+                                 "section Eigenvalues or narrow the bounds");
+        mac[i] = 1. - costs[i][partner[i]];
+      }
+    return partner;
+  }
+
+
+
+  Eigen::MatrixXcd
+  UpdatingModel::derivatives(const Pencil          &pencil,
+                             const ComplexPairs    &pairs,
+                             const Eigen::VectorXd &logarithms)
+  {
+    const RowSpace        &space  = *pencil.space();
+    const AffineSystem    &system = full->linearized().system;
+    const Pencil::Products P      = pencil.apply(pairs.right);
+    const Eigen::VectorXcd norms =
+      (2. * space.dot(pairs.left, P.mass) * pairs.lambda.asDiagonal() +
+       space.dot(pairs.left, P.damping))
+        .diagonal();
+    std::vector<std::vector<TermCoefficients>> up, down;
+    for (unsigned int n = 0; n < n_numbers(); ++n)
+      for (const double sign : {1., -1.})
+        {
+          Eigen::VectorXd moved = logarithms;
+          moved[n] += std::log1p(sign * step);
+          (sign > 0. ? up : down).push_back(coefficients(system, scene(moved)));
+        }
+    Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(pairs.size(), n_numbers());
+    for (std::size_t t = 0; t < system.terms.size(); ++t)
+      {
+        Eigen::VectorXcd product; // y^T A x
+        for (unsigned int n = 0; n < n_numbers(); ++n)
+          {
+            const double mass = (up[n][t].mass - down[n][t].mass) / (2. * step),
+                         damping = (up[n][t].damping - down[n][t].damping) /
+                                   (2. * step);
+            const Complex stiffness =
+              (up[n][t].stiffness - down[n][t].stiffness) / (2. * step);
+            if (mass == 0. && damping == 0. && stiffness == 0.)
+              continue;
+            if (product.size() == 0)
+              product =
+                space
+                  .dot(pairs.left, times(*system.terms[t].matrix, pairs.right))
+                  .diagonal();
+            for (unsigned int k = 0; k < pairs.size(); ++k)
+              {
+                const Complex l = pairs.lambda[k];
+                result(k, n) -= (l * l * mass + l * damping + stiffness) *
+                                product[k] / norms[k];
+              }
+          }
+      }
+    return result;
+  }
+
+
+
+  UpdatingEvaluation
+  UpdatingModel::evaluate(const Eigen::VectorXd &logarithms)
+  {
+    // Model and its terms read the numbers from here.
+    current.scene      = scene(logarithms);
+    ModeSolution modes = solve_modes(*full, context.log, context.timers);
+    if (const std::string free = free_motions(*full, modes);
+        is_first && !free.empty() && current.eigen.lowest_frequency == 0.)
+      throw InputError(free + ": raise Eigenvalues/Lowest frequency above 0, "
+                              "or hold them");
+    const CeaSolution solution =
+      solve_cea(*full, modes, context.log, context.timers);
+    if (solution.pairs.size() < data.size())
+      throw InputError("Eigenvalues: " + std::to_string(solution.pairs.size()) +
+                       " modes are in the band, " +
+                       std::to_string(data.size()) + " were measured");
+    const PairQuantities quantities =
+      pair_quantities(*full, modes, solution.pairs);
+    std::vector<std::string> names;
+    for (const auto &name : quantities.names)
+      names.push_back(name.text);
+
+    UpdatingEvaluation result;
+    result.logarithms = logarithms;
+    result.mac.resize(data.size());
+    const std::vector<int> partner =
+      is_first ? first_pairing(solution.pairs, names, result.mac)
+               : next_pairing(*modes.pencil, solution.pairs, result.mac);
+    const ComplexPairs pairs = select_pairs(solution.pairs, partner);
+    modes.inverse.reset();
+    return_freed_memory();
+    const Eigen::MatrixXcd change =
+      derivatives(*modes.pencil, pairs, logarithms);
+    result.frequencies.resize(data.size());
+    result.residuals.resize(data.size());
+    result.jacobian.resize(data.size(), n_numbers());
+    for (std::size_t i = 0; i < data.size(); ++i)
+      {
+        const double w        = std::sqrt(data[i].weight);
+        result.frequencies[i] = pairs.frequency(i);
+        result.residuals[i] =
+          w * (result.frequencies[i] / data[i].frequency - 1.);
+        result.jacobian.row(i) =
+          w / (2. * M_PI * data[i].frequency) * change.row(i).imag();
+        result.names.push_back(names[partner[i]]);
+      }
+    if (is_first || result.objective() < best)
+      {
+        best      = result.objective();
+        reference = pairs.right;
+      }
+    is_first = false;
+    return result;
+  }
+} // namespace squeal

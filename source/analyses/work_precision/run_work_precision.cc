@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/output/matrix_output.h>
+
+#include <squeal/analyses/analyses.h>
+#include <squeal/base/assignment.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/base/worst_of.h>
+#include <squeal/model/cea_solution.h>
+#include <squeal/results/cost_at_error.h>
+#include <squeal/results/plots.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using Ladder = WorkPrecisionParameters::Ladder;
+
+    /** CPU seconds of the stages of an analysis; names, energies and error
+     * estimates of the mesh are in none of them. */
+    struct Stages
+    {
+      double assembly = 0., factor = 0., modes = 0., pairs = 0.;
+    };
+
+    /** One setting of a ladder and what it gave. */
+    struct Rung
+    {
+      Ladder                            ladder;
+      double                            setting;
+      unsigned int                      dofs;
+      double                            seconds = 0., memory = 0.;
+      Stages                            stages   = {};
+      double                            residual = 0.; /**< largest */
+      std::vector<std::complex<double>> values   = {}; /**< 1/s */
+      std::string                       matrices = {}; /**< their folder */
+    };
+
+    Stages
+    stages_so_far(const Timers &timers)
+    {
+      Stages stages;
+      for (const Timers::Entry &entry : timers.entries())
+        if (entry.name == "Setup: mesh and unknowns" ||
+            entry.name == "Setup: import of matrices" ||
+            entry.name.rfind("Assemble: ", 0) == 0)
+          stages.assembly += entry.own_cpu;
+        else if (entry.name == "Solve: factorisation")
+          stages.factor += entry.own_cpu;
+        else if (entry.name == "Solve: undamped modes")
+          stages.modes += entry.own_cpu;
+        else if (entry.name == "Solve: certified eigenvalues" ||
+                 entry.name == "Solve: direct eigenvalues")
+          stages.pairs += entry.own_cpu;
+      return stages;
+    }
+
+    std::string
+    ladder_name(const Ladder ladder)
+    {
+      switch (ladder)
+        {
+        case Ladder::degree:
+          return "degree";
+        case Ladder::refinement:
+          return "refinement";
+        case Ladder::cells:
+          return "cells";
+        case Ladder::adaptive:
+          return "adaptive";
+        case Ladder::basis:
+          return "basis";
+        }
+      unknown_choice("ladder");
+    }
+
+    /** Thin bodies keep one cell through their thickness. */
+    void
+    scale_cells(std::vector<BodyParameters> &bodies, const double factor)
+    {
+      for (BodyParameters &body : bodies)
+        for (unsigned int &n : body.cells)
+          if (n > 1)
+            n = static_cast<unsigned int>(std::max(1., std::round(factor * n)));
+    }
+
+    /** Throws InputError where the setting makes a mesh that is none. */
+    Parameters
+    parameters_of(const Parameters &all,
+                  const Ladder      ladder,
+                  const double      value)
+    {
+      Parameters p                    = all;
+      p.discretization.estimate_error = false;
+      switch (ladder)
+        {
+        case Ladder::degree:
+          p.discretization.degree = static_cast<unsigned int>(value);
+          break;
+        case Ladder::refinement:
+          p.discretization.refinements = static_cast<unsigned int>(value);
+          p.discretization.refinement =
+            DiscretizationParameters::Refinement::uniform;
+          if (p.work_precision.refinement_degree > 0)
+            p.discretization.degree = p.work_precision.refinement_degree;
+          break;
+        case Ladder::cells:
+          scale_cells(p.scene.bodies, value);
+          break;
+        case Ladder::adaptive:
+          p.discretization.refinement =
+            DiscretizationParameters::Refinement::eigenvalue_error;
+          p.discretization.tolerance = value;
+          break;
+        case Ladder::basis:
+          p.eigen.residual_tolerance = p.eigen.error_tolerance = value;
+          break;
+        }
+      p.check();
+      return p;
+    }
+
+    /** Matrices and pairs of a mesh that no earlier rung had. */
+    void
+    write_problem(RunContext              &context,
+                  const Pencil            &pencil,
+                  const ComplexPairs      *pairs,
+                  const std::vector<Rung> &earlier,
+                  Rung                    &rung)
+    {
+      rung.matrices = "matrices_" + std::to_string(rung.dofs);
+      for (const Rung &other : earlier)
+        if (other.matrices == rung.matrices)
+          return;
+      write_matrices(context, pencil, rung.matrices);
+      if (pairs)
+        write_eigenpairs(context, *pencil.space(), *pairs, rung.matrices);
+    }
+
+    Rung
+    climb(RunContext              &context,
+          const Ladder             ladder,
+          const double             value,
+          const std::vector<Rung> &earlier)
+    {
+      const Parameters p = parameters_of(context.parameters, ladder, value);
+      const Stages     before = stages_so_far(context.timers);
+      const double     start  = cpu_seconds();
+      context.log.info(ladder_name(ladder) + " = " + rounded_text(value, 6));
+      Model        model(p, context.timers);
+      ModeSolution modes =
+        solve_modes_adaptively(model, context.log, context.timers);
+      Rung                       rung{ladder, value, model.n_unknowns()};
+      std::optional<CeaSolution> cea;
+      if (p.work_precision.quantity == "sigma" || ladder == Ladder::basis)
+        {
+          cea = solve_cea(model, modes, context.log, context.timers);
+          for (unsigned int i = 0; i < cea->pairs.size(); ++i)
+            {
+              rung.values.push_back(cea->pairs.lambda[i]);
+              rung.residual = worst_of(rung.residual, cea->pairs.residual[i]);
+            }
+        }
+      else
+        for (unsigned int i = 0; i < modes.n_up_to(p.eigen.highest_frequency);
+             ++i)
+          if (modes.modes.frequency(i) >= p.eigen.lowest_frequency)
+            {
+              rung.values.emplace_back(0.,
+                                       2. * M_PI * modes.modes.frequency(i));
+              rung.residual = worst_of(rung.residual, modes.modes.residual[i]);
+            }
+      rung.seconds       = cpu_seconds() - start;
+      rung.memory        = peak_memory_mb();
+      const Stages after = stages_so_far(context.timers);
+      rung.stages        = {after.assembly - before.assembly,
+                            after.factor - before.factor,
+                            after.modes - before.modes,
+                            after.pairs - before.pairs};
+      // After the clock was read, and the memory.
+      if (p.output.export_matrices)
+        write_problem(
+          context, *modes.pencil, cea ? &cea->pairs : nullptr, earlier, rung);
+      return rung;
+    }
+
+    /** Largest relative distance of a reference value to its own value, where
+     * the values are assigned one to one; to the nearest one where there are
+     * fewer values than references. */
+    double
+    worst_error(const std::vector<std::complex<double>> &values,
+                const std::vector<std::complex<double>> &reference)
+    {
+      std::vector<std::vector<double>> distances;
+      for (const auto &r : reference)
+        {
+          distances.emplace_back();
+          for (const auto &v : values)
+            distances.back().push_back(std::abs(v - r) / std::abs(r));
+        }
+      if (values.empty())
+        return 1.;
+      const std::vector<int> partner = smallest_assignment(distances);
+      double                 worst   = 0.;
+      for (std::size_t k = 0; k < reference.size(); ++k)
+        worst =
+          worst_of(worst,
+                   partner[k] >= 0 ? distances[k][partner[k]]
+                                   : *std::min_element(distances[k].begin(),
+                                                       distances[k].end()));
+      return worst;
+    }
+
+    /** What each ladder must spend for the error @p goal, and the same as
+     * sentences for the log. */
+    Table
+    cost_table(const std::vector<WorkPrecisionSeries> &series,
+               const double                            goal,
+               RunLog                                 &log)
+    {
+      using Type = Table::Type;
+      Table table(
+        {{"ladder", Type::text, "", "ladder"},
+         {"error_rel", Type::real, "", "error to be reached", 3},
+         {"dofs", Type::real, "", "unknowns it takes", 3},
+         {"dofs_over_least", Type::real, "", "over the best ladder's", 3},
+         {"seconds", Type::real, "s", "CPU time it takes", 3},
+         {"seconds_over_least", Type::real, "", "over the best ladder's", 3},
+         {"found", Type::text, "", "between rungs or beyond the finest"}});
+      std::vector<std::optional<CostAtError>> dofs, seconds;
+      double least_dofs = 1e300, least_seconds = 1e300;
+      for (const WorkPrecisionSeries &s : series)
+        {
+          dofs.push_back(cost_at_error(s.dofs, s.errors, goal));
+          seconds.push_back(cost_at_error(s.seconds, s.errors, goal));
+          if (dofs.back())
+            least_dofs = std::min(least_dofs, dofs.back()->cost);
+          if (seconds.back())
+            least_seconds = std::min(least_seconds, seconds.back()->cost);
+        }
+      for (std::size_t i = 0; i < series.size(); ++i)
+        {
+          const auto cell = [](const auto &cost, const double over) {
+            return cost ? Cell(cost->cost / over) : Cell();
+          };
+          const std::string found = !dofs[i]                ? "not found"
+                                    : dofs[i]->extrapolated ? "extrapolated"
+                                                            : "interpolated";
+          table.add_row({series[i].label,
+                         goal,
+                         cell(dofs[i], 1.),
+                         cell(dofs[i], least_dofs),
+                         cell(seconds[i], 1.),
+                         cell(seconds[i], least_seconds),
+                         found});
+          if (dofs[i])
+            log.info(
+              "an error of " + rounded_text(100. * goal, 3) + " % takes " +
+              rounded_text(dofs[i]->cost, 3) + " unknowns with the ladder '" +
+              series[i].label + "' (" + found + "), " +
+              rounded_text(dofs[i]->cost / least_dofs, 3) + " times the least");
+        }
+      return table;
+    }
+
+    Table
+    empty_table()
+    {
+      using Type = Table::Type;
+      return Table(
+        {{"setting", Type::text, "", "ladder and value"},
+         {"dofs", Type::integer, "", "unknowns"},
+         {"seconds", Type::real, "s", "CPU time", 3},
+         {"peak_memory_mb", Type::real, "MB", "of the process so far", 4},
+         {"quantity", Type::text, "", "what is measured"},
+         {"value", Type::real, "Hz", "first value of the band", 7},
+         {"error_rel", Type::real, "", "largest relative error", 3},
+         {"reference", Type::text, "", "what it is measured against"},
+         {"pairs", Type::integer, "", "eigenvalues in the band"},
+         {"residual_rel", Type::real, "", "largest relative residual", 2},
+         {"assembly_cpu_s", Type::real, "s", "mesh and assembly", 3},
+         {"factor_cpu_s", Type::real, "s", "factorisation", 3},
+         {"modes_cpu_s", Type::real, "s", "undamped modes", 3},
+         {"pairs_cpu_s", Type::real, "s", "complex pairs from the modes", 3},
+         {"matrices", Type::text, "", "folder of the exported matrices"}});
+    }
+
+    std::vector<Cell>
+    row_of(const Rung        &rung,
+           const double       error,
+           const std::string &quantity,
+           const std::string &reference)
+    {
+      return {ladder_name(rung.ladder) + " = " + rounded_text(rung.setting, 6),
+              rung.dofs,
+              rung.seconds,
+              rung.memory,
+              quantity,
+              rung.values.empty() ? Cell()
+                                  : Cell(rung.values[0].imag() / (2. * M_PI)),
+              error,
+              reference,
+              rung.values.size(),
+              rung.residual,
+              rung.stages.assembly,
+              rung.stages.factor,
+              rung.stages.modes,
+              rung.stages.pairs,
+              rung.matrices};
+    }
+  } // namespace
+
+
+
+  void
+  run_work_precision(RunContext &context)
+  {
+    const auto &p = context.parameters.work_precision;
+    // A rung that cannot be is told before the first one is climbed.
+    for (const Ladder ladder : p.ladders)
+      for (const double value : p.rungs(ladder))
+        parameters_of(context.parameters, ladder, value);
+    std::vector<Rung> rungs;
+    for (const Ladder ladder : p.ladders)
+      for (const double value : p.rungs(ladder))
+        rungs.push_back(climb(context, ladder, value, rungs));
+    if (rungs.empty() || rungs.back().values.empty())
+      throw InputError(
+        "Work precision/Values: the ladder gave no values in the "
+        "band");
+
+    std::vector<std::complex<double>> reference;
+    for (const double f : p.reference)
+      reference.emplace_back(0., 2. * M_PI * f);
+    const Rung *finest = nullptr;
+    if (reference.empty())
+      {
+        // The costliest rung stands for the truth and is not shown.
+        for (const Rung &rung : rungs)
+          if (!finest || rung.seconds > finest->seconds)
+            finest = &rung;
+        reference = finest->values;
+      }
+    Table                            table = empty_table();
+    std::vector<WorkPrecisionSeries> series;
+    for (const Rung &rung : rungs)
+      {
+        const std::string name  = ladder_name(rung.ladder);
+        const double      error = worst_error(rung.values, reference);
+        table.add_row(row_of(
+          rung, error, p.quantity, finest ? "costliest rung" : "given values"));
+        if (&rung == finest)
+          continue;
+        if (series.empty() || series.back().label != name)
+          series.push_back({name, {}, {}, {}, {}});
+        series.back().seconds.push_back(rung.seconds);
+        series.back().dofs.push_back(rung.dofs);
+        series.back().errors.push_back(error);
+        series.back().settings.push_back(rounded_text(rung.setting, 3));
+      }
+    context.write_table("work_precision.csv", table);
+    std::ostringstream text;
+    table.print(text);
+    context.log.info(text.str());
+
+    const Table costs = cost_table(
+      series, context.parameters.discretization.tolerance, context.log);
+    context.write_table("cost_at_error.csv", costs);
+
+    HtmlReport report("Work and precision of " + context.parameters.scene.name,
+                      "error against cost");
+    report.section("Ladder");
+    report.table(table, "Settings");
+    report.table(costs, "Cost of an error");
+    if (context.is_root && context.parameters.output.plots)
+      {
+        context.output.file("plots/work_precision.png");
+        const std::string path =
+          context.output.path() + "/plots/work_precision";
+        plot_work_precision(context.plotter,
+                            series,
+                            context.parameters.discretization.tolerance,
+                            path);
+        report.figure(path + ".png", "Error against work");
+      }
+    context.finish(context.parameters.output.report ? &report : nullptr, "");
+  }
+} // namespace squeal

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/memory.h>
+#include <squeal/base/run_log.h>
+#include <squeal/base/timers.h>
+#include <squeal/base/worst_of.h>
+#include <squeal/eigen/direct_solver.h>
+#include <squeal/model/cea_solution.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    CertifiedOptions
+    certified_options(const EigenParameters &p)
+    {
+      CertifiedOptions options;
+      options.lowest_frequency    = p.lowest_frequency;
+      options.highest_frequency   = p.highest_frequency;
+      options.residual_tolerance  = p.residual_tolerance;
+      options.error_tolerance     = p.error_tolerance;
+      options.maximum_enrichments = p.maximum_enrichments;
+      return options;
+    }
+  } // namespace
+
+
+
+  ComplexPairs
+  solve_direct(const Model &model, const ModeSolution &modes)
+  {
+    const auto        &p = model.parameters().eigen;
+    const double       f = p.direct_shift_frequency >= 0.
+                             ? p.direct_shift_frequency
+                             : 0.5 * (p.lowest_frequency + p.highest_frequency);
+    const DirectSolver solver(*modes.pencil, {0., 2. * M_PI * f});
+    // Within the distance to the farther edge of the band there may be as many
+    // modes on the other side of it.
+    unsigned int n = p.number_of_pairs;
+    if (n == 0)
+      {
+        const double reach =
+          std::max(p.highest_frequency - f, f - p.lowest_frequency);
+        for (unsigned int i = 0; i < modes.modes.omega_squared.size(); ++i)
+          if (std::abs(modes.modes.frequency(i) - f) <= 1.02 * reach)
+            ++n;
+        n += 4;
+      }
+    const ComplexPairs all = solver.solve(n);
+    std::vector<int>   kept;
+    for (unsigned int i = 0; i < all.size(); ++i)
+      if (all.frequency(i) >= p.lowest_frequency &&
+          all.frequency(i) <= p.highest_frequency)
+        kept.push_back(i);
+    return select_pairs(all, kept);
+  }
+
+
+
+  CeaSolution
+  solve_cea(const Model  &model,
+            ModeSolution &modes,
+            RunLog       &log,
+            Timers       &timers)
+  {
+    const auto &p = model.parameters().eigen;
+    CeaSolution solution;
+    if (p.solver == EigenParameters::Solver::direct)
+      {
+        Timers::Section section(timers, "Solve: direct eigenvalues");
+        solution.pairs = solve_direct(model, modes);
+        return solution;
+      }
+    Timers::Section section(timers, "Solve: certified eigenvalues");
+    CertifiedSolver solver(*modes.pencil, *modes.inverse, modes.modes);
+    modes.modes.release_start();
+    return_freed_memory();
+    solution.pairs =
+      solver.solve(certified_options(p), [&](const BasisEnrichment &step) {
+        log.info("  basis " + std::to_string(step.basis_size) +
+                 ": worst residual " + rounded_text(step.worst_residual, 2) +
+                 ", worst error estimate " +
+                 rounded_text(step.worst_estimate, 2));
+        return_freed_memory();
+      });
+    solution.history    = solver.history();
+    solution.basis_size = solver.basis().size();
+    return solution;
+  }
+
+
+
+  Table
+  compare_with_direct(const Model        &model,
+                      const ModeSolution &modes,
+                      const ComplexPairs &certified,
+                      RunLog             &log,
+                      Timers             &timers)
+  {
+    Timers::Section    section(timers, "Solve: direct check");
+    const ComplexPairs direct = solve_direct(model, modes);
+    using Type                = Table::Type;
+    Table  table({{"index", Type::integer, "", "number of the pair, from 1"},
+                  {"frequency_hz", Type::real, "Hz", "certified", 7},
+                  {"sigma_per_s", Type::real, "1/s", "certified", 6},
+                  {"direct_frequency_hz", Type::real, "Hz", "direct", 7},
+                  {"direct_sigma_per_s", Type::real, "1/s", "direct", 6},
+                  {"difference_rel", Type::real, "", "|d lambda| / |lambda|", 2},
+                  {"error_estimate_rel", Type::real, "", "estimated", 2},
+                  {"noise_floor_rel", Type::real, "", "rounding", 2},
+                  {"condition", Type::real, "", "of the eigenvalue", 2}});
+    double worst      = 0.;
+    ComplexPairs copy = certified;
+    estimate_errors(copy, direct.lambda);
+    for (unsigned int i = 0; i < certified.size(); ++i)
+      {
+        int    best     = 0;
+        double distance = 1e300;
+        for (unsigned int k = 0; k < direct.size(); ++k)
+          if (const double d = std::abs(direct.lambda[k] - certified.lambda[i]);
+              d < distance)
+            {
+              distance = d;
+              best     = k;
+            }
+        worst = worst_of(worst, copy.error_estimate[i]);
+        table.add_row({i + 1,
+                       certified.frequency(i),
+                       certified.sigma(i),
+                       direct.frequency(best),
+                       direct.sigma(best),
+                       copy.error_estimate[i],
+                       certified.error_estimate[i],
+                       certified.noise_floor[i],
+                       unbounded(certified.condition[i])});
+      }
+    log.info(
+      "  direct solver: " + std::to_string(direct.size()) +
+      " pairs in the band (certified: " + std::to_string(certified.size()) +
+      "), largest relative difference " + rounded_text(worst, 2));
+    return table;
+  }
+} // namespace squeal

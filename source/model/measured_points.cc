@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/discretization/point_evaluator.h>
+#include <squeal/model/measured_points.h>
+#include <squeal/results/compare.h>
+
+#include <deal.II/base/point.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Of a cell's size, for points typed with few digits on curved edges. */
+    constexpr double tolerance = 1e-3;
+
+    Vector3
+    unit(const Vector3 &d)
+    {
+      const double length = std::hypot(d[0], d[1], d[2]);
+      return {{d[0] / length, d[1] / length, d[2] / length}};
+    }
+  } // namespace
+
+
+
+  MeasuredPoints::MeasuredPoints(const Model &model)
+    : model(model)
+  {
+    const auto                   &p = model.parameters();
+    const Discretization         &d = *model.discretization();
+    const PointEvaluator          evaluator(d);
+    std::vector<Functionals::Row> rows;
+    for (const auto &point : p.measurement.points)
+      {
+        const dealii::Point<3> x(
+          point.position[0], point.position[1], point.position[2]);
+        const auto found = evaluator.displacements(
+          body_index(p.scene, point.body), {x}, tolerance);
+        if (!found.found[0])
+          throw InputError("Measurement/Point " + point.name +
+                           "/Position lies outside body '" + point.body + "'");
+        const Vector3 n = unit(point.direction);
+        rows.push_back(combine({{n[0], &found.rows[0][0]},
+                                {n[1], &found.rows[0][1]},
+                                {n[2], &found.rows[0][2]}}));
+      }
+    const Functionals functionals(d.space(), rows);
+    all = model.linearized().restrict_forces(functionals.apply_transposed(
+      Eigen::MatrixXd(Eigen::MatrixXd::Identity(rows.size(), rows.size()))));
+  }
+
+  unsigned int
+  MeasuredPoints::size() const
+  {
+    return all.cols();
+  }
+
+  const Block &
+  MeasuredPoints::vectors() const
+  {
+    return all;
+  }
+
+  Block
+  MeasuredPoints::vectors(const std::vector<unsigned int> &places) const
+  {
+    Block result(all.rows(), places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      result.col(i) = all.col(places[i]);
+    return result;
+  }
+
+  Eigen::MatrixXcd
+  MeasuredPoints::sample(const ComplexBlock &shapes) const
+  {
+    const RowSpace  &space = *model.linearized().system.space;
+    Eigen::MatrixXcd result(all.cols(), shapes.cols());
+    result.real() = space.dot(all, Block(shapes.real()));
+    result.imag() = space.dot(all, Block(shapes.imag()));
+    return result;
+  }
+
+
+
+  bool
+  MeasuredPoints::measured_value(const MeasuredShape  &shape,
+                                 const unsigned int    point,
+                                 std::complex<double> &value) const
+  {
+    const auto &m = model.parameters().measurement;
+    const auto &p = m.points[point];
+    if (const auto named = shape.points.find(p.name);
+        named != shape.points.end())
+      {
+        value = named->second;
+        return true;
+      }
+    const auto numbered = shape.nodes.find(m.node(point));
+    if (numbered == shape.nodes.end())
+      return false;
+    const Vector3 n = unit(p.direction);
+    value           = 0.;
+    for (unsigned int c = 0; c < 3; ++c)
+      value += n[c] * numbered->second[c];
+    return true;
+  }
+
+  MeasuredPoints::Values
+  MeasuredPoints::measured_values(const MeasuredShape &shape) const
+  {
+    Values result;
+    for (unsigned int i = 0; i < size(); ++i)
+      if (std::complex<double> value; measured_value(shape, i, value))
+        {
+          result.values.push_back(value);
+          result.places.push_back(i);
+        }
+    return result;
+  }
+
+  Eigen::MatrixXd
+  MeasuredPoints::mac(const std::vector<MeasuredShape> &measured,
+                      const Eigen::MatrixXcd           &sampled) const
+  {
+    Eigen::MatrixXd result(measured.size(), sampled.cols());
+    for (std::size_t m = 0; m < measured.size(); ++m)
+      {
+        const auto [a, places] = measured_values(measured[m]);
+        if (places.size() < 2)
+          throw InputError(
+            model.parameters().measurement.shapes_file + ": shape '" +
+            measured[m].name + "' has " + std::to_string(places.size()) +
+            " of the points in Measurement/Points: a MAC needs at least two "
+            "(see Point <name>/Node)");
+        for (Eigen::Index k = 0; k < sampled.cols(); ++k)
+          {
+            std::vector<std::complex<double>> b;
+            for (const unsigned int i : places)
+              b.push_back(sampled(i, k));
+            result(m, k) = modal_assurance(a, b);
+          }
+      }
+    return result;
+  }
+
+
+
+  Eigen::VectorXd
+  MeasuredPoints::comac(const std::vector<MeasuredShape> &measured,
+                        const Eigen::MatrixXcd           &sampled,
+                        const Eigen::MatrixXd            &mac) const
+  {
+    Eigen::VectorXd products  = Eigen::VectorXd::Zero(size()),
+                    squares_a = products, squares_b = products;
+    for (std::size_t m = 0; m < measured.size() && mac.cols() > 0; ++m)
+      {
+        Eigen::Index best;
+        mac.row(m).maxCoeff(&best);
+        const auto [a, places] = measured_values(measured[m]);
+        double norm_a = 0., norm_b = 0.;
+        for (std::size_t j = 0; j < places.size(); ++j)
+          {
+            norm_a += std::norm(a[j]);
+            norm_b += std::norm(sampled(places[j], best));
+          }
+        if (norm_a == 0. || norm_b == 0.)
+          continue;
+        for (std::size_t j = 0; j < places.size(); ++j)
+          {
+            const double x = std::norm(a[j]) / norm_a,
+                         y = std::norm(sampled(places[j], best)) / norm_b;
+            products[places[j]] += std::sqrt(x * y);
+            squares_a[places[j]] += x;
+            squares_b[places[j]] += y;
+          }
+      }
+    Eigen::VectorXd result(size());
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+      {
+        const double size = squares_a[i] * squares_b[i];
+        result[i] = size > 0. ? products[i] * products[i] / size : std::nan("");
+      }
+    return result;
+  }
+} // namespace squeal

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/run_log.h>
+#include <squeal/base/sum_operator.h>
+#include <squeal/base/timers.h>
+#include <squeal/contact/contact_faces.h>
+#include <squeal/discretization/face_quadrature.h>
+#include <squeal/model/model.h>
+#include <squeal/model/pressed_model.h>
+#include <squeal/parameters/face_geometry.h>
+#include <squeal/results/table.h>
+#include <squeal/scene/imported_model.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    /** "-5 .. 5, -5 .. 5, 0 .. 10": the box around a body along x, y, z in mm;
+     * of a mesh from a file that around its vertices. */
+    std::string
+    box_text(const Discretization &space, const unsigned int b)
+    {
+      const auto             &body = space.scene().bodies[b];
+      std::optional<prm::Box> box  = prm::box_of(body);
+      if (body.shape == BodyParameters::Shape::gmsh)
+        {
+          box = prm::Box{{{1e300, 1e300, 1e300}}, {{-1e300, -1e300, -1e300}}};
+          for (const auto &cell : space.coarse_mesh().cells)
+            if (cell.material_id == b)
+              for (const unsigned int v : cell.vertices)
+                for (unsigned int c = 0; c < 3; ++c)
+                  {
+                    const double x = space.coarse_mesh().vertices[v][c];
+                    box->lower[c]  = std::min(box->lower[c], x);
+                    box->upper[c]  = std::max(box->upper[c], x);
+                  }
+        }
+      if (!box)
+        return "rigid";
+      std::string text;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          std::ostringstream part;
+          part << std::setprecision(6) << (c ? ", " : "") << 1e3 * box->lower[c]
+               << " .. " << 1e3 * box->upper[c];
+          text += part.str();
+        }
+      return text;
+    }
+  } // namespace
+
+
+
+  Model::Model(const Parameters                 &parameters,
+               Timers                           &timers,
+               const std::vector<ContactStates> &states)
+    : all_parameters(parameters)
+    , given_states(states)
+  {
+    if (parameters.scene.kind == SceneParameters::Kind::bodies)
+      {
+        Timers::Section section(timers, "Setup: mesh and unknowns");
+        space =
+          std::make_unique<Discretization>(parameters.scene,
+                                           parameters.discretization,
+                                           parameters.discretization.degree,
+                                           MPI_COMM_WORLD);
+        // Before the matrices, which take their time.
+        check_contact_faces(*space);
+        for (const auto &body : parameters.scene.bodies)
+          names.push_back(body.name);
+      }
+    assemble(timers);
+  }
+
+
+
+  void
+  Model::assemble(Timers &timers)
+  {
+    if (space)
+      assemble_bodies_scene(timers);
+    else
+      {
+        Timers::Section section(timers, "Setup: import of matrices");
+        assemble_imported();
+      }
+  }
+
+
+
+  void
+  Model::assemble_bodies_scene(Timers &timers)
+  {
+    {
+      Timers::Section section(timers, "Assemble: bodies");
+      bodies = assemble_bodies(*space);
+    }
+    {
+      std::vector<ContactStates> states = given_states;
+      for (const auto &contact : all_parameters.scene.contacts)
+        if (states.empty() &&
+            contact.state == ContactParameters::State::preload)
+          states = {ContactStates{
+            preload_state(all_parameters, *space, bodies, timers)}};
+      Timers::Section section(timers, "Assemble: springs and contact");
+      system = linearized_system(*space, bodies, states);
+    }
+    Timers::Section section(timers, "Setup: names of modes");
+    mode_namer = std::make_unique<ModeNamer>(*space);
+  }
+
+
+
+  void
+  Model::assemble_imported()
+  {
+    const ImportedModel model = read_imported_model(all_parameters.scene);
+    const auto          rows  = std::make_shared<const RowSpace>(model.n_dofs);
+    system.system.space       = rows;
+    system.expand             = [](const Block &v) { return v; };
+    names                     = model.bodies;
+    body_of_row               = model.body_of;
+    std::vector<SumOperator::Part> masses;
+    for (unsigned int i = 0; i < model.parts.size(); ++i)
+      {
+        const auto role         = model.parts[i].role;
+        const auto coefficients = [i, role](const SceneParameters &s) {
+          const double f = s.matrix_parts[i].factor;
+          const bool   whole =
+            s.damping.model == DampingParameters::Model::whole_model;
+          TermCoefficients c;
+          switch (role)
+            {
+            case MatrixPartParameters::Role::mass:
+              c = {f, whole ? s.damping.mass_damping * f : 0., 0.};
+              break;
+            case MatrixPartParameters::Role::damping:
+              c = {0., f, 0.};
+              break;
+            case MatrixPartParameters::Role::stiffness:
+            case MatrixPartParameters::Role::normal_contact:
+              c = elastic_coefficients(s, f, 0., 0.);
+              break;
+            case MatrixPartParameters::Role::friction:
+              c = elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
+              break;
+            }
+          return c;
+        };
+        const auto symmetric = std::make_shared<const SparseMatrix>(
+          rows, lower_symmetric_part(model.parts[i]));
+        if (role == MatrixPartParameters::Role::mass)
+          masses.emplace_back(model.parts[i].factor, symmetric);
+        if (model.parts[i].symmetry == ImportedMatrix::Symmetry::symmetric)
+          {
+            system.system.terms.push_back(
+              {model.parts[i].name, symmetric, coefficients});
+            continue;
+          }
+        // One non-symmetric operator: the undamped, frictionless problem must
+        // not take in its symmetric half.
+        const auto skew = std::make_shared<const SparseMatrix>(
+          rows, lower_skew_part(model.parts[i]), SparseMatrix::Symmetry::skew);
+        system.system.terms.push_back(
+          {model.parts[i].name,
+           std::make_shared<SumOperator>(
+             std::vector<SumOperator::Part>{{1., symmetric}, {1., skew}}),
+           coefficients});
+      }
+    imported_mass = std::make_shared<SumOperator>(std::move(masses));
+
+    const auto &contact = model.contact;
+    if (!contact.pairs.empty())
+      {
+        const auto normal =
+          std::make_shared<const Functionals>(rows, contact.normal);
+        const auto sliding =
+          std::make_shared<const Functionals>(rows, contact.sliding);
+        const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(
+          contact.stiffness_factors.data(), contact.stiffness_factors.size());
+        system.system.terms.push_back(
+          {"normal contact",
+           std::make_shared<LowRankMatrix>(normal, weights, normal),
+           [](const SceneParameters &s) {
+             return elastic_coefficients(s, s.contact_normal_stiffness, 0., 0.);
+           }});
+        system.system.terms.push_back(
+          {"friction",
+           std::make_shared<LowRankMatrix>(sliding, weights, normal),
+           [](const SceneParameters &s) {
+             return elastic_coefficients(
+               s, s.friction_coefficient * s.contact_normal_stiffness, 0., 0.);
+           }});
+      }
+    mode_namer = std::make_unique<ModeNamer>();
+  }
+
+
+
+  Discretization *
+  Model::discretization() const
+  {
+    return space.get();
+  }
+
+  const LinearizedSystem &
+  Model::linearized() const
+  {
+    return system;
+  }
+
+  const std::vector<BodyMatrices> &
+  Model::body_matrices() const
+  {
+    return bodies;
+  }
+
+  const ModeNamer &
+  Model::namer() const
+  {
+    return *mode_namer;
+  }
+
+  const std::vector<std::string> &
+  Model::body_names() const
+  {
+    return names;
+  }
+
+  unsigned int
+  Model::n_unknowns() const
+  {
+    return system.system.space->n_global();
+  }
+
+  const Parameters &
+  Model::parameters() const
+  {
+    return all_parameters;
+  }
+
+
+
+  Eigen::MatrixXd
+  Model::energy_shares(const Block &shapes) const
+  {
+    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(names.size(), shapes.cols());
+    if (space)
+      {
+        const Block full = system.expand(shapes);
+        for (unsigned int b = 0; b < names.size(); ++b)
+          {
+            const auto  &p = all_parameters.scene.bodies[b];
+            const double density =
+              p.shape == BodyParameters::Shape::rigid ? 1. : p.density;
+            energy.row(b) =
+              density *
+              full.cwiseProduct(bodies[b].mass->multiply(full)).colwise().sum();
+          }
+        space->space()->sum(energy);
+      }
+    else
+      {
+        const Block products =
+          shapes.cwiseProduct(imported_mass->multiply(shapes));
+        for (Eigen::Index i = 0; i < products.rows(); ++i)
+          energy.row(body_of_row[i]) += products.row(i);
+      }
+    for (Eigen::Index j = 0; j < energy.cols(); ++j)
+      if (const double total = energy.col(j).sum(); total > 0.)
+        energy.col(j) /= total;
+    return energy;
+  }
+
+  std::vector<Eigen::MatrixXd>
+  Model::energy_forms(const Block &basis) const
+  {
+    std::vector<Eigen::MatrixXd> forms;
+    const Block                  full = system.expand(basis);
+    for (unsigned int b = 0; b < names.size(); ++b)
+      {
+        Block product;
+        if (space)
+          product = bodies[b].mass->multiply(full);
+        else
+          {
+            product = imported_mass->multiply(full);
+            for (Eigen::Index i = 0; i < product.rows(); ++i)
+              if (body_of_row[i] != b)
+                product.row(i).setZero();
+          }
+        Eigen::MatrixXd form = full.transpose() * product;
+        (space ? *space->space() : *system.system.space).sum(form);
+        forms.push_back(0.5 * (form + form.transpose()));
+      }
+    return forms;
+  }
+
+  Eigen::MatrixXd
+  Model::energy_shares(const ComplexBlock &shapes) const
+  {
+    // |x|^2 is the sum over real and imaginary part; weigh the two shares by
+    // their energies through one common normalisation.
+    Block both(shapes.rows(), 2 * shapes.cols());
+    both << shapes.real(), shapes.imag();
+    const Eigen::MatrixXd shares = energy_shares(both);
+    const RowSpace       &rows   = *system.system.space;
+    const Pencil          pencil(system.system, all_parameters.scene);
+    Eigen::MatrixXd       squares =
+      both.cwiseProduct(pencil.multiply_mass(both)).colwise().sum();
+    rows.sum(squares);
+    const Eigen::Index n = shapes.cols();
+    Eigen::MatrixXd    result(shares.rows(), n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      {
+        const double a = squares(0, j), b = squares(0, n + j);
+        result.col(j) = (a * shares.col(j) + b * shares.col(n + j)) / (a + b);
+      }
+    return result;
+  }
+
+
+
+  void
+  Model::print_summary(RunLog &log) const
+  {
+    log.heading("Scene " + all_parameters.scene.name);
+    if (!space)
+      {
+        log.key_values({{"unknowns", std::to_string(n_unknowns())}});
+        return;
+      }
+    const auto &scene = all_parameters.scene;
+    Table       table({{"body", Table::Type::text, "", ""},
+                       {"mass_kg", Table::Type::real, "kg", "", 6},
+                       {"centre_x_mm", Table::Type::real, "mm", "", 5},
+                       {"centre_y_mm", Table::Type::real, "mm", "", 5},
+                       {"centre_z_mm", Table::Type::real, "mm", "", 5},
+                       {"box_mm", Table::Type::text, "mm", ""},
+                       {"unknowns", Table::Type::integer, "", ""}});
+    const auto  mm = [](const double x) {
+      return std::abs(x) < 1e-9 ? 0. : 1e3 * x;
+    };
+    double           total_mass = 0.;
+    dealii::Point<3> total_centre;
+    for (unsigned int b = 0; b < names.size(); ++b)
+      {
+        const auto  &p     = scene.bodies[b];
+        const bool   rigid = p.shape == BodyParameters::Shape::rigid;
+        const double mass  = rigid ? p.mass : p.density * bodies[b].volume;
+        total_mass += mass;
+        total_centre += mass * bodies[b].centre;
+        table.add_row({names[b],
+                       mass,
+                       mm(bodies[b].centre[0]),
+                       mm(bodies[b].centre[1]),
+                       mm(bodies[b].centre[2]),
+                       box_text(*space, b),
+                       space->n_free_of_body()[b]});
+      }
+    for (const auto &lumped : scene.lumped_masses)
+      {
+        total_mass += lumped.mass;
+        for (unsigned int c = 0; c < 3; ++c)
+          total_centre[c] += lumped.mass * lumped.point[c];
+        table.add_row({lumped.name,
+                       lumped.mass,
+                       mm(lumped.point[0]),
+                       mm(lumped.point[1]),
+                       mm(lumped.point[2]),
+                       "point on " + lumped.body,
+                       Cell()});
+      }
+    total_centre /= total_mass;
+    table.add_row({"all",
+                   total_mass,
+                   mm(total_centre[0]),
+                   mm(total_centre[1]),
+                   mm(total_centre[2]),
+                   "",
+                   n_unknowns()});
+    std::ostringstream text;
+    table.print(text);
+    log.info(text.str());
+    RunLog::Lines lines;
+    for (unsigned int i = 0; i < scene.contacts.size(); ++i)
+      {
+        const auto &c    = scene.contacts[i];
+        double      area = 0.;
+        const bool  is_rigid =
+          scene.bodies[body_index(scene, c.source_body)].shape ==
+          BodyParameters::Shape::rigid;
+        for (const double a : system.contacts[i].areas)
+          area += a;
+        lines.emplace_back(
+          "contact " + c.name,
+          std::to_string(system.contacts[i].points.size()) + " points" +
+            (is_rigid ? "" : ", " + rounded_text(1e6 * area, 6) + " mm2") +
+            ", friction coefficient " +
+            rounded_text(c.friction_coefficient, 6));
+      }
+    lines.emplace_back("degree of the elements",
+                       std::to_string(space->degree()));
+    lines.emplace_back("degrees of freedom", std::to_string(space->n_dofs()));
+    lines.emplace_back("free unknowns", std::to_string(n_unknowns()));
+    log.key_values(lines);
+  }
+} // namespace squeal

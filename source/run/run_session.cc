@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/blas_kernels.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/root_action.h>
+#include <squeal/base/version.h>
+#include <squeal/results/result_checks.h>
+#include <squeal/run/run_session.h>
+
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    /** What stops the root stops all ranks, which wait for its word in the
+     * constructor below. */
+    OutputDirectory
+    directory_of(const RunDescription &d, const bool is_root)
+    {
+      try
+        {
+          return OutputDirectory(d.directory, d.overwrite, is_root);
+        }
+      catch (const InputError &e)
+        {
+          from_root(e.what());
+          throw;
+        }
+    }
+  } // namespace
+
+
+
+  RunSession::RunSession(const RunDescription &d,
+                         const prm::Schema    &generic,
+                         const bool            root)
+    : description(d)
+    , is_root(root)
+    , log(root)
+    , output(directory_of(d, root))
+    , plotter(log)
+    , interrupt_guard(d.directory, root)
+  {
+    const std::string failure = from_root("");
+    if (!failure.empty())
+      throw InputError(failure);
+    log.open(output.file(log_file_name));
+    record.versions.emplace_back("squeal",
+                                 std::string(version::program) + " (" +
+                                   version::revision + ", " +
+                                   version::build_type + ")");
+    record.versions.emplace_back("compiler", version::compiler);
+    for (const auto &[name, number] : version::libraries)
+      record.versions.emplace_back(name, number);
+    record.versions.emplace_back("OpenBLAS kernels", blas_kernels::in_use());
+    record.analysis       = d.analysis;
+    record.scene          = d.scene;
+    record.parameter_file = d.parameter_file;
+    record.parameters     = d.used;
+    record.n_ranks        = d.n_ranks;
+
+    log.heading("squeal " + std::string(version::program) + ": " + d.analysis +
+                (d.scene.empty() ? "" : " of scene " + d.scene));
+    log.info("kernels of OpenBLAS: " + blas_kernels::in_use());
+    std::ostringstream text;
+    prm::print_used(d.used, generic, text);
+    log.info(text.str());
+    for (const auto &note : d.notes)
+      log.warning(note);
+    if (!output.is_owned())
+      log.warning("the file system of '" + output.path() +
+                  "' has no locks: do not start a second run in it");
+    if (root)
+      prm::write_used(d.used, generic, output.file("parameters_used.prm"));
+  }
+
+
+
+  RunSession::~RunSession()
+  {
+    if (!is_finished)
+      output.discard();
+  }
+
+
+
+  void
+  RunSession::write_table(const std::string &name, const Table &table)
+  {
+    tables[name] = std::make_unique<Table>(table);
+    if (is_root)
+      table.write_csv(output.file(name));
+  }
+
+
+
+  void
+  RunSession::finish(HtmlReport *report, const std::string &open_this)
+  {
+    std::map<std::string, const Table *> views;
+    for (const auto &[name, table] : tables)
+      views[name] = table.get();
+    record.checks = evaluate_result_checks(description.result_checks, views);
+    record.take_timings(timers);
+    record.warnings = log.warnings();
+    if (is_root)
+      {
+        if (report)
+          output.file("report.html");
+        output.file("run.json");
+        record.files.assign(output.files().begin(), output.files().end());
+        write_run_record(record, output.file("run.json"));
+        if (report)
+          {
+            report->run_record(record,
+                               "./squeal run " + description.parameter_file);
+            report->write(output.file("report.html"));
+          }
+      }
+    is_finished = true;
+    RunLog::Lines figures(record.figures.begin(), record.figures.end());
+    log.summary(figures, timers);
+    print_result_checks(record.checks, log);
+    log.info("results: " + output.path() +
+             (report ? ", read " + output.path() + "/report.html" : ""));
+    if (!open_this.empty())
+      log.info("open this in ParaView: " + output.path() + "/" + open_this);
+    require_passed(record.checks);
+  }
+} // namespace squeal
