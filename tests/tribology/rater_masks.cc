@@ -3,7 +3,7 @@
 // Masks that people drew: agreement against closed forms, and what the program
 // makes of files by one rater, by two, beside squeal's own finding, and of
 // wrong ones. Argument: the program.
-#include "../driver/program.h"
+#include "../analyses/program.h"
 
 #include <squeal/tribology/images/agreement.h>
 #include <squeal/tribology/images/image_files.h>
