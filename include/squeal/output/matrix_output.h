@@ -2,6 +2,7 @@
 #ifndef squeal_output_matrix_output_h
 #define squeal_output_matrix_output_h
 
+#include <squeal/eigen/complex_pairs.h>
 #include <squeal/model/mode_solution.h>
 #include <squeal/run/run_context.h>
 
