@@ -38,7 +38,10 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/image_files.cc
     source/images/image_parameters.cc
     source/images/image_size.cc
+    source/images/line_features.cc
     source/images/line_graph.cc
+    source/images/line_judge.cc
+    source/images/line_judge_table.cc
     source/images/line_length.cc
     source/images/line_position.cc
     source/images/line_smoothing.cc

@@ -139,7 +139,9 @@ namespace
       settings.width      = 512.;
       settings.height     = 384.;
       const Specimen made = make_specimen(settings);
-      frame               = {0, 0, 512, rows_above_data_bar(made.image)};
+      cv::Mat grey;
+      made.image.convertTo(grey, CV_32F);
+      frame = {0, 0, 512, rows_above_data_bar(grey)};
       write_png("worn.png",
                 made.image,
                 "Kind = synthetic specimen\nPixel size = 1 um\n");

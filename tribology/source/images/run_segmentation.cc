@@ -263,6 +263,9 @@ namespace squeal::tribology
                                ? std::optional<double>(by_points.residual)
                                : std::nullopt;
         entry.statistics   = measure(found, m.pixel_size, sliding);
+        entry.excluded     = found.excluded;
+        entry.missed       = found.cracks.doubt.missed;
+        entry.invented     = found.cracks.doubt.invented;
         add_deviations(entry.crack_rating,
                        entry.area_rating,
                        m.pixel_size,

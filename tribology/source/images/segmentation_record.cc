@@ -47,6 +47,26 @@ namespace squeal::tribology
 
 
 
+    /** Dark lines that are no cracks: length, a place on each, why. */
+    Json
+    excluded_json(const SegmentedImage &i)
+    {
+      Json list = Json::array();
+      for (const ExcludedLine &line : i.excluded)
+        {
+          const cv::Point &p = line.pixels[line.pixels.size() / 2];
+          list.push_back({{"x_px", p.x},
+                          {"y_px", p.y},
+                          {"length_um",
+                           i.pixel_size * double(line.pixels.size())},
+                          {"probability", line.probability},
+                          {"reason", name_of(line.reason)}});
+        }
+      return list;
+    }
+
+
+
     Json
     kappa_json(const std::optional<Kappa> &kappa)
     {
@@ -118,6 +138,9 @@ namespace squeal::tribology
       if (s.exfoliation_fraction_error)
         json["exfoliation"]["area_fraction_error"] =
           *s.exfoliation_fraction_error;
+      json["cracks"]["expected_missed_mm"]   = 1e-3 * i.pixel_size * i.missed;
+      json["cracks"]["expected_invented_mm"] = 1e-3 * i.pixel_size * i.invented;
+      json["cracks"]["excluded"]             = excluded_json(i);
       if (i.crack_rating)
         {
           json["cracks"]["rating"] =

@@ -23,6 +23,8 @@ namespace squeal::tribology
     ImageStatistics                      statistics;
     std::optional<Rating>                crack_rating, area_rating;
     double                               tolerance = 0.; /**< of lines, px */
+    std::vector<ExcludedLine>            excluded;
+    double missed = 0., invented = 0.; /**< expected, px */
     std::optional<std::array<double, 3>> layer; /**< um: 10 %, median, 90 % */
   };
 
