@@ -28,6 +28,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/history/clipped_sine.cc
     source/history/contact_grid.cc
     source/history/csv_import.cc
+    source/images/agreement.cc
     source/images/areas.cc
     source/images/centre_line.cc
     source/images/crack_depth.cc
@@ -37,13 +38,18 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/image_files.cc
     source/images/image_parameters.cc
     source/images/image_size.cc
+    source/images/line_features.cc
     source/images/line_graph.cc
+    source/images/line_judge.cc
+    source/images/line_judge_table.cc
     source/images/line_length.cc
     source/images/line_position.cc
     source/images/line_smoothing.cc
     source/images/metadata.cc
     source/images/micrograph.cc
     source/images/path_evidence.cc
+    source/images/rater_masks.cc
+    source/images/rating.cc
     source/images/registration.cc
     source/images/ridge_filter.cc
     source/images/run_segmentation.cc

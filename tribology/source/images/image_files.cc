@@ -81,10 +81,10 @@ namespace squeal::tribology
 
 
   std::vector<std::string>
-  expand_wildcards(const std::vector<std::string> &names)
+  expand_names(const std::vector<std::string> &names, const std::string &entry)
   {
-    std::vector<std::string>           files;
-    std::map<std::string, std::string> stems;
+    std::vector<std::string> files;
+    std::set<std::string>    known;
     for (const std::string &name : names)
       {
         glob_t found = {};
@@ -98,20 +98,29 @@ namespace squeal::tribology
           matches.emplace_back(found.gl_pathv[i]);
         globfree(&found);
         if (matches.empty())
-          throw InputError("'Images': no file matches " + name);
+          throw InputError("'" + entry + "': no file matches " + name);
         for (const std::string &file : matches)
-          {
-            const std::string stem = std::filesystem::path(file).stem();
-            const auto        same = stems.emplace(stem, file);
-            if (!same.second && same.first->second == file)
-              continue;
-            if (!same.second)
-              throw InputError("'Images': " + file + " and " +
-                               same.first->second +
-                               " would write the same result files: rename "
-                               "one of them");
+          if (known.insert(file).second)
             files.push_back(file);
-          }
+      }
+    return files;
+  }
+
+
+
+  std::vector<std::string>
+  expand_wildcards(const std::vector<std::string> &names)
+  {
+    const std::vector<std::string>     files = expand_names(names, "Images");
+    std::map<std::string, std::string> stems;
+    for (const std::string &file : files)
+      {
+        const auto same =
+          stems.emplace(std::filesystem::path(file).stem(), file);
+        if (!same.second)
+          throw InputError("'Images': " + file + " and " + same.first->second +
+                           " would write the same result files: rename "
+                           "one of them");
       }
     return files;
   }

@@ -12,6 +12,40 @@ namespace squeal::tribology
     const char *const specimen_section     = "Synthetic specimen";
 
     void
+    declare_masks(prm::Schema &schema, SegmentationParameters &s)
+    {
+      schema.add("Masks",
+                 s.masks,
+                 Allowed::list(Allowed::file()),
+                 "Images in which people or other programs (Fiji, ilastik) "
+                 "marked cracks, 8 or 16 bit; * and ? stand for any letters. "
+                 "The name of a mask begins with that of its image; several "
+                 "masks of an image are several raters.");
+      schema.add("Area masks",
+                 s.area_masks,
+                 Allowed::list(Allowed::file()),
+                 "The same for exfoliations, breaks and blowholes.");
+      schema.add("Mask use",
+                 s.mask_use,
+                 "What is stated: the masks (what at least half of the raters "
+                 "marked) instead of squeal's own finding, or squeal's own "
+                 "with the masks beside it as other raters. How far raters "
+                 "differ is part of the stated error in both cases.");
+      schema.add("Mask value",
+                 s.mask_value,
+                 Allowed::integer(-1, 65535),
+                 "Value of marked pixels in masks; -1: the larger one of two.");
+      schema.add("Mask tolerance",
+                 s.mask_tolerance,
+                 Allowed::number(0., 50.),
+                 "Lines of two raters that lie as far apart are the same "
+                 "line.",
+                 "pixels");
+    }
+
+
+
+    void
     declare_segmentation(prm::Schema &schema, SegmentationParameters &s)
     {
       schema.enter_section(segmentation_section,
@@ -83,6 +117,7 @@ namespace squeal::tribology
                  Allowed::list(Allowed::file()),
                  "Element maps of the same view as the first image; the mean "
                  "of each cell becomes a column named like the file.");
+      declare_masks(schema, s);
       schema.leave_section();
     }
 
@@ -175,6 +210,15 @@ namespace squeal::tribology
 
 
 
+  Choices<SegmentationParameters::MaskUse>
+  choices(SegmentationParameters::MaskUse)
+  {
+    using U = SegmentationParameters::MaskUse;
+    return {{"instead", U::instead}, {"beside", U::beside}};
+  }
+
+
+
   void
   declare_images(prm::Schema            &schema,
                  ImageParameters        &images,
@@ -221,6 +265,10 @@ namespace squeal::tribology
     if (s.scale_bar_length > 0. && s.scale_bar_box.size() != 4)
       prm::refuse_entry(
         segmentation_section, "Scale bar box", "needs x, y, width and height");
+    if (s.mosaic && !(s.masks.empty() && s.area_masks.empty()))
+      prm::refuse_entry(segmentation_section,
+                        "Masks",
+                        "are drawn on single images: not with 'Mosaic'");
     for (const std::string &file : s.element_maps)
       prm::require_file(file, segmentation_section, "Element maps", true);
   }

@@ -103,24 +103,26 @@ namespace squeal::tribology
 
 
 
-  double
-  straight_run(const cv::Mat &skeleton, const LinePiece &piece)
+  StraightRun
+  straight_run_of(const cv::Mat &skeleton, const LinePiece &piece)
   {
     PixelPath points = piece.axis;
     if (points.size() < 8 || StraightLine(points).distance > line_distance)
-      return 0.;
+      return {};
     follow(skeleton, 1, points);
     follow(skeleton, -1, points);
     const StraightLine line(points);
     if (line.distance > line_distance)
-      return 0.;
+      return {};
     double first = 0., last = 0.;
     for (const cv::Point &p : points)
       {
         first = std::min(first, line.along(p));
         last  = std::max(last, line.along(p));
       }
-    return last - first;
+    return {last - first,
+            line.centre + first * line.direction,
+            line.centre + last * line.direction};
   }
 
 

@@ -78,7 +78,7 @@ namespace squeal::tribology
 
 
   cv::Mat
-  read_grey(const std::string &path, const double largest)
+  read_raw(const std::string &path, const double largest)
   {
     const std::string data = read_file(path);
     if (data.empty())
@@ -90,18 +90,19 @@ namespace squeal::tribology
       throw InputError(path + " has " + std::to_string(image.cols) + " x " +
                        std::to_string(image.rows) +
                        " pixels: at least 32 x 32 are needed");
-    cv::Mat grey;
-    switch (image.depth())
-      {
-      case CV_8U:
-        image.convertTo(grey, CV_32F);
-        break;
-      case CV_16U:
-        image.convertTo(grey, CV_32F, 1. / 257.);
-        break;
-      default:
-        throw InputError(path + ": only images of 8 and 16 bit are read");
-      }
+    if (image.depth() != CV_8U && image.depth() != CV_16U)
+      throw InputError(path + ": only images of 8 and 16 bit are read");
+    return image;
+  }
+
+
+
+  cv::Mat
+  read_grey(const std::string &path, const double largest)
+  {
+    const cv::Mat raw = read_raw(path, largest);
+    cv::Mat       grey;
+    raw.convertTo(grey, CV_32F, raw.depth() == CV_16U ? 1. / 257. : 1.);
     return grey;
   }
 

@@ -4,6 +4,7 @@
 #include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
 #include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/rater_masks.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
 #include <squeal/tribology/images/statistics.h>
@@ -82,7 +83,7 @@ namespace squeal::tribology
                       p.cells[0],
                       p.cells[1]);
         for (std::size_t i = 0; i < images.size(); ++i)
-          process(images[i], i == 0);
+          process(i);
         if (pad)
           append(*pad, "pad");
         context.write_table("cells.csv", cells);
@@ -127,6 +128,8 @@ namespace squeal::tribology
                             context.parameters.images.pixel_size,
                             bar,
                             context.parameters.images.largest_image));
+        read_masks(p.masks, "Masks", crack_marks);
+        read_masks(p.area_masks, "Area masks", area_marks);
         if (p.registration == R::points)
           by_points = fit_placement(points_of(p.image_points, 1.),
                                     points_of(p.pad_points, 1e3),
@@ -134,6 +137,58 @@ namespace squeal::tribology
         if (p.registration == R::stage)
           for (const Micrograph &m : images)
             place_by_stage(m);
+      }
+
+      /** The marks of each image. */
+      void
+      read_masks(const std::vector<std::string>  &names,
+                 const std::string               &entry,
+                 std::vector<std::vector<Marks>> &marks) const
+      {
+        std::vector<std::string> paths;
+        for (const Micrograph &m : images)
+          paths.push_back(m.path);
+        const auto assigned = assign_masks(expand_names(names, entry), paths);
+        marks.resize(images.size());
+        for (std::size_t i = 0; i < images.size(); ++i)
+          {
+            for (const RaterMask &mask : assigned[i])
+              marks[i].push_back(
+                {mask.rater,
+                 read_mask(mask.path,
+                           images[i],
+                           p.mask_value,
+                           context.parameters.images.largest_image)});
+            if (!names.empty() && marks[i].empty())
+              context.log.warning(paths[i] + " has no file among '" + entry +
+                                  "': what is stated is squeal's own finding");
+          }
+      }
+
+      /** Masks instead of what squeal found, or beside it. */
+      void
+      rate(const std::size_t i, Segmentation &found, SegmentedImage &entry)
+      {
+        const Micrograph &m = images[i];
+        RatingSettings    settings;
+        settings.is_beside =
+          p.mask_use == SegmentationParameters::MaskUse::beside;
+        settings.tolerance = p.mask_tolerance;
+        entry.tolerance    = p.mask_tolerance;
+        if (!crack_marks[i].empty())
+          entry.crack_rating =
+            rate_cracks(m.grey(m.frame),
+                        crack_marks[i],
+                        settings,
+                        settings_of(p, m.pixel_size).n_octaves,
+                        found);
+        if (!area_marks[i].empty())
+          entry.area_rating = rate_areas(area_marks[i], settings, found);
+        if ((entry.crack_rating && !entry.crack_rating->deviation) ||
+            (entry.area_rating && !entry.area_rating->deviation))
+          context.log.warning(
+            m.path + ": with one mask nothing tells how far raters differ: "
+                     "errors are those of measuring what is drawn");
       }
 
       void
@@ -186,13 +241,16 @@ namespace squeal::tribology
       }
 
       void
-      process(const Micrograph &m, const bool is_first)
+      process(const std::size_t i)
       {
-        SegmentedImage entry;
-        Segmentation   found;
+        const Micrograph &m = images[i];
+        SegmentedImage    entry;
+        Segmentation      found;
         {
           Timers::Section section(context.timers, "Solve: segment images");
           found = segment(m.grey(m.frame), settings_of(p, m.pixel_size));
+          if (!p.mosaic)
+            rate(i, found, entry);
         }
         entry.stem         = m.stem;
         entry.path         = m.path;
@@ -205,6 +263,13 @@ namespace squeal::tribology
                                ? std::optional<double>(by_points.residual)
                                : std::nullopt;
         entry.statistics   = measure(found, m.pixel_size, sliding);
+        entry.excluded     = found.excluded;
+        entry.missed       = found.cracks.doubt.missed;
+        entry.invented     = found.cracks.doubt.invented;
+        add_deviations(entry.crack_rating,
+                       entry.area_rating,
+                       m.pixel_size,
+                       entry.statistics);
         if (p.view == V::section)
           section_table(m, found, entry);
         Timers::Section section(context.timers, "Write: maps");
@@ -220,7 +285,7 @@ namespace squeal::tribology
         write_png(file("_exfoliation.png"), full.areas.exfoliation);
         write_png(file("_plateaus.png"), full.areas.plateau);
         write_png(file("_overlay.png"), draw_overlay(m.grey, full));
-        gather(m, found, is_first);
+        gather(m, found, i == 0);
         record.images.push_back(entry);
       }
 
@@ -302,6 +367,7 @@ namespace squeal::tribology
       const SegmentationParameters &p;
       const double                  sliding;
       std::vector<Micrograph>       images;
+      std::vector<std::vector<Marks>> crack_marks, area_marks; // of each image
       Placement                     by_points;
       std::optional<CellGrid>       pad;
       Table                         cells;

@@ -91,13 +91,14 @@ namespace squeal::tribology
 
 
 
-    /** Takes out what lies in @p areas or on their rims. A line on a rim gets
-     * brighter away from the area only, a crack beside it on both sides. */
-    void
+    /** Takes out what lies in @p areas or on their rims, and returns it. A line
+     * on a rim gets brighter away from the area only, a crack beside it on both
+     * sides. */
+    PixelPath
     cut(cv::Mat &centre_line, const cv::Mat &areas, const cv::Mat &grey)
     {
       if (cv::countNonZero(areas) == 0)
-        return;
+        return {};
       const NearestPixels nearest(areas);
       cv::Mat1f           smooth;
       cv::GaussianBlur(grey, smooth, cv::Size(), 0.7);
@@ -108,7 +109,7 @@ namespace squeal::tribology
             !is_apart(smooth, p, nearest.place(p)))
           taken.push_back(p);
       if (taken.empty())
-        return;
+        return taken;
       for (const cv::Point &p : taken)
         centre_line.at<uchar>(p) = 0;
       for (const LinePiece &piece : line_pieces(centre_line))
@@ -116,24 +117,37 @@ namespace squeal::tribology
           for (const cv::Point &p : piece.pixels)
             centre_line.at<uchar>(p) = 0;
       remove_spurs(centre_line, longest_spur);
+      return taken;
     }
   } // namespace
 
 
 
   Segmentation
-  segment(const cv::Mat &grey, const SegmentationSettings &settings)
+  segment(const cv::Mat              &grey,
+          const SegmentationSettings &settings,
+          const LineJudge            &judge)
   {
-    const CrackLines found = find_cracks(grey, settings.n_octaves);
+    const CrackLines found = find_cracks(grey, settings.n_octaves, judge);
     cv::Mat          line  = found.centre_line;
     Segmentation     result;
     result.cracks = measure_cracks(grey, line, found.ridges);
     result.areas  = find_areas(grey, result.cracks.area, settings.areas);
     leave_shoulders(result.areas.exfoliation, line);
     result.areas.rough &= result.areas.exfoliation;
-    cut(line, result.areas.rough, grey);
+    const PixelPath rims = cut(line, result.areas.rough, grey);
     result.cracks =
       measure_cracks(grey, move_to_middle(grey, line), found.ridges);
+    result.cracks.doubt = found.doubt;
+    result.excluded     = found.excluded;
+    if (!rims.empty())
+      {
+        cv::Mat taken = cv::Mat::zeros(grey.size(), CV_8U);
+        for (const cv::Point &p : rims)
+          taken.at<uchar>(p) = 255;
+        for (const LinePiece &piece : line_pieces(taken))
+          result.excluded.push_back({piece.pixels, 0.5, Exclusion::rim});
+      }
     return result;
   }
 } // namespace squeal::tribology

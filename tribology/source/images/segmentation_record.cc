@@ -47,6 +47,63 @@ namespace squeal::tribology
 
 
 
+    /** Dark lines that are no cracks: length, a place on each, why. */
+    Json
+    excluded_json(const SegmentedImage &i)
+    {
+      Json list = Json::array();
+      for (const ExcludedLine &line : i.excluded)
+        {
+          const cv::Point &p = line.pixels[line.pixels.size() / 2];
+          list.push_back({{"x_px", p.x},
+                          {"y_px", p.y},
+                          {"length_um",
+                           i.pixel_size * double(line.pixels.size())},
+                          {"probability", line.probability},
+                          {"reason", name_of(line.reason)}});
+        }
+      return list;
+    }
+
+
+
+    Json
+    kappa_json(const std::optional<Kappa> &kappa)
+    {
+      return kappa ? Json{{"value", kappa->value},
+                          {"deviation", kappa->deviation}}
+                   : Json();
+    }
+
+
+
+    /** @p amounts and @p deviation in pixels; @p factor takes them to what the
+     * name says. */
+    Json
+    rating_json(const Rating &rating, const std::string &name, double factor)
+    {
+      Json amounts = Json::array();
+      for (const double a : rating.amounts)
+        amounts.push_back(factor * a);
+      Json json = {{"raters", rating.raters},
+                   {name, amounts},
+                   {"deviation",
+                    rating.deviation ? Json(factor * *rating.deviation)
+                                     : Json()}};
+      if (!rating.agreement)
+        return json;
+      json["fleiss_kappa"] = kappa_json(rating.agreement->fleiss);
+      json["pairs"]        = Json::array();
+      for (const PairAgreement &pair : rating.agreement->pairs)
+        json["pairs"].push_back({{"first", rating.raters[pair.first]},
+                                 {"second", rating.raters[pair.second]},
+                                 {"cohen_kappa", kappa_json(pair.kappa)},
+                                 {"dice", pair.dice}});
+      return json;
+    }
+
+
+
     Json
     image_json(const SegmentedImage &i)
     {
@@ -78,6 +135,21 @@ namespace squeal::tribology
       json["exfoliation"] =
         areas_json(s.exfoliation_fraction, s.exfoliation_areas);
       json["plateaus"] = areas_json(s.plateau_fraction, s.plateau_areas);
+      if (s.exfoliation_fraction_error)
+        json["exfoliation"]["area_fraction_error"] =
+          *s.exfoliation_fraction_error;
+      json["cracks"]["expected_missed_mm"]   = 1e-3 * i.pixel_size * i.missed;
+      json["cracks"]["expected_invented_mm"] = 1e-3 * i.pixel_size * i.invented;
+      json["cracks"]["excluded"]             = excluded_json(i);
+      if (i.crack_rating)
+        {
+          json["cracks"]["rating"] =
+            rating_json(*i.crack_rating, "lengths_mm", 1e-3 * i.pixel_size);
+          json["cracks"]["rating"]["tolerance_px"] = i.tolerance;
+        }
+      if (i.area_rating)
+        json["exfoliation"]["rating"] = rating_json(
+          *i.area_rating, "areas_um2", i.pixel_size * i.pixel_size);
       return json;
     }
   } // namespace

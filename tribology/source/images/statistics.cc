@@ -14,19 +14,21 @@ namespace squeal::tribology
   {
     constexpr double length_error  = 0.02; // relative, of pixel_lengths()
     constexpr double end_error     = 1.;   // pixels, of each free end
-    constexpr double wrongly_found = 0.16; // share: 2 (1 - F1), F1 = 0.92
-    constexpr double part_found    = 0.33; // of a crack, missed or invented
+    constexpr double missed_width = 2.;  // pixels
+    // A crack shorter than this is not looked for.
+    constexpr double shortest_crack = 14.; // pixels
+    constexpr double doubt_error   = 0.8;  // of what may be missed, invented
 
 
 
     /** Deviation of the length, pixels: of the smoothed line, of its ends, and
-     * of the finder, which misses and invents parts of cracks. With a share f
-     * of the length, in independent parts of a share p of a crack, the variance
-     * is f p times the sum of the squares of the lengths of the cracks. */
+     * of the finder, by what it expects to have missed and invented. */
     double
-    error_of_length(const cv::Mat &line, const cv::Mat &lengths)
+    error_of_length(const cv::Mat &line,
+                    const cv::Mat &lengths,
+                    const FinderDoubt &doubt)
     {
-      double length = 0., squares = 0., n_ends = 0.;
+      double length = 0., n_ends = 0.;
       for (const LinePiece &crack : line_pieces(line))
         {
           double own = 0.;
@@ -36,11 +38,12 @@ namespace squeal::tribology
               n_ends += n_neighbours(line, p) == 1;
             }
           length += own;
-          squares += own * own;
         }
       return std::sqrt(std::pow(length_error * length, 2) +
                        std::pow(end_error, 2) * n_ends +
-                       wrongly_found * part_found * squares);
+                       (doubt.is_drawn ? 0. : std::pow(shortest_crack, 2)) +
+                       std::pow(doubt_error * doubt.missed, 2) +
+                       std::pow(doubt_error * doubt.invented, 2));
     }
 
 
@@ -120,14 +123,16 @@ namespace squeal::tribology
         length += l;
         weighted_width += l * s.cracks.width.at<float>(p);
       }
+    const double deviation = error_of_length(line, lengths, s.cracks.doubt);
+    r.crack_length_error   = 1e-3 * deviation * pixel_size;
+    // Of what was missed the width is not known: that of the narrowest lines.
+    r.crack_area_error = pixel * missed_width * deviation;
     if (length > 0.)
       {
         r.orientation          = scaled(r.orientation, 1. / length);
         r.crack_width          = weighted_width / length * pixel_size;
-        const double deviation = error_of_length(line, lengths);
         const double area_deviation =
           error_of_area(s.cracks, lengths, deviation / length);
-        r.crack_length_error = 1e-3 * deviation * pixel_size;
         r.crack_area_error   = pixel * area_deviation;
         r.crack_width_error =
           error_of_area(s.cracks, lengths, 0.) / length * pixel_size;
@@ -300,6 +305,10 @@ namespace squeal::tribology
     };
     outline(s.areas.plateau, {255, 180, 0});
     outline(s.areas.exfoliation, {255, 0, 255});
+    // What was looked at and left out.
+    for (const ExcludedLine &line : s.excluded)
+      for (const cv::Point &p : line.pixels)
+        picture.at<cv::Vec3b>(p) = {0, 255, 255};
     // Semi-transparent, so that the dark line can still be seen.
     cv::Mat red = picture.clone();
     red.setTo(cv::Scalar(0, 0, 255), s.cracks.area);

@@ -2,10 +2,39 @@
 #ifndef squeal_tribology_images_crack_finder_h
 #define squeal_tribology_images_crack_finder_h
 
-#include <squeal/tribology/images/ridge_filter.h>
+#include <squeal/tribology/images/line_judge.h>
 
 namespace squeal::tribology
 {
+  /** Why a dark line is no crack. */
+  enum class Exclusion
+  {
+    groove,       /**< straight, with others alongside or through the image */
+    border,       /**< of a stain, a joint or an area: unlike flanks, broad */
+    faint,        /**< little contrast over noise, or broken */
+    alone,        /**< nothing around it goes on */
+    small,        /**< too little in all with what it is connected to */
+    rim           /**< runs along an area that is a feature itself */
+  };
+
+  /** The words for it. */
+  const char *name_of(Exclusion reason);
+
+  /** A dark line that was looked at and left out. */
+  struct ExcludedLine
+  {
+    PixelPath pixels;
+    double    probability = 0.; /**< of being a crack all the same */
+    Exclusion reason      = Exclusion::faint;
+  };
+
+  /** What a finder expects to be wrong in its own result, pixels of length. */
+  struct FinderDoubt
+  {
+    double missed = 0., invented = 0.;
+    bool   is_drawn = true; /**< by people: nothing is too short for them */
+  };
+
   /** Cracks of one image. All of its size. */
   struct CrackMap
   {
@@ -16,40 +45,37 @@ namespace squeal::tribology
                             alike along a crack, apart between cracks */
     cv::Mat common_width_error; /**< as above, but alike in the image */
     cv::Mat direction; /**< CV_32F, radians in [0, pi), on the centre line */
+    FinderDoubt doubt; /**< nothing where people drew the lines */
   };
 
   /** Centre lines and the evidence that they were found in. */
   struct CrackLines
   {
-    RidgeField ridges;
-    cv::Mat    centre_line;
+    RidgeField                ridges;
+    cv::Mat                   centre_line;
+    std::vector<ExcludedLine> excluded;
+    FinderDoubt               doubt;
   };
 
   /**
    * Centre lines of cracks.
    *
-   * Crests of the evidence form a graph of edges between junctions. An edge
-   * belongs to a crack by its mean contrast in units of noise, at its own
-   * pixels and along the best path through them, and by how much darker it is
-   * than both flanks; less is asked of short edges with high contrast and of
-   * long wavy edges with a good path at half the resolution. Connected edges
-   * are a crack when their strong ones add up to enough contrast over their
-   * length. Edges on long straight lines are scratches, grooves or edges of the
-   * specimen. From the ends of cracks the cheapest way over 70, then 35 pixels
-   * ahead is added as long as its mean contrast exceeds what the same search
-   * finds from crests of the background (median and three deviations) or it has
-   * a good path at half the resolution, else the part of it that is contrasty
-   * itself. At last the ends are moved to where the line stops being dark.
-   *
-   * Wide filters see faint cracks, narrow ones tell cracks apart from what lies
-   * beside them and are fooled less often. The wider filters come first; when
-   * the cracks that they start with keep 95 % of their strength (median over
-   * their pixels) in filters of half an octave less, those are used.
+   * Crests of the evidence form a graph of lines between junctions. Each is
+   * judged by what a crack looks like, alone and among the lines that it goes
+   * on in: LineJudge. Connected lines are a crack when their log odds add up to
+   * enough over their length. From the ends of cracks the cheapest way over 70,
+   * then 35 pixels ahead is added as long as its mean contrast exceeds what the
+   * same search finds from crests of the background (median and three
+   * deviations) or it has a good path at half the resolution, else the part of
+   * it that is contrasty itself. At last the ends are moved to where the line
+   * stops being dark.
    *
    * Nothing depends on quantiles of the evidence: an image without cracks
    * gives none. @p grey is CV_32F; for @p n_octaves see filter_ridges().
    */
-  CrackLines find_cracks(const cv::Mat &grey, int n_octaves);
+  CrackLines find_cracks(const cv::Mat   &grey,
+                         int              n_octaves,
+                         const LineJudge &judge = LineJudge::standard());
 
   /** Width, direction and area from the dark profile across the centre line:
    * the width is the missing light over the depth, see CrackDepth. @p grey is

@@ -10,8 +10,13 @@
 namespace squeal::tribology
 {
   /** The files that names and wildcards stand for, each once, sorted within a
-   * wildcard. Throws InputError when a name or wildcard matches nothing or
-   * when two files have the same stem, as their results would. */
+   * wildcard. Throws InputError, naming @p entry, when a name or wildcard
+   * matches nothing. */
+  std::vector<std::string> expand_names(const std::vector<std::string> &names,
+                                        const std::string              &entry);
+
+  /** The same for 'Images'. Throws InputError also when two files have the same
+   * stem, as their results would. */
   std::vector<std::string> expand_wildcards(
     const std::vector<std::string> &names);
 

@@ -45,6 +45,11 @@ namespace squeal
         affine,
         homography
       };
+      enum class MaskUse
+      {
+        instead,
+        beside
+      };
       View                     view              = View::face;
       double                   sliding_direction = 90.; /**< degrees */
       double                   largest_width     = 0.;  /**< um */
@@ -60,6 +65,11 @@ namespace squeal
       bool                     mosaic           = false;
       double                   depth_band       = 10.; /**< um */
       std::vector<std::string> element_maps;
+      std::vector<std::string> masks;      /**< of cracks; files or wildcards */
+      std::vector<std::string> area_masks; /**< of exfoliations */
+      MaskUse                  mask_use       = MaskUse::instead;
+      int                      mask_value     = -1; /**< -1: larger of two */
+      double                   mask_tolerance = 2.; /**< pixels */
     };
 
     /** Images that are made, section "Synthetic specimen". */
@@ -87,6 +97,8 @@ namespace squeal
       SegmentationParameters::Registration);
     Choices<SegmentationParameters::Transform> choices(
       SegmentationParameters::Transform);
+    Choices<SegmentationParameters::MaskUse> choices(
+      SegmentationParameters::MaskUse);
     //@}
 
     /** Declares the entries and sections. */

@@ -30,10 +30,17 @@ namespace squeal::tribology
     cv::Size               size;
   };
 
-  /** Length of the straight line that @p piece is a part of: pixels of the
-   * skeleton within one pixel of it, gaps of up to 8 pixels bridged. 0 where
-   * the piece is not straight. */
-  double straight_run(const cv::Mat &skeleton, const LinePiece &piece);
+  /** A straight line of pixels. */
+  struct StraightRun
+  {
+    double      length = 0.; /**< 0: not straight */
+    cv::Point2d first, last;
+  };
+
+  /** The straight line that @p piece is a part of: pixels of the skeleton
+   * within one pixel of it, gaps of up to 8 pixels bridged. */
+  StraightRun straight_run_of(const cv::Mat   &skeleton,
+                              const LinePiece &piece);
 } // namespace squeal::tribology
 
 #endif

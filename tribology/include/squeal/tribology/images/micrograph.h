@@ -46,9 +46,13 @@ namespace squeal::tribology
    */
   ImageMetadata read_metadata(const std::string &path);
 
-  /** Grey values of a PNG, TIFF or JPEG of 8 or 16 bit, scaled to 0..255.
-   * Throws InputError naming the file when it is missing, no regular file,
-   * empty, truncated, no image, or larger than require_room() allows. */
+  /** Grey values of a PNG, TIFF or JPEG as stored, CV_8U or CV_16U. Throws
+   * InputError naming the file when it is missing, no regular file, empty,
+   * truncated, no image, or larger than require_room() allows. */
+  cv::Mat read_raw(const std::string &path,
+                   double             largest = usual_largest_image);
+
+  /** The same scaled to 0..255, CV_32F. */
   cv::Mat read_grey(const std::string &path,
                     double             largest = usual_largest_image);
 

@@ -10,8 +10,9 @@ namespace squeal::tribology
   /** Everything found in one image. */
   struct Segmentation
   {
-    CrackMap cracks;
-    AreaMap  areas;
+    CrackMap                  cracks;
+    AreaMap                   areas;
+    std::vector<ExcludedLine> excluded; /**< dark lines that are no cracks */
   };
 
   struct SegmentationSettings
@@ -23,7 +24,8 @@ namespace squeal::tribology
   /** Cracks, exfoliations and plateaus of @p grey (CV_32F, 0 to 255). A dark
    * line inside an exfoliation is part of its roughness, no crack. */
   Segmentation segment(const cv::Mat              &grey,
-                       const SegmentationSettings &settings = {});
+                       const SegmentationSettings &settings = {},
+                       const LineJudge &judge = LineJudge::standard());
 } // namespace squeal::tribology
 
 #endif

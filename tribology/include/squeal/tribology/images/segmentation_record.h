@@ -2,6 +2,7 @@
 #ifndef squeal_tribology_images_segmentation_record_h
 #define squeal_tribology_images_segmentation_record_h
 
+#include <squeal/tribology/images/rating.h>
 #include <squeal/tribology/images/statistics.h>
 
 #include <array>
@@ -20,6 +21,10 @@ namespace squeal::tribology
     std::optional<cv::Point2d>           stage;    /**< um */
     std::optional<double>                residual; /**< um */
     ImageStatistics                      statistics;
+    std::optional<Rating>                crack_rating, area_rating;
+    double                               tolerance = 0.; /**< of lines, px */
+    std::vector<ExcludedLine>            excluded;
+    double missed = 0., invented = 0.; /**< expected, px */
     std::optional<std::array<double, 3>> layer; /**< um: 10 %, median, 90 % */
   };
 

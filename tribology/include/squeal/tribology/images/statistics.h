@@ -6,6 +6,7 @@
 #include <squeal/tribology/images/registration.h>
 #include <squeal/tribology/images/segmentation.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ namespace squeal::tribology
     std::vector<double> orientation; /**< length share in bins of 15 degrees
                                         from 0 (along the sliding direction) */
     double              exfoliation_fraction = 0.;
+    /** How far raters differ; missing without masks of several. */
+    std::optional<double> exfoliation_fraction_error;
     std::vector<double> exfoliation_areas; /**< um^2, largest first */
     double              plateau_fraction = 0.;
     std::vector<double> plateau_areas; /**< um^2, largest first */

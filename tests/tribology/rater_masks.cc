@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Masks that people drew: agreement against closed forms, and what the program
+// makes of files by one rater, by two, beside squeal's own finding, and of
+// wrong ones. Argument: the program.
+#include "../analyses/program.h"
+
+#include <squeal/tribology/images/agreement.h>
+#include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/micrograph.h>
+#include <squeal/tribology/images/specimen.h>
+
+#include <nlohmann/json.hpp>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  std::string program;
+
+  /** A row of pixels with the given marks. */
+  cv::Mat
+  row(const std::vector<int> &counts, const std::vector<int> &marks)
+  {
+    cv::Mat mask(1, 0, CV_8U);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      cv::hconcat(
+        mask, cv::Mat(1, counts[i], CV_8U, cv::Scalar(255 * marks[i])), mask);
+    return mask;
+  }
+
+
+
+  void
+  check_kappa()
+  {
+    // 20 both, 5 the first alone, 10 the second alone, 15 neither.
+    const std::vector<int> counts = {20, 5, 10, 15};
+    const cv::Mat a = row(counts, {1, 1, 0, 0}), b = row(counts, {1, 0, 1, 0});
+    const PairAgreement pair = agreement_of({a, b}).pairs.at(0);
+    check(pair.kappa.has_value(), "both marked some");
+    check_close(pair.kappa->value, 0.4, 1e-12, "Cohen's kappa of a table");
+    check_close(pair.dice, 40. / 55., 1e-12, "Dice of a table");
+    check(pair.kappa->deviation > 0. && pair.kappa->deviation < 1.,
+          "kappa has a deviation");
+    // Four pixels marked by 3, 2, 1 and 0 of three raters: two thirds of the
+    // pairs agree, a half would by chance.
+    const std::vector<int> one = {1, 1, 1, 1};
+    const Agreement        three =
+      agreement_of({row(one, {1, 1, 1, 0}),
+                    row(one, {1, 1, 0, 0}),
+                    row(one, {1, 0, 0, 0})});
+    check(three.fleiss.has_value(), "three raters marked some");
+    check_close(three.fleiss->value, 1. / 3., 1e-12, "Fleiss' kappa");
+    check(three.pairs.size() == 3, "three pairs");
+    check_close(agreement_of({a, a}).pairs.at(0).kappa->value,
+                1.,
+                1e-12,
+                "a rater agrees with himself");
+    const cv::Mat none = row({50}, {0});
+    check(!agreement_of({none, none}).pairs.at(0).kappa,
+          "two that marked nothing agree by chance alone");
+    check_close(agreement_of({a, none}).pairs.at(0).kappa->value,
+                0.,
+                1e-12,
+                "who marked nothing agrees by chance alone");
+  }
+
+
+
+  void
+  check_consensus()
+  {
+    cv::Mat a = cv::Mat::zeros(60, 100, CV_8U), b = a.clone(), c = a.clone();
+    cv::line(a, {10, 30}, {80, 30}, 255);
+    cv::line(b, {10, 32}, {80, 32}, 255);
+    cv::line(c, {10, 50}, {80, 50}, 255);
+    const cv::Mat line = consensus_line({a, b, c}, 2.);
+    check(cv::countNonZero(line.rowRange(29, 34)) > 60,
+          "two raters of three make a line");
+    check(cv::countNonZero(line.rowRange(40, 60)) == 0,
+          "one of three does not");
+    check(cv::countNonZero(consensus_line({a}, 2.) != a) == 0,
+          "one rater's line stays as it is");
+  }
+
+
+
+  nlohmann::json
+  run(const std::string &text)
+  {
+    write_text("test.prm",
+               "set Analysis = segmentation\nset Overwrite = true\n"
+               "set Images = worn.png\nset Output directory = out\n"
+               "subsection Segmentation\n" +
+                 text + "end\n");
+    const Outcome outcome = run_program({program, "test.prm"});
+    check(outcome.code == 0, "the program ends well: " + outcome.errors);
+    return nlohmann::json::parse(text_of("out/segmentation.json"))
+      .at("images")
+      .at(0);
+  }
+
+
+
+  void
+  check_refused(const std::string &text, const std::string &words)
+  {
+    write_text("test.prm",
+               "set Analysis = segmentation\nset Overwrite = true\n"
+               "set Images = worn.png\nset Output directory = refused\n"
+               "subsection Segmentation\n" +
+                 text + "end\n");
+    const Outcome outcome = run_program({program, "test.prm"});
+    check(outcome.code != 0 &&
+            outcome.errors.find(words) != std::string::npos,
+          "refused with '" + words + "': " + outcome.errors);
+    check(!std::filesystem::exists("refused/segmentation.json"),
+          "and nothing is written: " + words);
+  }
+
+
+
+  /** An image, and masks of it by two people and in other formats. */
+  struct Files
+  {
+    Files()
+    {
+      SpecimenSettings settings;
+      settings.seed       = 31;
+      settings.width      = 512.;
+      settings.height     = 384.;
+      const Specimen made = make_specimen(settings);
+      cv::Mat grey;
+      made.image.convertTo(grey, CV_32F);
+      frame = {0, 0, 512, rows_above_data_bar(grey)};
+      write_png("worn.png",
+                made.image,
+                "Kind = synthetic specimen\nPixel size = 1 um\n");
+      all  = made.cracks;
+      half = all.clone();
+      half.colRange(0, 256).setTo(0);
+      write_png("worn_anna.png", all);
+      std::filesystem::create_directories("berta");
+      write_png("berta/worn.png", half);
+      // ilastik writes labels, background 1 and cracks 2, of the frame alone.
+      cv::Mat labels = 1 + cv::Mat(all / 255);
+      write_png("worn-labels.png", labels(frame));
+      cv::Mat wide;
+      cv::Mat(all != 0).convertTo(wide, CV_16U, 257.);
+      write_png("worn_wide.png", wide);
+      write_png("worn_inverted.png", cv::Mat(255 - all));
+      write_png("worn_three.png", cv::Mat(all / 255 + half / 255));
+      write_png("worn_small.png", all(cv::Rect(0, 0, 300, 200)));
+      write_png("other.png", all);
+      write_png("worn_areas.png", made.exfoliation);
+    }
+
+    cv::Rect frame;
+    cv::Mat  all, half;
+  };
+
+
+
+  void
+  check_one_rater()
+  {
+    const auto image  = run("  set Masks = worn_anna.png\n");
+    const auto rating = image.at("cracks").at("rating");
+    check(rating.at("raters") == nlohmann::json({"anna"}),
+          "the rater is what the name adds");
+    check(rating.at("deviation").is_null(),
+          "with one rater nothing tells how far they differ");
+    check(text_of("out/run.log").find("with one mask nothing tells") !=
+            std::string::npos,
+          "and the log says so");
+    const double length = image.at("cracks").at("length_mm");
+    check_close(rating.at("lengths_mm").at(0).get<double>(),
+                length,
+                1e-9,
+                "the length stated is that of the mask");
+    for (const char *same :
+         {"  set Masks = worn_wide.png\n",
+          "  set Masks = worn-labels.png\n  set Mask value = 2\n",
+          "  set Masks = worn_inverted.png\n  set Mask value = 0\n"})
+      check_close(run(same).at("cracks").at("length_mm").get<double>(),
+                  length,
+                  1e-9,
+                  std::string("the same by") + same);
+  }
+
+
+
+  void
+  check_two_raters()
+  {
+    const auto image =
+      run("  set Masks = worn_anna.png, berta/*.png\n"
+          "  set Area masks = worn_areas.png\n");
+    const auto cracks = image.at("cracks"), rating = cracks.at("rating");
+    check(rating.at("raters") == nlohmann::json({"anna", "berta"}),
+          "a rater is the folder where the name adds nothing");
+    const double anna  = rating.at("lengths_mm").at(0),
+                 berta = rating.at("lengths_mm").at(1),
+                 both  = cracks.at("length_mm");
+    check(berta < 0.8 * anna, "berta marked less");
+    check(both > berta && both < 1.1 * anna, "the consensus lies with them");
+    const double deviation = rating.at("deviation");
+    check_close(deviation,
+                std::sqrt(0.5 * (std::pow(anna - both, 2) +
+                                 std::pow(berta - both, 2))),
+                1e-9,
+                "how far they differ");
+    check(cracks.at("length_error_mm").get<double>() >= deviation,
+          "that is part of the error");
+    const auto   pair  = rating.at("pairs").at(0);
+    const double kappa = pair.at("cohen_kappa").at("value");
+    check(kappa > 0.3 && kappa < 0.99, "they agree in part");
+    check_close(pair.at("dice").get<double>(),
+                kappa,
+                0.05,
+                "of few pixels kappa is about Dice");
+    check(image.at("exfoliation").at("rating").at("raters").size() == 1,
+          "areas have raters of their own");
+  }
+
+
+
+  void
+  check_beside()
+  {
+    const auto own = run("").at("cracks");
+    const auto image =
+      run("  set Masks = worn_anna.png, berta/*.png\n"
+          "  set Mask use = beside\n");
+    const auto cracks = image.at("cracks"), rating = cracks.at("rating");
+    check(rating.at("raters") == nlohmann::json({"anna", "berta", "squeal"}),
+          "squeal is one of three raters");
+    check_close(cracks.at("length_mm").get<double>(),
+                own.at("length_mm").get<double>(),
+                1e-12,
+                "squeal's own length is stated");
+    check(cracks.at("length_error_mm").get<double>() >
+            own.at("length_error_mm").get<double>(),
+          "its error holds how far the others differ");
+    check(rating.at("pairs").at(1).at("cohen_kappa").at("value") > 0.7,
+          "squeal agrees with the truth");
+    check(!run("").at("cracks").contains("rating"), "no mask, no rating");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "one argument");
+  program = argv[1];
+  cv::setNumThreads(1);
+  check_kappa();
+  check_consensus();
+  const Files files;
+  check_one_rater();
+  check_two_raters();
+  check_beside();
+  check_refused("  set Masks = worn_inverted.png\n", "it is inverted");
+  check_refused("  set Masks = worn_three.png\n", "set 'Mask value'");
+  check_refused("  set Masks = worn_anna.png\n  set Mask value = 7\n",
+                "has no pixel of 'Mask value' 7");
+  check_refused("  set Masks = worn_small.png\n", "draw masks on the image");
+  check_refused("  set Masks = other.png\n", "belongs to no image");
+  check_refused("  set Masks = nobody*.png\n",
+                "'Masks': no file matches nobody*.png");
+  check_refused("  set Masks = worn_anna.png\n  set Mosaic = true\n",
+                "not with 'Mosaic'");
+  return 0;
+}

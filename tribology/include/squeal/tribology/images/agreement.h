@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_agreement_h
+#define squeal_tribology_images_agreement_h
+
+#include <opencv2/core.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** Chance-corrected agreement with its deviation, from leaving out one of
+   * sixteen blocks of the image at a time: pixels are not independent. */
+  struct Kappa
+  {
+    double value = 1., deviation = 0.;
+  };
+
+  /** How far two raters agree. Kappa is missing where chance alone would make
+   * them agree everywhere: both marked nothing, or both everything. */
+  struct PairAgreement
+  {
+    std::size_t          first = 0, second = 0;
+    std::optional<Kappa> kappa; /**< Cohen's */
+    double               dice = 1.;
+  };
+
+  /** How far any number of raters agree. */
+  struct Agreement
+  {
+    std::vector<PairAgreement> pairs;
+    std::optional<Kappa>       fleiss; /**< kappa of all of them */
+  };
+
+  /** Agreement of @p masks (CV_8U, not 0 where a rater marked a pixel; all of
+   * one size; two at least) over all of their pixels. Lines are to be widened
+   * by the tolerance before, see widened(). */
+  Agreement agreement_of(const std::vector<cv::Mat> &masks);
+
+  /** All pixels within @p tolerance (pixels) of @p line. */
+  cv::Mat widened(const cv::Mat &line, double tolerance);
+
+  /** Pixels that at least half of @p masks have; for lines the skeleton of
+   * what at least half of them have within @p tolerance. */
+  cv::Mat consensus_of(const std::vector<cv::Mat> &masks);
+  cv::Mat consensus_line(const std::vector<cv::Mat> &lines, double tolerance);
+} // namespace squeal::tribology
+
+#endif

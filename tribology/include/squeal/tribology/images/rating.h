@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_rating_h
+#define squeal_tribology_images_rating_h
+
+#include <squeal/tribology/images/agreement.h>
+#include <squeal/tribology/images/statistics.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** What one rater marked in an image: masks of its frame, CV_8U. */
+  struct Marks
+  {
+    std::string rater;
+    cv::Mat     mask;
+  };
+
+  /** Several raters of one image. */
+  struct Rating
+  {
+    std::vector<std::string> raters;
+    std::vector<double>      amounts; /**< length (pixels) or area (pixels) */
+    /** Root mean square difference of the raters' amounts from the one that is
+     * stated, in the same unit. Missing with one rater: how far raters differ
+     * is not known then. */
+    std::optional<double>    deviation;
+    std::optional<Agreement> agreement; /**< of two or more */
+  };
+
+  /** How masks of people or other programs enter. */
+  struct RatingSettings
+  {
+    bool   is_beside = false; /**< squeal is a rater like the others, and its own
+                                   finding is stated; else that of the others */
+    double tolerance = 2.; /**< pixels; lines as far apart are the same */
+  };
+
+  /**
+   * Puts the consensus of @p cracks in the place of the cracks of
+   * @p segmentation, or compares them with it. @p grey (CV_32F) is the image;
+   * widths come from it. What the finder misses or invents is no part of the
+   * error of drawn lines; how far raters differ is.
+   */
+  Rating rate_cracks(const cv::Mat            &grey,
+                     const std::vector<Marks> &cracks,
+                     const RatingSettings     &settings,
+                     int                       n_octaves,
+                     Segmentation             &segmentation);
+
+  /** The same for exfoliations. */
+  Rating rate_areas(const std::vector<Marks> &areas,
+                    const RatingSettings     &settings,
+                    Segmentation             &segmentation);
+
+  /** Adds how far raters differ to the errors of @p statistics. */
+  void add_deviations(const std::optional<Rating> &cracks,
+                      const std::optional<Rating> &areas,
+                      double                       pixel_size,
+                      ImageStatistics             &statistics);
+} // namespace squeal::tribology
+
+#endif

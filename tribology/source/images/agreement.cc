@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/agreement.h>
+#include <squeal/tribology/images/centre_line.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr int blocks  = 4; // along each edge of the image
+    constexpr int n_parts = blocks * blocks;
+    constexpr int shortest_branch = 6; // pixels, of a skeleton
+
+    /** Pixels of one block by how many raters marked them, and marks of each
+     * rater. */
+    struct Counts
+    {
+      explicit Counts(const std::size_t n_raters)
+        : by_marks(n_raters + 1, 0.)
+        , marks(n_raters, 0.)
+      {
+      }
+
+      void
+      add(const Counts &other, const double sign)
+      {
+        for (std::size_t k = 0; k < by_marks.size(); ++k)
+          by_marks[k] += sign * other.by_marks[k];
+        for (std::size_t k = 0; k < marks.size(); ++k)
+          marks[k] += sign * other.marks[k];
+      }
+
+      std::vector<double> by_marks, marks;
+    };
+
+
+
+    std::vector<Counts>
+    count(const std::vector<const cv::Mat *> &masks)
+    {
+      const cv::Size      size = masks[0]->size();
+      std::vector<Counts> parts(n_parts, Counts(masks.size()));
+      for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+          {
+            Counts &part = parts[std::size_t(y * blocks / size.height) * blocks +
+                                 std::size_t(x * blocks / size.width)];
+            std::size_t n = 0;
+            for (std::size_t k = 0; k < masks.size(); ++k)
+              if (masks[k]->at<uchar>(y, x) != 0)
+                {
+                  part.marks[k] += 1.;
+                  ++n;
+                }
+            part.by_marks[n] += 1.;
+          }
+      return parts;
+    }
+
+
+
+    /** (observed - expected) / (1 - expected); nothing where chance alone makes
+     * raters agree. */
+    std::optional<double>
+    beyond_chance(const double observed, const double expected)
+    {
+      if (!(expected < 1. - 1e-12))
+        return std::nullopt;
+      return (observed - expected) / (1. - expected);
+    }
+
+
+
+    /** Cohen's kappa: each rater has a share of marks of his own. */
+    std::optional<double>
+    cohen(const Counts &c)
+    {
+      const double n = c.by_marks[0] + c.by_marks[1] + c.by_marks[2];
+      const double a = c.marks[0] / n, b = c.marks[1] / n;
+      return beyond_chance((c.by_marks[0] + c.by_marks[2]) / n,
+                           a * b + (1. - a) * (1. - b));
+    }
+
+
+
+    /** Fleiss' kappa: the share of pairs of raters that agree on a pixel, and
+     * one share of marks for all. */
+    std::optional<double>
+    fleiss(const Counts &c)
+    {
+      const double m = double(c.marks.size());
+      double       n = 0., marked = 0., agreeing = 0.;
+      for (std::size_t k = 0; k < c.by_marks.size(); ++k)
+        {
+          const double yes = double(k), no = m - yes;
+          n += c.by_marks[k];
+          marked += c.by_marks[k] * yes;
+          agreeing += c.by_marks[k] * (yes * (yes - 1.) + no * (no - 1.));
+        }
+      const double p = marked / (n * m);
+      return beyond_chance(agreeing / (n * m * (m - 1.)),
+                           p * p + (1. - p) * (1. - p));
+    }
+
+
+
+    /** The value of all blocks, its deviation by the jackknife. */
+    template <typename Measure>
+    std::optional<Kappa>
+    jackknife(const std::vector<Counts> &parts, const Measure &measure)
+    {
+      Counts all(parts[0].marks.size());
+      for (const Counts &part : parts)
+        all.add(part, 1.);
+      const std::optional<double> value = measure(all);
+      if (!value)
+        return std::nullopt;
+      double sum = 0., squares = 0.;
+      for (const Counts &part : parts)
+        {
+          Counts rest = all;
+          rest.add(part, -1.);
+          // Marks in one block alone: without it there is nothing to judge.
+          const double left_out = measure(rest).value_or(0.);
+          sum += left_out;
+          squares += left_out * left_out;
+        }
+      const double n        = double(parts.size());
+      const double variance = std::max(0., squares / n - sum * sum / (n * n));
+      return Kappa{*value, std::sqrt((n - 1.) * variance)};
+    }
+  } // namespace
+
+
+
+  Agreement
+  agreement_of(const std::vector<cv::Mat> &masks)
+  {
+    Agreement                    result;
+    std::vector<const cv::Mat *> all;
+    for (const cv::Mat &mask : masks)
+      all.push_back(&mask);
+    result.fleiss = jackknife(count(all), fleiss);
+    for (std::size_t i = 0; i < masks.size(); ++i)
+      for (std::size_t j = i + 1; j < masks.size(); ++j)
+        {
+          const std::vector<Counts> parts = count({&masks[i], &masks[j]});
+          double                    both = 0., sum = 0.;
+          for (const Counts &part : parts)
+            {
+              both += part.by_marks[2];
+              sum += part.marks[0] + part.marks[1];
+            }
+          result.pairs.push_back({i,
+                                  j,
+                                  jackknife(parts, cohen),
+                                  sum > 0. ? 2. * both / sum : 1.});
+        }
+    return result;
+  }
+
+
+
+  cv::Mat
+  widened(const cv::Mat &line, const double tolerance)
+  {
+    if (cv::countNonZero(line) == 0)
+      return cv::Mat::zeros(line.size(), CV_8U);
+    cv::Mat distance;
+    cv::distanceTransform(
+      line == 0, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return distance <= tolerance;
+  }
+
+
+
+  cv::Mat
+  consensus_of(const std::vector<cv::Mat> &masks)
+  {
+    cv::Mat votes = cv::Mat::zeros(masks[0].size(), CV_32S);
+    for (const cv::Mat &mask : masks)
+      {
+        cv::Mat one;
+        cv::Mat(mask != 0).convertTo(one, CV_32S, 1. / 255.);
+        votes += one;
+      }
+    return 2 * votes >= int(masks.size());
+  }
+
+
+
+  cv::Mat
+  consensus_line(const std::vector<cv::Mat> &lines, const double tolerance)
+  {
+    if (lines.size() == 1)
+      return lines[0].clone();
+    std::vector<cv::Mat> wide;
+    for (const cv::Mat &line : lines)
+      wide.push_back(widened(line, tolerance));
+    // The skeleton of a widened line ends where the line does, but for half of
+    // the tolerance, and has spurs as long as it is wide.
+    cv::Mat result = thin(consensus_of(wide));
+    remove_spurs(result, std::max(shortest_branch, int(2. * tolerance) + 1));
+    return result;
+  }
+} // namespace squeal::tribology

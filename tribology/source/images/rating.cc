@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_length.h>
+#include <squeal/tribology/images/rating.h>
+
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr int     longest_spur = 6; // pixels, of the skeleton of a mask
+    const char *const own_name     = "squeal";
+
+    double
+    length_of(const cv::Mat &line)
+    {
+      return cv::sum(pixel_lengths(line))[0];
+    }
+
+
+
+    /** Fills in how far @p rating.amounts lie from @p stated. A rater who is
+     * what is stated tells nothing: @p n_others do. */
+    void
+    compare(Rating                     &rating,
+            const std::vector<cv::Mat> &masks,
+            const double                stated,
+            const std::size_t           n_others)
+    {
+      if (masks.size() < 2)
+        return;
+      double squares = 0.;
+      for (const double amount : rating.amounts)
+        squares += (amount - stated) * (amount - stated);
+      rating.deviation = std::sqrt(squares / double(n_others));
+      rating.agreement = agreement_of(masks);
+    }
+  } // namespace
+
+
+
+  Rating
+  rate_cracks(const cv::Mat            &grey,
+              const std::vector<Marks> &cracks,
+              const RatingSettings     &settings,
+              const int                 n_octaves,
+              Segmentation             &segmentation)
+  {
+    Rating               rating;
+    std::vector<cv::Mat> lines, wide;
+    for (const Marks &marks : cracks)
+      {
+        cv::Mat line = thin(marks.mask);
+        remove_spurs(line, longest_spur);
+        rating.raters.push_back(marks.rater);
+        lines.push_back(line);
+      }
+    const cv::Mat stated = settings.is_beside
+                             ? segmentation.cracks.centre_line
+                             : consensus_line(lines, settings.tolerance);
+    if (settings.is_beside)
+      {
+        rating.raters.push_back(own_name);
+        lines.push_back(stated);
+      }
+    else
+      // Whoever drew them misses and invents nothing but what raters differ by.
+      segmentation.cracks =
+        measure_cracks(grey, stated, filter_ridges(grey, n_octaves));
+    for (const cv::Mat &line : lines)
+      {
+        rating.amounts.push_back(length_of(line));
+        wide.push_back(widened(line, settings.tolerance));
+      }
+    compare(rating, wide, length_of(stated), cracks.size());
+    return rating;
+  }
+
+
+
+  Rating
+  rate_areas(const std::vector<Marks> &areas,
+             const RatingSettings     &settings,
+             Segmentation             &segmentation)
+  {
+    Rating               rating;
+    std::vector<cv::Mat> masks;
+    for (const Marks &marks : areas)
+      {
+        rating.raters.push_back(marks.rater);
+        masks.push_back(marks.mask);
+      }
+    if (settings.is_beside)
+      {
+        rating.raters.push_back(own_name);
+        masks.push_back(segmentation.areas.exfoliation);
+      }
+    else
+      segmentation.areas.exfoliation = consensus_of(masks);
+    for (const cv::Mat &mask : masks)
+      rating.amounts.push_back(cv::countNonZero(mask));
+    compare(rating,
+            masks,
+            cv::countNonZero(segmentation.areas.exfoliation),
+            areas.size());
+    return rating;
+  }
+
+
+
+  void
+  add_deviations(const std::optional<Rating> &cracks,
+                 const std::optional<Rating> &areas,
+                 const double                 pixel_size,
+                 ImageStatistics             &statistics)
+  {
+    if (cracks && cracks->deviation)
+      {
+        const double length = 1e-3 * pixel_size * *cracks->deviation; // mm
+        statistics.crack_length_error =
+          std::hypot(statistics.crack_length_error, length);
+        statistics.crack_area_error =
+          std::hypot(statistics.crack_area_error,
+                     1e-3 * statistics.crack_width * length);
+      }
+    if (areas && areas->deviation)
+      statistics.exfoliation_fraction_error =
+        1e-6 * pixel_size * pixel_size * *areas->deviation /
+        statistics.observed_area;
+  }
+} // namespace squeal::tribology
