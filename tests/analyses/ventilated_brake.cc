@@ -28,14 +28,20 @@ namespace
   void
   make_mesh(const std::string &python)
   {
-    const std::vector<std::string> words = {
-      python,   scene_folder + "/make_mesh.py",
-      "--output", "brake.msh",
-      "--rings",  "1,1",
-      "--hat",    "1,1",
-      "--flange", "1,1,1",
-      "--hole",   "5,1,1",
-      "--pads",   "6,1,1"};
+    const std::vector<std::string> words = {python,
+                                            scene_folder + "/make_mesh.py",
+                                            "--output",
+                                            "brake.msh",
+                                            "--rings",
+                                            "1,1",
+                                            "--hat",
+                                            "1,1",
+                                            "--flange",
+                                            "1,1,1",
+                                            "--hole",
+                                            "5,1,1",
+                                            "--pads",
+                                            "6,1,1"};
     check(run_program(words).code == 0, "made a coarse mesh");
   }
 
@@ -92,8 +98,7 @@ namespace
       "Output/Shapes = none",
       "Output/Plots = false",
       "Output/Report = false"};
-    const std::string mesh =
-      std::filesystem::absolute("placed.msh").string();
+    const std::string mesh = std::filesystem::absolute("placed.msh").string();
     for (const std::string body : {"disc", "pad_lower", "pad_upper"})
       settings.push_back("Scene/Body " + body + "/Mesh file = " + mesh);
     Parameters parameters =

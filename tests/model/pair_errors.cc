@@ -85,7 +85,8 @@ namespace
           -r.errors.lambda[k].imag() / r.pairs.lambda[k].imag();
         double nearest = 1e300;
         for (const double e : r.of_modes)
-          nearest = std::min(nearest, std::abs(shift - e));
+          if (std::abs(shift - e) < nearest)
+            nearest = std::abs(shift - e);
         worst.add(nearest / shift);
         check_below(std::abs(r.errors.lambda[k].real()),
                     1e-6 * std::abs(r.errors.lambda[k].imag()),
