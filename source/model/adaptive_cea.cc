@@ -41,6 +41,8 @@ namespace squeal
                       const Pencil       &pencil,
                       const ComplexPairs &pairs)
     {
+      if (pairs.left.cols() != pairs.right.cols()) // of the direct solver
+        return pair_mesh_errors(model, pencil, pairs);
       constexpr std::size_t n_estimated = 8;
       std::vector<int>      order(pairs.size());
       std::iota(order.begin(), order.end(), 0);
