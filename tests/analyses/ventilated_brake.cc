@@ -28,14 +28,20 @@ namespace
   void
   make_mesh(const std::string &python)
   {
-    const std::vector<std::string> words = {
-      python,   scene_folder + "/make_mesh.py",
-      "--output", "brake.msh",
-      "--rings",  "1,1",
-      "--hat",    "1,1",
-      "--flange", "1,1,1",
-      "--hole",   "5,1,1",
-      "--pads",   "6,1,1"};
+    const std::vector<std::string> words = {python,
+                                            scene_folder + "/make_mesh.py",
+                                            "--output",
+                                            "brake.msh",
+                                            "--rings",
+                                            "1,1",
+                                            "--hat",
+                                            "1,1",
+                                            "--flange",
+                                            "1,1,1",
+                                            "--hole",
+                                            "5,3,1",
+                                            "--pads",
+                                            "6,1,1"};
     check(run_program(words).code == 0, "made a coarse mesh");
   }
 
@@ -78,7 +84,7 @@ namespace
       "Discretization/Degree = 1",
       "Discretization/Estimate error = false",
       "Eigenvalues/Lowest frequency = 100",
-      "Eigenvalues/Highest frequency = 6000",
+      "Eigenvalues/Highest frequency = 9000",
       "Eigenvalues/Residual tolerance = 1e-10",
       "Eigenvalues/Error tolerance = 1e-11",
       "Scene/Contact lower/Friction coefficient = " +
@@ -92,8 +98,7 @@ namespace
       "Output/Shapes = none",
       "Output/Plots = false",
       "Output/Report = false"};
-    const std::string mesh =
-      std::filesystem::absolute("placed.msh").string();
+    const std::string mesh = std::filesystem::absolute("placed.msh").string();
     for (const std::string body : {"disc", "pad_lower", "pad_upper"})
       settings.push_back("Scene/Body " + body + "/Mesh file = " + mesh);
     Parameters parameters =
@@ -131,7 +136,7 @@ main(int argc, char **argv)
   scene_folder = argv[2];
   make_mesh(argv[1]);
   const Eigen::VectorXcd as_it_is = spectrum({});
-  check(as_it_is.size() > 20, "a spectrum");
+  check(as_it_is.size() > 15, "a spectrum");
   check((as_it_is.real().array() > 1.).any(), "friction makes a pair grow");
 
   const auto same = [&](const Options &o, const std::string &claim) {
