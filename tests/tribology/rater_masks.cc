@@ -53,11 +53,9 @@ namespace
           "kappa has a deviation");
     // Four pixels marked by 3, 2, 1 and 0 of three raters: two thirds of the
     // pairs agree, a half would by chance.
-    const std::vector<int> one = {1, 1, 1, 1};
-    const Agreement        three =
-      agreement_of({row(one, {1, 1, 1, 0}),
-                    row(one, {1, 1, 0, 0}),
-                    row(one, {1, 0, 0, 0})});
+    const std::vector<int> one   = {1, 1, 1, 1};
+    const Agreement        three = agreement_of(
+      {row(one, {1, 1, 1, 0}), row(one, {1, 1, 0, 0}), row(one, {1, 0, 0, 0})});
     check(three.fleiss.has_value(), "three raters marked some");
     check_close(three.fleiss->value, 1. / 3., 1e-12, "Fleiss' kappa");
     check(three.pairs.size() == 3, "three pairs");
@@ -120,8 +118,7 @@ namespace
                "subsection Segmentation\n" +
                  text + "end\n");
     const Outcome outcome = run_program({program, "test.prm"});
-    check(outcome.code != 0 &&
-            outcome.errors.find(words) != std::string::npos,
+    check(outcome.code != 0 && outcome.errors.find(words) != std::string::npos,
           "refused with '" + words + "': " + outcome.errors);
     check(!std::filesystem::exists("refused/segmentation.json"),
           "and nothing is written: " + words);
@@ -139,7 +136,7 @@ namespace
       settings.width      = 512.;
       settings.height     = 384.;
       const Specimen made = make_specimen(settings);
-      cv::Mat grey;
+      cv::Mat        grey;
       made.image.convertTo(grey, CV_32F);
       frame = {0, 0, 512, rows_above_data_bar(grey)};
       write_png("worn.png",
@@ -202,9 +199,8 @@ namespace
   void
   check_two_raters()
   {
-    const auto image =
-      run("  set Masks = worn_anna.png, berta/*.png\n"
-          "  set Area masks = worn_areas.png\n");
+    const auto image  = run("  set Masks = worn_anna.png, berta/*.png\n"
+                            "  set Area masks = worn_areas.png\n");
     const auto cracks = image.at("cracks"), rating = cracks.at("rating");
     check(rating.at("raters") == nlohmann::json({"anna", "berta"}),
           "a rater is the folder where the name adds nothing");
@@ -214,11 +210,11 @@ namespace
     check(berta < 0.8 * anna, "berta marked less");
     check(both > berta && both < 1.1 * anna, "the consensus lies with them");
     const double deviation = rating.at("deviation");
-    check_close(deviation,
-                std::sqrt(0.5 * (std::pow(anna - both, 2) +
-                                 std::pow(berta - both, 2))),
-                1e-9,
-                "how far they differ");
+    check_close(
+      deviation,
+      std::sqrt(0.5 * (std::pow(anna - both, 2) + std::pow(berta - both, 2))),
+      1e-9,
+      "how far they differ");
     check(cracks.at("length_error_mm").get<double>() >= deviation,
           "that is part of the error");
     const auto   pair  = rating.at("pairs").at(0);
@@ -237,10 +233,9 @@ namespace
   void
   check_beside()
   {
-    const auto own = run("").at("cracks");
-    const auto image =
-      run("  set Masks = worn_anna.png, berta/*.png\n"
-          "  set Mask use = beside\n");
+    const auto own    = run("").at("cracks");
+    const auto image  = run("  set Masks = worn_anna.png, berta/*.png\n"
+                            "  set Mask use = beside\n");
     const auto cracks = image.at("cracks"), rating = cracks.at("rating");
     check(rating.at("raters") == nlohmann::json({"anna", "berta", "squeal"}),
           "squeal is one of three raters");

@@ -59,8 +59,8 @@ namespace
   {
     cv::RNG           random(17);
     StraightScene     scene;
-    const cv::Point2d c(256., 256.), half(0.5 * length * std::cos(0.4),
-                                          0.5 * length * std::sin(0.4));
+    const cv::Point2d c(256., 256.),
+      half(0.5 * length * std::cos(0.4), 0.5 * length * std::sin(0.4));
     scene.grey   = grainy_surface(random);
     scene.cracks = cv::Mat::zeros(scene.grey.size(), CV_8U);
     darken_line(scene.grey, c - half, c + half, 2., 70.);

@@ -12,8 +12,8 @@ namespace squeal::testing
   /** A surface with straight cracks whose place is known. */
   struct StraightScene
   {
-    cv::Mat             grey;   /**< CV_32F, 0 to 255 */
-    cv::Mat             cracks; /**< CV_8U */
+    cv::Mat             grey;    /**< CV_32F, 0 to 255 */
+    cv::Mat             cracks;  /**< CV_8U */
     std::vector<double> lengths; /**< pixels */
   };
 
@@ -46,8 +46,8 @@ namespace squeal::testing
               const double       contrast)
   {
     constexpr int fine = 4, shift = 6;
-    cv::Mat       layer = cv::Mat::zeros(fine * grey.rows, fine * grey.cols, CV_8U);
-    const auto    point = [&](const cv::Point2d &p) {
+    cv::Mat layer = cv::Mat::zeros(fine * grey.rows, fine * grey.cols, CV_8U);
+    const auto point = [&](const cv::Point2d &p) {
       return cv::Point(cvRound((p.x + 0.5) * fine * (1 << shift)),
                        cvRound((p.y + 0.5) * fine * (1 << shift)));
     };

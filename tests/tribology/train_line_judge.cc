@@ -134,8 +134,8 @@ namespace
           u[n] = 1.;
           for (int k = 0; k < n; ++k)
             {
-              u[k] = std::clamp(
-                (f[k] - odds.mean[k]) / odds.deviation[k], -3., 3.);
+              u[k] =
+                std::clamp((f[k] - odds.mean[k]) / odds.deviation[k], -3., 3.);
               sum += odds.weight[k] * u[k];
             }
           // As if there were as many observations as lines.
@@ -312,9 +312,8 @@ namespace
             {
               const cv::Mat line =
                 segment(lesson->grey, {}, judge).cracks.centre_line;
-              const double f1 = score_lines(line, lesson->mask, 2.).f1();
-              const std::string group =
-                specimen.substr(0, specimen.find('_'));
+              const double      f1 = score_lines(line, lesson->mask, 2.).f1();
+              const std::string group = specimen.substr(0, specimen.find('_'));
               std::printf("%-22s F1 %.3f, %d px\n",
                           lesson->name.c_str(),
                           f1,

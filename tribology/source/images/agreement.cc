@@ -11,8 +11,8 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int blocks  = 4; // along each edge of the image
-    constexpr int n_parts = blocks * blocks;
+    constexpr int blocks          = 4; // along each edge of the image
+    constexpr int n_parts         = blocks * blocks;
     constexpr int shortest_branch = 6; // pixels, of a skeleton
 
     /** Pixels of one block by how many raters marked them, and marks of each
@@ -47,8 +47,9 @@ namespace squeal::tribology
       for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
           {
-            Counts &part = parts[std::size_t(y * blocks / size.height) * blocks +
-                                 std::size_t(x * blocks / size.width)];
+            Counts &part =
+              parts[std::size_t(y * blocks / size.height) * blocks +
+                    std::size_t(x * blocks / size.width)];
             std::size_t n = 0;
             for (std::size_t k = 0; k < masks.size(); ++k)
               if (masks[k]->at<uchar>(y, x) != 0)
@@ -155,10 +156,8 @@ namespace squeal::tribology
               both += part.by_marks[2];
               sum += part.marks[0] + part.marks[1];
             }
-          result.pairs.push_back({i,
-                                  j,
-                                  jackknife(parts, cohen),
-                                  sum > 0. ? 2. * both / sum : 1.});
+          result.pairs.push_back(
+            {i, j, jackknife(parts, cohen), sum > 0. ? 2. * both / sum : 1.});
         }
     return result;
   }

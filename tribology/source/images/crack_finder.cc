@@ -22,8 +22,8 @@ namespace squeal::tribology
     // for straight ones: contrasts in units of noise, darkness of the flank.
     constexpr double plain_contrast = 3.2, plain_path = 2.7;
     constexpr double plain_darkness = 0.045, plain_odds = -2.;
-    constexpr double plain_counts   = 2.;  // contrast that adds up
-    constexpr double plain_share    = 0.6; // of needed_sum, for a unit of it
+    constexpr double plain_counts = 2.;  // contrast that adds up
+    constexpr double plain_share  = 0.6; // of needed_sum, for a unit of it
     // Log odds, of lines that are listed although they are left out.
     constexpr double worth_a_word = -3.;
     // In pixels.
@@ -36,9 +36,9 @@ namespace squeal::tribology
     // Straight lines of this length that are no cracks lead none on.
     constexpr double longest_straight = 60.;
     constexpr int    groove_width     = 3;
-    constexpr double enough_wavy      = 50.; // to tell shallow lines by
+    constexpr double enough_wavy      = 50.;         // to tell shallow lines by
     constexpr double less_dark = 0.6, shallow = 0.3; // shares of theirs
-    constexpr double same_line        = 2.; // pixels apart
+    constexpr double same_line = 2.;                 // pixels apart
     // Share of what was led on to without a line of its own that is wrong.
     constexpr double led_wrong = 0.3;
 
@@ -82,37 +82,37 @@ namespace squeal::tribology
             }
           switch (F(k))
             {
-              case F::waviness:
-              case F::straight_run:
-              case F::parallels:
-              case F::turning:
-              case F::lay:
-              case F::groove:
-              case F::through:
-                groove += part;
-                break;
-              case F::asymmetry:
-              case F::far_asymmetry:
-              case F::narrowness:
-              case F::breadth:
-              case F::level:
-                border += part;
-                break;
-              case F::contrast:
-              case F::path:
-              case F::coarse_path:
-              case F::peak_contrast:
-              case F::weak_contrast:
-              case F::darkness:
-              case F::weak_darkness:
-              case F::length:
-              case F::texture:
-              case F::clutter:
-              case F::continuity:
-              case F::depth_in_texture:
-              case F::depth:
-                faint += part;
-                break;
+            case F::waviness:
+            case F::straight_run:
+            case F::parallels:
+            case F::turning:
+            case F::lay:
+            case F::groove:
+            case F::through:
+              groove += part;
+              break;
+            case F::asymmetry:
+            case F::far_asymmetry:
+            case F::narrowness:
+            case F::breadth:
+            case F::level:
+              border += part;
+              break;
+            case F::contrast:
+            case F::path:
+            case F::coarse_path:
+            case F::peak_contrast:
+            case F::weak_contrast:
+            case F::darkness:
+            case F::weak_darkness:
+            case F::length:
+            case F::texture:
+            case F::clutter:
+            case F::continuity:
+            case F::depth_in_texture:
+            case F::depth:
+              faint += part;
+              break;
             }
         }
       const double least = std::min({groove, border, faint, alone});
@@ -154,8 +154,8 @@ namespace squeal::tribology
             cv::Mat free = ridges.local.clone();
             free.setTo(0., closed);
             const cv::Mat1f &dark = lines.darkness;
-            cracks = CrackGrowth(ridges, free, dark, start, far_ahead)
-                       .grow(start);
+            cracks =
+              CrackGrowth(ridges, free, dark, start, far_ahead).grow(start);
             const CrackGrowth near(ridges, free, dark, cracks, ahead);
             cracks = near.finish_ends(near.grow(cracks));
             remove_spurs(cracks, longest_spur);
@@ -298,7 +298,7 @@ namespace squeal::tribology
       {
         result.doubt.is_drawn = false;
         const cv::Mat found   = widened(result.centre_line, same_line);
-        cv::Mat       judged = cv::Mat::zeros(start.size(), CV_8U);
+        cv::Mat       judged  = cv::Mat::zeros(start.size(), CV_8U);
         for (std::size_t i = 0; i < kept.size(); ++i)
           {
             const PixelPath &core = lines.cores[i];
@@ -340,18 +340,18 @@ namespace squeal::tribology
   {
     switch (reason)
       {
-        case Exclusion::groove:
-          return "groove or scratch";
-        case Exclusion::border:
-          return "border of a stain or joint";
-        case Exclusion::faint:
-          return "faint or broken";
-        case Exclusion::alone:
-          return "nothing goes on from it";
-        case Exclusion::small:
-          return "too little in all";
-        case Exclusion::rim:
-          return "rim of an exfoliation";
+      case Exclusion::groove:
+        return "groove or scratch";
+      case Exclusion::border:
+        return "border of a stain or joint";
+      case Exclusion::faint:
+        return "faint or broken";
+      case Exclusion::alone:
+        return "nothing goes on from it";
+      case Exclusion::small:
+        return "too little in all";
+      case Exclusion::rim:
+        return "rim of an exfoliation";
       }
     return "";
   }
@@ -359,9 +359,7 @@ namespace squeal::tribology
 
 
   CrackLines
-  find_cracks(const cv::Mat   &grey,
-              const int        n_octaves,
-              const LineJudge &judge)
+  find_cracks(const cv::Mat &grey, const int n_octaves, const LineJudge &judge)
   {
     const RidgeField ridges = filter_ridges(grey, n_octaves, narrow_filters);
     return Search(grey, ridges, judge).finished();

@@ -15,7 +15,7 @@ namespace squeal::tribology
     // In pixels.
     constexpr double near_flank = 2., flank = 4., wide_flank = 6., far = 9.;
     constexpr int    texture_window = 25, clutter_window = 41;
-    constexpr int    reduction       = 4; // of maps of parallel crests
+    constexpr int    reduction       = 4;  // of maps of parallel crests
     constexpr int    parallel_window = 31; // reduced pixels
     constexpr int    turn_step       = 8;
     constexpr int    straight_part   = 40;
@@ -23,9 +23,9 @@ namespace squeal::tribology
     constexpr double at_border       = 12.; // from the end of a straight run
     // Of the lay: directions, and pixels of the image reduced by half.
     constexpr int    n_lay = 32, lay_taps = 11, lay_step = 2;
-    constexpr double lay_grain     = 6.;  // deviation of what is no line
-    constexpr float  least_lay     = 1e-3F; // grey levels
-    constexpr double least_depth     = 0.5; // grey levels
+    constexpr double lay_grain   = 6.;    // deviation of what is no line
+    constexpr float  least_lay   = 1e-3F; // grey levels
+    constexpr double least_depth = 0.5;   // grey levels
 
     float
     quantile(std::vector<float> values, const double share)
@@ -129,8 +129,7 @@ namespace squeal::tribology
         {
           const cv::Point2d a = path[i] - path[i - turn_step];
           const cv::Point2d b = path[i + turn_step] - path[i];
-          const double      c =
-            a.dot(b) / std::max(1e-9, cv::norm(a) * cv::norm(b));
+          const double c = a.dot(b) / std::max(1e-9, cv::norm(a) * cv::norm(b));
           sum += std::acos(std::clamp(c, -1., 1.));
           ++n;
         }
@@ -140,8 +139,8 @@ namespace squeal::tribology
 
 
 
-    /** The straight line that a piece lies on, or half of its parts do: a groove
-     * may lead into something else. */
+    /** The straight line that a piece lies on, or half of its parts do: a
+     * groove may lead into something else. */
     StraightRun
     main_run(const cv::Mat &crests, const LinePiece &piece)
     {
@@ -249,7 +248,7 @@ namespace squeal::tribology
                   {-1, -1},
                   true,
                   cv::BORDER_REFLECT_101);
-    const cv::Size small(std::max(1, crests.cols / reduction),
+    const cv::Size           small(std::max(1, crests.cols / reduction),
                          std::max(1, crests.rows / reduction));
     std::array<cv::Mat1f, n> counts;
     for (cv::Mat1f &m : counts)
@@ -293,8 +292,7 @@ namespace squeal::tribology
     std::vector<float> sizes;
     for (int t = 0; t < n_lay; ++t)
       {
-        const cv::Mat1f mean =
-          cv::abs(averaged_along(half, CV_PI * t / n_lay));
+        const cv::Mat1f mean = cv::abs(averaged_along(half, CV_PI * t / n_lay));
         sizes.push_back(std::max(least_lay, image_median(mean)));
       }
     const double usual = quantile(sizes, 0.5);
@@ -334,8 +332,8 @@ namespace squeal::tribology
     double n_dark = 0.;
     for (const float d : darks)
       n_dark += d > 0.5 * value(f, F::darkness);
-    const double d            = std::max(least_depth, depth);
-    value(f, F::continuity)   = n_dark * share;
+    const double d          = std::max(least_depth, depth);
+    value(f, F::continuity) = n_dark * share;
     value(f, F::peak_contrast) =
       std::log(std::max(0.3F, quantile(unlimited, 0.5)));
     value(f, F::weak_contrast) = quantile(contrasts, 0.25);
@@ -353,8 +351,8 @@ namespace squeal::tribology
   void
   LineMeter::measure_surroundings(const PixelPath &core, LineFeatures &f) const
   {
-    using F            = LineFeature;
-    const double share = 1. / double(core.size());
+    using F             = LineFeature;
+    const double share  = 1. / double(core.size());
     double       around = 0., others = 0.;
     for (const cv::Point &p : core)
       {
@@ -380,13 +378,13 @@ namespace squeal::tribology
                            const PixelPath &core,
                            LineFeatures    &f) const
   {
-    using F                 = LineFeature;
-    const StraightRun run   = main_run(crests, piece);
-    value(f, F::length)     = std::log(double(core.size()));
-    value(f, F::waviness)   = piece.waviness() / double(core.size());
-    value(f, F::turning)    = mean_turn(core);
+    using F                   = LineFeature;
+    const StraightRun run     = main_run(crests, piece);
+    value(f, F::length)       = std::log(double(core.size()));
+    value(f, F::waviness)     = piece.waviness() / double(core.size());
+    value(f, F::turning)      = mean_turn(core);
     value(f, F::straight_run) = std::log1p(run.length / run_unit);
-    const cv::Point2d chord = piece.axis.back() - piece.axis.front();
+    const cv::Point2d chord   = piece.axis.back() - piece.axis.front();
     const int         turn =
       cvRound(n_lay * std::atan2(chord.y, chord.x) / CV_PI) + 2 * n_lay;
     value(f, F::lay)    = lay[turn % n_lay];
@@ -394,10 +392,10 @@ namespace squeal::tribology
     if (run.length > 0.)
       for (const cv::Point2d &end : {run.first, run.last})
         value(f, F::through) +=
-          0.5 * (std::min({end.x,
-                           end.y,
-                           crests.cols - 1 - end.x,
-                           crests.rows - 1 - end.y}) < at_border);
+          0.5 *
+          (std::min(
+             {end.x, end.y, crests.cols - 1 - end.x, crests.rows - 1 - end.y}) <
+           at_border);
   }
 
 

@@ -131,15 +131,14 @@ namespace squeal::tribology
     const cv::Size   size((crests.cols + reduction - 1) / reduction,
                         (crests.rows + reduction - 1) / reduction);
     for (cv::Mat &plane : odds.planes)
-      plane = cv::Mat(size,
-                      CV_16S,
-                      cv::Scalar(no_line * OrientedContrast::per_unit));
+      plane =
+        cv::Mat(size, CV_16S, cv::Scalar(no_line * OrientedContrast::per_unit));
     const cv::Rect inside({0, 0}, size);
     for (std::size_t i = 0; i < alone.size(); ++i)
       for (const cv::Point &p : graph.edges[i].piece.pixels)
         for (int turn = -1; turn <= 1; ++turn)
           {
-            const int t = (ridges.direction.at<uchar>(p) + turn + n) % n;
+            const int       t = (ridges.direction.at<uchar>(p) + turn + n) % n;
             const cv::Point q(p.x / reduction, p.y / reduction);
             raise(odds.planes[t], q, alone[i] - beside * std::abs(turn));
             for (int k = 0; k < 8; k += 2)
@@ -167,7 +166,7 @@ namespace squeal::tribology
     // The two best edges at each junction: one may be the edge itself.
     struct Best
     {
-      int    edge = -1;
+      int    edge  = -1;
       double first = no_neighbour, second = no_neighbour;
     };
     std::vector<Best> best(graph.junctions.size());
@@ -191,7 +190,7 @@ namespace squeal::tribology
         for (std::size_t k = 0; k < std::min<std::size_t>(2, nodes.size()); ++k)
           {
             const Best &b = best[nodes[k]];
-            ends[k] = std::clamp(b.edge == int(i) ? b.second : b.first,
+            ends[k]       = std::clamp(b.edge == int(i) ? b.second : b.first,
                                  no_neighbour,
                                  largest_odds);
           }

@@ -125,9 +125,8 @@ namespace squeal::tribology
         const std::string rater = rater_of(mask, stem_of(images[owner]));
         for (const RaterMask &other : result[owner])
           if (other.rater == rater)
-            throw InputError(mask + " and " + other.path +
-                             " are both by '" + rater + "' on " +
-                             images[owner] +
+            throw InputError(mask + " and " + other.path + " are both by '" +
+                             rater + "' on " + images[owner] +
                              ": name them apart, or put them into folders "
                              "named after the raters");
         result[owner].push_back({mask, rater});

@@ -120,13 +120,12 @@ namespace squeal::tribology
         const double length = 1e-3 * pixel_size * *cracks->deviation; // mm
         statistics.crack_length_error =
           std::hypot(statistics.crack_length_error, length);
-        statistics.crack_area_error =
-          std::hypot(statistics.crack_area_error,
-                     1e-3 * statistics.crack_width * length);
+        statistics.crack_area_error = std::hypot(
+          statistics.crack_area_error, 1e-3 * statistics.crack_width * length);
       }
     if (areas && areas->deviation)
-      statistics.exfoliation_fraction_error =
-        1e-6 * pixel_size * pixel_size * *areas->deviation /
-        statistics.observed_area;
+      statistics.exfoliation_fraction_error = 1e-6 * pixel_size * pixel_size *
+                                              *areas->deviation /
+                                              statistics.observed_area;
   }
 } // namespace squeal::tribology

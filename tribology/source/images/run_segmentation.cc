@@ -363,15 +363,15 @@ namespace squeal::tribology
                                              s * profile.layer_90}};
       }
 
-      Context                      &context;
-      const SegmentationParameters &p;
-      const double                  sliding;
-      std::vector<Micrograph>       images;
+      Context                        &context;
+      const SegmentationParameters   &p;
+      const double                    sliding;
+      std::vector<Micrograph>         images;
       std::vector<std::vector<Marks>> crack_marks, area_marks; // of each image
-      Placement                     by_points;
-      std::optional<CellGrid>       pad;
-      Table                         cells;
-      SegmentationRecord            record;
+      Placement                       by_points;
+      std::optional<CellGrid>         pad;
+      Table                           cells;
+      SegmentationRecord              record;
     };
   } // namespace
 

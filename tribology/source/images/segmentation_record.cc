@@ -55,12 +55,12 @@ namespace squeal::tribology
       for (const ExcludedLine &line : i.excluded)
         {
           const cv::Point &p = line.pixels[line.pixels.size() / 2];
-          list.push_back({{"x_px", p.x},
-                          {"y_px", p.y},
-                          {"length_um",
-                           i.pixel_size * double(line.pixels.size())},
-                          {"probability", line.probability},
-                          {"reason", name_of(line.reason)}});
+          list.push_back(
+            {{"x_px", p.x},
+             {"y_px", p.y},
+             {"length_um", i.pixel_size * double(line.pixels.size())},
+             {"probability", line.probability},
+             {"reason", name_of(line.reason)}});
         }
       return list;
     }
@@ -70,9 +70,9 @@ namespace squeal::tribology
     Json
     kappa_json(const std::optional<Kappa> &kappa)
     {
-      return kappa ? Json{{"value", kappa->value},
-                          {"deviation", kappa->deviation}}
-                   : Json();
+      return kappa
+               ? Json{{"value", kappa->value}, {"deviation", kappa->deviation}}
+               : Json();
     }
 
 
@@ -85,11 +85,11 @@ namespace squeal::tribology
       Json amounts = Json::array();
       for (const double a : rating.amounts)
         amounts.push_back(factor * a);
-      Json json = {{"raters", rating.raters},
-                   {name, amounts},
-                   {"deviation",
-                    rating.deviation ? Json(factor * *rating.deviation)
-                                     : Json()}};
+      Json json = {
+        {"raters", rating.raters},
+        {name, amounts},
+        {"deviation",
+         rating.deviation ? Json(factor * *rating.deviation) : Json()}};
       if (!rating.agreement)
         return json;
       json["fleiss_kappa"] = kappa_json(rating.agreement->fleiss);
@@ -148,8 +148,8 @@ namespace squeal::tribology
           json["cracks"]["rating"]["tolerance_px"] = i.tolerance;
         }
       if (i.area_rating)
-        json["exfoliation"]["rating"] = rating_json(
-          *i.area_rating, "areas_um2", i.pixel_size * i.pixel_size);
+        json["exfoliation"]["rating"] =
+          rating_json(*i.area_rating, "areas_um2", i.pixel_size * i.pixel_size);
       return json;
     }
   } // namespace

@@ -12,20 +12,20 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double length_error  = 0.02; // relative, of pixel_lengths()
-    constexpr double end_error     = 1.;   // pixels, of each free end
-    constexpr double missed_width = 2.;  // pixels
+    constexpr double length_error = 0.02; // relative, of pixel_lengths()
+    constexpr double end_error    = 1.;   // pixels, of each free end
+    constexpr double missed_width = 2.;   // pixels
     // A crack shorter than this is not looked for.
     constexpr double shortest_crack = 14.; // pixels
-    constexpr double doubt_error   = 0.8;  // of what may be missed, invented
+    constexpr double doubt_error    = 0.8; // of what may be missed, invented
 
 
 
     /** Deviation of the length, pixels: of the smoothed line, of its ends, and
      * of the finder, by what it expects to have missed and invented. */
     double
-    error_of_length(const cv::Mat &line,
-                    const cv::Mat &lengths,
+    error_of_length(const cv::Mat     &line,
+                    const cv::Mat     &lengths,
                     const FinderDoubt &doubt)
     {
       double length = 0., n_ends = 0.;
@@ -129,11 +129,11 @@ namespace squeal::tribology
     r.crack_area_error = pixel * missed_width * deviation;
     if (length > 0.)
       {
-        r.orientation          = scaled(r.orientation, 1. / length);
-        r.crack_width          = weighted_width / length * pixel_size;
+        r.orientation = scaled(r.orientation, 1. / length);
+        r.crack_width = weighted_width / length * pixel_size;
         const double area_deviation =
           error_of_area(s.cracks, lengths, deviation / length);
-        r.crack_area_error   = pixel * area_deviation;
+        r.crack_area_error = pixel * area_deviation;
         r.crack_width_error =
           error_of_area(s.cracks, lengths, 0.) / length * pixel_size;
       }

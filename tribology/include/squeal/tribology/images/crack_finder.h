@@ -9,12 +9,12 @@ namespace squeal::tribology
   /** Why a dark line is no crack. */
   enum class Exclusion
   {
-    groove,       /**< straight, with others alongside or through the image */
-    border,       /**< of a stain, a joint or an area: unlike flanks, broad */
-    faint,        /**< little contrast over noise, or broken */
-    alone,        /**< nothing around it goes on */
-    small,        /**< too little in all with what it is connected to */
-    rim           /**< runs along an area that is a feature itself */
+    groove, /**< straight, with others alongside or through the image */
+    border, /**< of a stain, a joint or an area: unlike flanks, broad */
+    faint,  /**< little contrast over noise, or broken */
+    alone,  /**< nothing around it goes on */
+    small,  /**< too little in all with what it is connected to */
+    rim     /**< runs along an area that is a feature itself */
   };
 
   /** The words for it. */

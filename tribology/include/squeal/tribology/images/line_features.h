@@ -76,14 +76,16 @@ namespace squeal::tribology
     void  measure_darkness();
     void  measure_profile(const PixelPath &core, LineFeatures &f) const;
     void  measure_surroundings(const PixelPath &core, LineFeatures &f) const;
-    void  measure_shape(const LinePiece &piece, const PixelPath &core, LineFeatures &f) const;
+    void  measure_shape(const LinePiece &piece,
+                        const PixelPath &core,
+                        LineFeatures    &f) const;
 
-    const RidgeField      &ridges;
-    const cv::Mat         &crests;
-    cv::Mat1f              smooth, dark, texture, clutter;
+    const RidgeField &ridges;
+    const cv::Mat    &crests;
+    cv::Mat1f         smooth, dark, texture, clutter;
     std::array<cv::Mat1f, RidgeField::n_directions> alike; // at a quarter
-    std::vector<double>    lay; /**< by direction */
-    double                 bulk = 1., usual_texture = 1.;
+    std::vector<double>                             lay;   /**< by direction */
+    double bulk = 1., usual_texture = 1.;
   };
 } // namespace squeal::tribology
 

@@ -39,8 +39,7 @@ namespace squeal::tribology
 
   /** The straight line that @p piece is a part of: pixels of the skeleton
    * within one pixel of it, gaps of up to 8 pixels bridged. */
-  StraightRun straight_run_of(const cv::Mat   &skeleton,
-                              const LinePiece &piece);
+  StraightRun straight_run_of(const cv::Mat &skeleton, const LinePiece &piece);
 } // namespace squeal::tribology
 
 #endif

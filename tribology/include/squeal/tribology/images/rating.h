@@ -33,9 +33,9 @@ namespace squeal::tribology
   /** How masks of people or other programs enter. */
   struct RatingSettings
   {
-    bool   is_beside = false; /**< squeal is a rater like the others, and its own
-                                   finding is stated; else that of the others */
-    double tolerance = 2.; /**< pixels; lines as far apart are the same */
+    bool is_beside = false; /**< squeal is a rater like the others, and its own
+                                 finding is stated; else that of the others */
+    double tolerance = 2.;  /**< pixels; lines as far apart are the same */
   };
 
   /**

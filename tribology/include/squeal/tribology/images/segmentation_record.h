@@ -14,17 +14,17 @@ namespace squeal::tribology
   /** What segmentation.json says of one image. */
   struct SegmentedImage
   {
-    std::string                          stem, path, scale_source;
-    cv::Size                             size;
-    double                               pixel_size   = 0.; /**< um */
-    bool                                 is_synthetic = false;
-    std::optional<cv::Point2d>           stage;    /**< um */
-    std::optional<double>                residual; /**< um */
-    ImageStatistics                      statistics;
-    std::optional<Rating>                crack_rating, area_rating;
-    double                               tolerance = 0.; /**< of lines, px */
-    std::vector<ExcludedLine>            excluded;
-    double missed = 0., invented = 0.; /**< expected, px */
+    std::string                stem, path, scale_source;
+    cv::Size                   size;
+    double                     pixel_size   = 0.; /**< um */
+    bool                       is_synthetic = false;
+    std::optional<cv::Point2d> stage;    /**< um */
+    std::optional<double>      residual; /**< um */
+    ImageStatistics            statistics;
+    std::optional<Rating>      crack_rating, area_rating;
+    double                     tolerance = 0.; /**< of lines, px */
+    std::vector<ExcludedLine>  excluded;
+    double                     missed = 0., invented = 0.; /**< expected, px */
     std::optional<std::array<double, 3>> layer; /**< um: 10 %, median, 90 % */
   };
 

@@ -30,12 +30,12 @@ namespace squeal::tribology
     double              crack_width_error  = 0.; /**< um */
     std::vector<double> orientation; /**< length share in bins of 15 degrees
                                         from 0 (along the sliding direction) */
-    double              exfoliation_fraction = 0.;
+    double exfoliation_fraction = 0.;
     /** How far raters differ; missing without masks of several. */
     std::optional<double> exfoliation_fraction_error;
-    std::vector<double> exfoliation_areas; /**< um^2, largest first */
-    double              plateau_fraction = 0.;
-    std::vector<double> plateau_areas; /**< um^2, largest first */
+    std::vector<double>   exfoliation_areas; /**< um^2, largest first */
+    double                plateau_fraction = 0.;
+    std::vector<double>   plateau_areas; /**< um^2, largest first */
   };
 
   /** @p sliding is the direction in the image, radians from x towards y. */
