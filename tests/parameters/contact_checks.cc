@@ -135,18 +135,22 @@ namespace
 
   /** Of steady sliding. */
   void
-  faces_look_up()
+  faces_look_down()
   {
     const std::vector<std::string> below = {pad + "Position = 0.1075, 0, -0.02",
                                             contact + "Source face = z_max",
                                             contact + "Target face = bottom"};
     check_change_accepted(below);
+    // Steady sliding takes it, as soon as something presses it on.
     std::vector<std::string> all = below;
     all.push_back(contact + "Contact state = preload");
-    check_change_refused(all,
-                         {"contact pad_disc",
-                          "target face 'bottom' of body 'disc' looks along -z",
-                          "turn the scene"});
+    check_change_refused(all, {"'Scene/Loads' is empty"});
+    all.insert(all.end(),
+               {"Scene/Loads = up",
+                "Scene/Load up/Body = pad",
+                "Scene/Load up/Face = z_min",
+                "Scene/Load up/Force = 0, 0, 100"});
+    check_change_accepted(all);
   }
 
   void
@@ -260,7 +264,7 @@ main()
   faces_meet();
   pads_beside_the_disc();
   blocks_on_blocks();
-  faces_look_up();
+  faces_look_down();
   sliding_directions();
   grids_need_rectangles();
   bodies_of_a_pair();
