@@ -201,11 +201,12 @@ end
       {
         double nearest = 1e300;
         for (std::size_t k = 0; k < cea.n_rows(); ++k)
-          nearest =
-            std::min(nearest,
-                     std::abs(cea.real(k, "frequency_hz") /
-                                branches.real(i, "frequency_linear_hz") -
-                              1.));
+          if (const double off =
+                std::abs(cea.real(k, "frequency_hz") /
+                           branches.real(i, "frequency_linear_hz") -
+                         1.);
+              !(off >= nearest))
+            nearest = off;
         worst.add(nearest);
       }
     check(worst.largest() < 1e-3,

@@ -46,13 +46,15 @@ namespace
                   TransientParameters::Integrator::reduced)
   {
     Parameters p;
-    p.scene                     = placed.scene;
-    p.discretization.degree     = 1;
-    p.discretization.mass       = DiscretizationParameters::Mass::lumped;
-    p.eigen.highest_frequency   = 20e3;
-    p.transient.cut_off         = cut_off;
-    p.transient.integrator      = integrator;
-    p.transient.time_step       = 4e-7;
+    p.scene                   = placed.scene;
+    p.discretization.degree   = 1;
+    p.discretization.mass     = DiscretizationParameters::Mass::lumped;
+    p.eigen.highest_frequency = 20e3;
+    p.transient.cut_off       = cut_off;
+    p.transient.integrator    = integrator;
+    // Below the largest stable one of the massless contact.
+    p.transient.time_step =
+      integrator == TransientParameters::Integrator::reduced ? 1e-7 : 4e-7;
     p.transient.sample_interval = 1e-5;
     p.transient.end_time        = 1.2e-4;
     p.transient.tolerance       = 1e-11;
