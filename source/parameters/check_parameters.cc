@@ -119,15 +119,16 @@ namespace squeal
                            "matrices do not have");
         if (a.bodies.empty())
           refuse_entry(
-            "Angles", "Bodies", "is empty: name the bodies that turn");
+            "Angles", "Turning bodies", "is empty: name the bodies that turn");
         const auto &axis =
-          require_body(parameters.scene, a.bodies[0], "Angles", "Bodies")
+          require_body(
+            parameters.scene, a.bodies[0], "Angles", "Turning bodies")
             .rotation_axis;
         for (const std::string &name : a.bodies)
-          if (require_body(parameters.scene, name, "Angles", "Bodies")
+          if (require_body(parameters.scene, name, "Angles", "Turning bodies")
                 .rotation_axis != axis)
             refuse_entry("Angles",
-                         "Bodies",
+                         "Turning bodies",
                          "turn about different axes: give " + in_quotes(name) +
                            " the 'Rotation axis' of " + in_quotes(a.bodies[0]));
         if (a.number > 1 && a.from == a.to)

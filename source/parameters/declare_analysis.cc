@@ -135,7 +135,7 @@ namespace squeal
         schema.enter_section("Angles",
                              "Angles of the rotor at which 'Analysis = angles' "
                              "repeats the complex eigenvalue analysis.");
-        schema.add("Bodies",
+        schema.add("Turning bodies",
                    a.bodies,
                    Allowed::list(Allowed::text()),
                    "Bodies that turn together, each about its 'Rotation axis'; "

@@ -345,6 +345,10 @@ namespace squeal
                   : slide_everywhere(contact, model, friction, load_factor);
     if (result.n_closed() == 0)
       throw_none(true, 0.);
+    // Without friction what is left along the face is rounding.
+    for (Eigen::Index j = 0; j < friction.size(); ++j)
+      if (friction[j] == 0.)
+        result.forces.segment<2>(3 * j + 1).setZero();
     set_resting_status(model, friction, result);
     return result;
   }

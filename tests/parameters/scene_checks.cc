@@ -157,8 +157,10 @@ namespace
     check_change_refused({row + "Stiffness = 0"}, {"do nothing"});
     check_change_refused({row + "Other body = grund"},
                          {"'" + row + "Other body'"});
-    check_change_refused({"Scene/Spring guide/Other body = pad"},
-                         {"'Scene/Spring guide/Other body'", "ground"});
+    check_change_refused({"Scene/Spring guide/Other body = support"},
+                         {"'Scene/Spring guide/Other body'", "itself"});
+    check_change_refused({"Scene/Spring guide/Stiffnesses = 0, -1, 0"},
+                         {"'Scene/Spring guide/Stiffnesses'", "negative"});
     check_change_refused({"Scene/Spring guide/Face = top"},
                          {"'Scene/Spring guide/Face' = 'top'"});
   }
