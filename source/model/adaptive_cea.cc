@@ -122,6 +122,24 @@ namespace squeal
       return result;
     }
 
+    /** Motions without stiffness: lambda = 0 is defective there (x and t x),
+     * and friction must not decide on which side of the axis it is found. */
+    void
+    warn_of_free_motions(const Model        &model,
+                         const ModeSolution &modes,
+                         RunLog             &log)
+    {
+      const Parameters &p    = model.parameters();
+      const std::string free = free_motions(model, modes);
+      if (free.empty())
+        return;
+      if (p.eigen.lowest_frequency == 0.)
+        throw InputError(free +
+                         ": raise Eigenvalues/Lowest frequency above 0, or "
+                         "hold them by Scene/Supports or Scene/Springs");
+      log.warning(free);
+    }
+
     /** Faces on which hanging nodes are not allowed. */
     std::vector<unsigned int>
     source_faces_of(const Discretization &d)
@@ -179,6 +197,8 @@ namespace squeal
               result.modes.modes.supplement.cols() ==
             0)
           refuse_empty_band(model.parameters(), result.modes);
+        if (cycle == 0)
+          warn_of_free_motions(model, result.modes, log);
         result.solution = solve_cea(model, result.modes, log, timers);
         if (result.solution.pairs.size() == 0)
           refuse_empty_band(model.parameters(), result.modes);

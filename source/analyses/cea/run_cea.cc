@@ -181,26 +181,6 @@ namespace squeal
           error_of_column("mesh", table, "discretisation_error_rel"));
       return headline_error(sources);
     }
-
-
-
-    /** Motions without stiffness: lambda = 0 is defective there (x and t x),
-     * and friction must not decide on which side of the axis it is found. */
-    void
-    warn_of_free_motions(const Parameters   &p,
-                         const Model        &model,
-                         const ModeSolution &modes,
-                         RunLog             &log)
-    {
-      const std::string free = free_motions(model, modes);
-      if (free.empty())
-        return;
-      if (p.eigen.lowest_frequency == 0.)
-        throw InputError(free +
-                         ": raise Eigenvalues/Lowest frequency above 0, or "
-                         "hold them by Scene/Supports or Scene/Springs");
-      log.warning(free);
-    }
   } // namespace
 
 
@@ -219,7 +199,6 @@ namespace squeal
     MeshedCea cea =
       solve_cea_adaptively(model, context.log, context.timers, &steps);
     ModeSolution &modes = cea.modes;
-    warn_of_free_motions(p, model, modes, context.log);
     if (const std::string text = beyond_critical_speed(model, modes);
         !text.empty())
       context.log.warning(text);
