@@ -74,8 +74,9 @@ main(int argc, char **argv)
       const cv::Mat      ignored      = (mask > 100) & (mask < 200);
       const double       error =
         1e3 * measure(segmentation, 1., 0.).crack_length_error;
-      const double off = length_of(found, ignored) -
-                         length_of(tribology::thin(mask >= 200), ignored);
+      const double off =
+        length_of(found, ignored) -
+        length_of(squeal::tribology::thin(mask >= 200), ignored);
       check(error > 0., "the length of " + stem + " has an error");
       const LineScore s = score_lines(found, mask, 2.);
       std::printf("%-22s %9.3f %7.3f %6.3f %6.3f\n",

@@ -34,7 +34,7 @@ namespace squeal::tribology
     constexpr int    shortest_listed = 12;
     constexpr double far_ahead = 70., ahead = 35.;
     // Straight lines of this length that are no cracks lead none on.
-    constexpr double longest_straight = 60.;
+    constexpr double longest_straight = 110.;
     constexpr int    groove_width     = 3;
     constexpr double enough_wavy      = 50.;         // to tell shallow lines by
     constexpr double less_dark = 0.6, shallow = 0.3; // shares of theirs
