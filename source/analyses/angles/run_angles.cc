@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/model/cea_solution.h>
+#include <squeal/model/adaptive_cea.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/parameters/number_access.h>
@@ -19,28 +19,34 @@ namespace squeal
     columns()
     {
       using Type = Table::Type;
-      return {{"angle_deg", Type::real, "deg", "angle of the rotor", 6},
-              {"frequency_hz", Type::real, "Hz", "frequency of the pair", 6},
-              {"sigma_per_s",
-               Type::real,
-               "1/s",
-               "its growth rate, positive: unstable",
-               4},
-              {"name", Type::text, "", "name of the pair"},
-              {"error_estimate_rel",
-               Type::real,
-               "",
-               "estimated error of the eigenvalue by the basis, relative",
-               2},
-              {"discretisation_error_rel",
-               Type::real,
-               "",
-               "estimated error of the frequency by the mesh, relative",
-               2},
-              {"n_unstable",
-               Type::integer,
-               "",
-               "unstable pairs in the band at this angle"}};
+      return {
+        {"angle_deg", Type::real, "deg", "angle of the rotor", 6},
+        {"frequency_hz", Type::real, "Hz", "frequency of the pair", 6},
+        {"sigma_per_s",
+         Type::real,
+         "1/s",
+         "its growth rate, positive: unstable",
+         4},
+        {"name", Type::text, "", "name of the pair"},
+        {"error_estimate_rel",
+         Type::real,
+         "",
+         "estimated error of the eigenvalue by the basis, relative",
+         2},
+        {"discretisation_error_rel",
+         Type::real,
+         "",
+         "estimated error of the frequency by the mesh, relative",
+         2},
+        {"n_unstable",
+         Type::integer,
+         "",
+         "unstable pairs in the band at this angle"},
+        {"sigma_error_mesh_per_s",
+         Type::real,
+         "1/s",
+         "estimated: growth rate on an infinitely fine mesh less this one",
+         2}};
     }
 
     /** The scene with the rotor at @p angle, degrees. */
@@ -58,13 +64,11 @@ namespace squeal
     Table
     pairs_at(const Parameters &p, const double angle, RunContext &context)
     {
-      const Model       model(p, context.timers);
-      ModeSolution      modes = solve_modes(model, context.log, context.timers);
-      const CeaSolution solution =
-        solve_cea(model, modes, context.log, context.timers);
-      const ComplexPairs &pairs = solution.pairs;
-      if (pairs.size() == 0)
-        refuse_empty_band(p, modes);
+      Model           model(p, context.timers);
+      const MeshedCea cea =
+        solve_cea_adaptively(model, context.log, context.timers);
+      const ModeSolution  &modes      = cea.modes;
+      const ComplexPairs  &pairs      = cea.solution.pairs;
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
       context.record.n_dofs           = model.n_unknowns();
       std::vector<unsigned int> shown;
@@ -87,7 +91,8 @@ namespace squeal
                        quantities.names[i].text,
                        pairs.error_estimate[i],
                        or_missing(quantities.discretisation_error[i]),
-                       n_unstable});
+                       n_unstable,
+                       or_missing(cea.errors.lambda[i].real())});
       return table;
     }
 
