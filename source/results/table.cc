@@ -142,11 +142,25 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Columns of one name come from names that the user gave. */
+    void
+    require_new(const Table &table, const std::string &name)
+    {
+      if (table.has_column(name))
+        throw InputError("two columns of a table would be called '" + name +
+                         "': give the axis, body, pair or number of that "
+                         "name another one");
+    }
+  } // namespace
+
+
+
   void
   Table::add_column(const Column &column)
   {
-    if (has_column(column.name))
-      throw std::logic_error("the column '" + column.name + "' exists");
+    require_new(*this, column.name);
     column_list.push_back(column);
     for (auto &row : rows)
       row.emplace_back();
@@ -171,8 +185,7 @@ namespace squeal
   void
   Table::put_first(const Column &column, const Cell &cell)
   {
-    if (has_column(column.name))
-      throw std::logic_error("the column '" + column.name + "' exists");
+    require_new(*this, column.name);
     const Cell first = fitted(cell, column, 0);
     column_list.insert(column_list.begin(), column);
     for (auto &row : rows)

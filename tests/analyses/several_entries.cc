@@ -96,19 +96,20 @@ end
 
 
   /** A sweep of the two degrees of freedom of minimal/hoffmann.prm. */
-  void
-  sweep(const std::string &directory,
-        const std::string &from,
-        const std::string &to,
-        const std::string &scale)
+  std::string
+  sweep_text(const std::string &directory,
+             const std::string &from,
+             const std::string &to,
+             const std::string &scale)
   {
     std::string scene = text_of(folder + "/minimal/hoffmann.prm");
     scene             = scene.substr(0, scene.find("subsection Result checks"));
     scene             = replaced_in(scene, "set Analysis         = cea", "");
     scene =
       replaced_in(scene, "set Output directory = output/minimal/hoffmann", "");
-    run(scene + "\nset Analysis = sweep\nset Output directory = " + directory +
-        R"(
+    return scene +
+           "\nset Analysis = sweep\nset Output directory = " + directory +
+           R"(
 subsection Output
   set Plots = false
 end
@@ -121,8 +122,17 @@ subsection Sweep
     set Entries = Scene/Spring horizontal/Stiffness, Scene/Contact belt/Friction coefficient
     set Number  = 15
     set Scale   = )" +
-        scale + "\n    set From = " + from + "\n    set To = " + to +
-        "\n  end\nend\n");
+           scale + "\n    set From = " + from + "\n    set To = " + to +
+           "\n  end\nend\n";
+  }
+
+  void
+  sweep(const std::string &directory,
+        const std::string &from,
+        const std::string &to,
+        const std::string &scale)
+  {
+    run(sweep_text(directory, from, to, scale));
   }
 
   void
@@ -154,6 +164,39 @@ subsection Sweep
               scale + ": the pairs part as the first entry ascends");
       }
   }
+
+
+
+  /** An axis that is called like a column of the tables it stands in. */
+  void
+  names_of_columns()
+  {
+    const auto refused = [](const std::string &text, const std::string &name) {
+      std::string named = replaced_in(text, "Axes = k", "Axes = " + name);
+      named             = replaced_in(named, "Axis k\n", "Axis " + name + "\n");
+      write_text("named.prm", named);
+      const Outcome o = run_program({program, "named.prm"});
+      check(o.code == 2 &&
+              o.errors.find("two columns of a table would be called '" + name +
+                            "'") != std::string::npos &&
+              o.errors.find('\n') == o.errors.size() - 1,
+            "an axis called " + name + ": " + o.errors);
+    };
+    for (const char *name : {"sigma_per_s", "peak_at"})
+      refused(sweep_text("named", "0.2, 1.2", "0.9, 0.4", "linear"), name);
+    for (const char *name : {"top", "stable"})
+      refused(coarse("named_runs", R"(
+subsection Sweep
+  set Axes = k
+  subsection Axis k
+    set Entries = Scene/Body pin/Young modulus
+    set Scale   = list
+    set Values  = 2e9, 4e9
+  end
+end
+)"),
+              name);
+  }
 } // namespace
 
 
@@ -166,4 +209,5 @@ main(int argc, char **argv)
   folder  = argv[2];
   campaign();
   falling();
+  names_of_columns();
 }

@@ -180,6 +180,18 @@ namespace
     check_throws<InputError>([&] { table.real(0, "c"); },
                              "no column 'c'; the columns are: a, b",
                              "a column that is not there is named");
+    check_throws<InputError>(
+      [&] {
+        table.add_column({"b", Table::Type::real, "", ""});
+      },
+      "two columns of a table would be called 'b'",
+      "a name that is there already is refused");
+    check_throws<InputError>(
+      [&] {
+        table.put_first({"a", Table::Type::real, "", ""}, 1.);
+      },
+      "called 'a'",
+      "in front as well");
     check_throws<std::logic_error>(
       [&] {
         table.add_row({1., 2., 3.});

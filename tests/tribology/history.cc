@@ -427,6 +427,10 @@ namespace
            "1e-4",
            "samples.csv:3: expected node 1",
            "a missing node");
+    refuse("1e-4,1,0,0,0,0\n",
+           "1e-4,1,0,0,0,0",
+           "samples.csv:5: the line does not end",
+           "a file that ends within a number");
     refuse("1e-4,0,",
            "0,0,",
            "samples.csv:4: the time does not increase",

@@ -88,6 +88,17 @@ namespace squeal
       return t;
     }
 
+    /** Makes the tables that name axes once without rows: an axis that is
+     * called like one of their columns is refused before the solution. */
+    void
+    check_column_names(SweepModel &model, const SweepScene &scene)
+    {
+      const SweepSolution nothing;
+      for (Table table : {sweep_eigenvalue_table(model, nothing),
+                          unstable_range_table(model, nothing)})
+        scene.enter(table);
+    }
+
     void
     add(const SweepModel &model, const SweepSolution &solution, Totals &totals)
     {
@@ -242,6 +253,7 @@ namespace squeal
                          scene.parameters,
                          scene.name,
                          scenes.size() > 1 ? &vectors : nullptr);
+        check_column_names(model, scene);
         const SweepSolution solution = solve_sweep(model, context);
         add(model, solution, totals);
         has_shapes            = model.model().namer().n_coordinates() > 0;

@@ -58,6 +58,11 @@ namespace squeal::tribology
             if (!std::getline(in, line))
               return false;
             ++number;
+            // A file that was cut may end within a number, which would still
+            // be one.
+            if (in.eof())
+              refuse("the line does not end: the file may have been cut; if it "
+                     "is whole, add a newline");
             trim(line);
           }
         while (line.empty());
