@@ -182,7 +182,7 @@ subsection Sweep
               o.errors.find('\n') == o.errors.size() - 1,
             "an axis called " + name + ": " + o.errors);
     };
-    for (const char *name : {"sigma_per_s", "peak_at"})
+    for (const char *name : {"sigma_per_s", "branch"})
       refused(sweep_text("named", "0.2, 1.2", "0.9, 0.4", "linear"), name);
     for (const char *name : {"top", "stable"})
       refused(coarse("named_runs", R"(
