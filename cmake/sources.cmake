@@ -159,6 +159,7 @@ set(SQUEAL_SOURCES_SWEEP
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/contact_compliance.cc
     source/transient/contact_solver.cc
+    source/transient/contact_solver_inverse.cc
     source/transient/contact_solver_memory.cc
     source/transient/explicit_transient.cc
     source/transient/full_transient.cc
@@ -167,6 +168,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/implicit_transient.cc
     source/transient/kept_inverse.cc
     source/transient/lagged_friction.cc
+    source/transient/linearized_motion.cc
     source/transient/modal_step.cc
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc

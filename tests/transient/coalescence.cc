@@ -8,7 +8,7 @@
 #include "check.h"
 #include "transient/hand_made.h"
 
-#include <squeal/transient/steady_sliding.h>
+#include <squeal/transient/linearized_motion.h>
 
 #include <cstdio>
 #include <limits>

@@ -6,7 +6,7 @@
 
 #include <squeal/discretization/load_vector.h>
 #include <squeal/transient/full_transient.h>
-#include <squeal/transient/steady_sliding.h>
+#include <squeal/transient/linearized_motion.h>
 
 namespace squeal
 {

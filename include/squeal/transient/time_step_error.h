@@ -2,7 +2,7 @@
 #ifndef squeal_transient_time_step_error_h
 #define squeal_transient_time_step_error_h
 
-#include <squeal/transient/steady_sliding.h>
+#include <squeal/transient/linearized_motion.h>
 
 namespace squeal
 {

@@ -6,6 +6,7 @@
 #include <squeal/eigen/complex_pairs.h>
 #include <squeal/results/table.h>
 #include <squeal/transient/growth.h>
+#include <squeal/transient/linearized_motion.h>
 #include <squeal/transient/spectrum.h>
 
 #include <limits>

@@ -6,6 +6,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/results/contact_history.h>
 #include <squeal/run/fingerprint.h>
+#include <squeal/transient/linearized_motion.h>
 #include <squeal/transient/transient_integrator.h>
 
 #include <complex>

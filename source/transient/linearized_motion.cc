@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/standard_pairs.h>
+#include <squeal/transient/linearized_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Rows of all nodal forces and motions, by what the nodes do. */
+    struct ClosedRows
+    {
+      ClosedRows(const SteadySliding &steady, const NodalFriction &friction)
+      {
+        for (std::size_t j = 0; j < steady.status.size(); ++j)
+          switch (steady.status[j])
+            {
+            case ContactStatus::open:
+              break;
+            case ContactStatus::stick:
+              for (unsigned int c = 0; c < 3; ++c)
+                kept.push_back(3 * j + c);
+              break;
+            case ContactStatus::slip:
+              slipping.push_back(j);
+              normal_of_slipping.push_back(kept.size());
+              kept.push_back(3 * j);
+              along.push_back(3 * j + 1);
+              if (friction.coefficient[j] > 0.)
+                across.push_back(3 * j + 2);
+              break;
+            }
+      }
+
+      std::vector<int> slipping; /**< nodes */
+      /** Motions that stay: the normal one of slipping nodes, all three of
+       * sticking ones. */
+      std::vector<int> kept;
+      std::vector<int> normal_of_slipping; /**< places among them */
+      /** Of slipping nodes; across the sliding of those with friction. */
+      std::vector<int> along, across;
+    };
+
+    /** w^T x, and where two pairs have coalesced, so that nothing but rounding
+     * is left of it, the size of that. */
+    std::complex<double>
+    product_of(const Eigen::VectorXcd &w, const Eigen::VectorXcd &x)
+    {
+      const std::complex<double> product = (w.transpose() * x).value();
+      const double rounding = std::numeric_limits<double>::epsilon() *
+                              w.cwiseAbs().cwiseProduct(x.cwiseAbs()).sum();
+      return std::abs(product) > rounding ? product : rounding;
+    }
+
+    /** Eigenvalues of x' = A x, x = (q, v, ...) with @p n positions. */
+    LinearizedMotion
+    motion_of(const Eigen::MatrixXd &A, const unsigned int n)
+    {
+      const StandardPairs pairs = standard_pairs(A);
+      std::vector<int>    kept;
+      for (Eigen::Index k = 0; k < A.rows(); ++k)
+        if (pairs.values[k].imag() >= 0.)
+          kept.push_back(k);
+      std::sort(kept.begin(), kept.end(), [&](const int a, const int b) {
+        return pairs.values[a].imag() < pairs.values[b].imag();
+      });
+      LinearizedMotion result;
+      result.lambda = pairs.values(kept);
+      result.left.resize(kept.size(), A.rows());
+      result.right.resize(A.rows(), kept.size());
+      result.condition = pairs.reciprocal_condition(kept)
+                           .cwiseMax(std::numeric_limits<double>::epsilon())
+                           .cwiseInverse();
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        {
+          const Eigen::VectorXcd w = pairs.left.col(kept[i]);
+          const Eigen::VectorXcd x = pairs.right.col(kept[i]);
+          // A motion at rest (a force that fades, lambda = 0) has no kinetic
+          // energy to be scaled by.
+          const double moving = x.segment(n, n).norm() / std::sqrt(2.);
+          const double size   = moving > 0. ? moving : 1.;
+          result.right.col(i) = x / size;
+          result.left.row(i)  = size / product_of(w, x) * w.transpose();
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  Eigen::VectorXcd
+  LinearizedMotion::amplitudes(const SteadySliding   &steady,
+                               const Eigen::VectorXd &q,
+                               const Eigen::VectorXd &v,
+                               const Eigen::VectorXd &forces) const
+  {
+    Eigen::VectorXd x(left.cols());
+    x.head(2 * q.size()) << q - steady.coordinates, v;
+    if (left.cols() > 2 * q.size())
+      x.tail(left.cols() - 2 * q.size()) =
+        (forces - steady.forces)(rows_across);
+    return left * x;
+  }
+
+
+
+  LinearizedMotion
+  linearize(const ReducedContactModel &model,
+            const SteadySliding       &steady,
+            const double               friction,
+            const double               speed)
+  {
+    return linearize(
+      model, steady, NodalFriction::uniform(friction, model.n_nodes()), speed);
+  }
+
+
+
+  namespace
+  {
+    /** Blocks of the flexibility and of the participation at closed nodes, and
+     * what the laws of the slipping ones say there. */
+    struct ClosedContact
+    {
+      ClosedContact(const ReducedContactModel &m,
+                    const SteadySliding       &steady,
+                    const NodalFriction       &friction,
+                    const double               speed)
+        : model(m)
+        , rows(steady, friction)
+        , mu(rows.slipping.size())
+        , by_slip(rows.slipping.size())
+        , inverse_rate(rows.across.size())
+      {
+        const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
+        for (Eigen::Index i = 0, k = 0; i < mu.size(); ++i)
+          {
+            const int j = rows.slipping[i];
+            mu[i]       = friction.coefficient[j];
+            by_slip[i]  = friction.slope[j] * steady.forces[3 * j];
+            if (mu[i] > 0.)
+              inverse_rate[k++] =
+                speed * model.speed_ratio[j] /
+                (mu[i] * std::max(steady.forces[3 * j], least));
+          }
+      }
+
+      Eigen::MatrixXd
+      participation(const std::vector<int> &row) const
+      {
+        return model.participation(row, Eigen::all);
+      }
+
+      Eigen::MatrixXd
+      flexibility(const std::vector<int> &row,
+                  const std::vector<int> &column) const
+      {
+        return model.flexibility(row, column);
+      }
+
+      /** Forces along the sliding follow the normal ones. */
+      Eigen::MatrixXd
+      with_friction(const std::vector<int> &row) const
+      {
+        Eigen::MatrixXd result = flexibility(row, rows.kept);
+        result(Eigen::all, rows.normal_of_slipping) +=
+          flexibility(row, rows.along) * mu.asDiagonal();
+        return result;
+      }
+
+      const ReducedContactModel &model;
+      const ClosedRows           rows;
+      /** mu, p_0 dmu/dv of the slipping nodes, |V|/(mu p_0) of those with
+       * friction. */
+      Eigen::VectorXd mu, by_slip, inverse_rate;
+    };
+
+    /** Normal and sticking forces that keep the kept motions at rest:
+     * lambda_n = by_q q + by_s lambda_s + by_slip (slip rate), from
+     * (G_nn + G_nt mu) lambda_n + G_ns lambda_s + G_nt p_0 mu' slip rate
+     * = Psi_n q. */
+    struct KeptForces
+    {
+      explicit KeptForces(const ClosedContact &c)
+      {
+        const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
+          c.with_friction(c.rows.kept));
+        by_q    = factor.solve(c.participation(c.rows.kept));
+        by_s    = -factor.solve(c.flexibility(c.rows.kept, c.rows.across));
+        by_slip = -factor.solve(Eigen::MatrixXd(
+          c.flexibility(c.rows.kept, c.rows.along) * c.by_slip.asDiagonal()));
+      }
+
+      Eigen::MatrixXd by_q, by_s, by_slip;
+    };
+
+    /** A of x' = A x with the states q, v and, with friction, lambda_s = rate
+     * d/dt u_s, where u_s = Psi_s q - H lambda_n - G_ss lambda_s, and so along
+     * the sliding. */
+    Eigen::MatrixXd
+    state_matrix(const ClosedContact &c)
+    {
+      const ClosedRows     &rows = c.rows;
+      const Eigen::Index    n    = c.model.n_modes();
+      const KeptForces      normal(c);
+      const Eigen::MatrixXd Psi_t = c.participation(rows.along),
+                            Psi_s = c.participation(rows.across);
+      Eigen::MatrixXd pulled      = c.participation(rows.kept);
+      pulled(rows.normal_of_slipping, Eigen::all) += c.mu.asDiagonal() * Psi_t;
+      const Eigen::MatrixXd drag = -pulled.transpose();
+      const Eigen::MatrixXd v_by_slip =
+        drag * normal.by_slip - Psi_t.transpose() * c.by_slip.asDiagonal();
+      const Eigen::MatrixXd H = c.with_friction(rows.across),
+                            F = c.with_friction(rows.along);
+      const Eigen::MatrixXd E =
+        c.flexibility(rows.across, rows.across) + H * normal.by_s;
+      Eigen::MatrixXd slip_by_v = Psi_t - F * normal.by_q;
+
+      const Eigen::Index n_s  = rows.across.size();
+      const Eigen::Index size = 2 * n + n_s;
+      Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(size, size);
+      A.block(0, n, n, n).setIdentity();
+      A.block(n, 0, n, n) = drag * normal.by_q;
+      A.block(n, 0, n, n).diagonal() -= c.model.omega_squared;
+      Eigen::MatrixXd s_rate(rows.slipping.size(), n + n_s),
+        s_by_state(n_s, n + n_s);
+      if (n_s > 0)
+        {
+          s_by_state << Psi_s - H * normal.by_q,
+            Eigen::MatrixXd((-c.inverse_rate).asDiagonal());
+          // The slip rate along the sliding has a part by d/dt lambda_s.
+          s_rate = (F * normal.by_s + c.flexibility(rows.along, rows.across)) *
+                   E.partialPivLu().solve(s_by_state);
+          slip_by_v -= s_rate.leftCols(n);
+          A.block(n, 2 * n, n, n_s) = drag * normal.by_s - Psi_s.transpose() -
+                                      v_by_slip * s_rate.rightCols(n_s);
+        }
+      A.block(n, n, n, n) = v_by_slip * slip_by_v;
+      A.block(n, n, n, n).diagonal() -= c.model.damping;
+      if (n_s > 0)
+        {
+          // What the slope adds to u_s changes with the rate of the slip.
+          const Eigen::MatrixXd s_by_slip =
+            H * normal.by_slip +
+            c.flexibility(rows.across, rows.along) * c.by_slip.asDiagonal();
+          Eigen::MatrixXd rate    = Eigen::MatrixXd::Zero(n_s, size);
+          rate.rightCols(n + n_s) = s_by_state;
+          rate -= s_by_slip * slip_by_v * A.middleRows(n, n);
+          A.bottomRows(n_s) =
+            Eigen::MatrixXd(E - s_by_slip * s_rate.rightCols(n_s))
+              .partialPivLu()
+              .solve(rate);
+        }
+      return A;
+    }
+  } // namespace
+
+
+
+  LinearizedMotion
+  linearize(const ReducedContactModel &model,
+            const SteadySliding       &steady,
+            const NodalFriction       &friction,
+            const double               speed)
+  {
+    const ClosedContact   closed(model, steady, friction, speed);
+    const Eigen::MatrixXd A      = state_matrix(closed);
+    LinearizedMotion      result = motion_of(A, model.n_modes());
+    const Eigen::Index    n_s    = closed.rows.across.size();
+    result.across                = A.bottomRightCorner(n_s, n_s);
+    result.rows_across           = closed.rows.across;
+    return result;
+  }
+} // namespace squeal
