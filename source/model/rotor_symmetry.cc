@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
+#include <squeal/base/run_log.h>
+#include <squeal/model/model.h>
 #include <squeal/model/rotor_symmetry.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -147,5 +149,18 @@ namespace squeal
                 " deg; 'Analysis = angles' goes over that";
       }
     return text;
+  }
+
+
+
+  void
+  warn_of_frozen_rotors(const Model &model, RunLog &log)
+  {
+    const Discretization *const d = model.discretization();
+    if (d == nullptr || !d->has_mesh())
+      return;
+    const std::string text = frozen_rotors(*d);
+    if (!text.empty())
+      log.warning(text);
   }
 } // namespace squeal

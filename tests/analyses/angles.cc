@@ -84,9 +84,10 @@ end
   run(const std::string              &program,
       const std::vector<std::string> &settings,
       const std::string              &table,
-      std::string                    &errors)
+      std::string                    &errors,
+      const std::string              &more = "")
   {
-    write_text("angles.prm", plate);
+    write_text("angles.prm", plate + more);
     std::vector<std::string> words = {program};
     for (const std::string &setting : settings)
       words.insert(words.end(), {"--set", setting});
@@ -127,4 +128,30 @@ main(int argc, char **argv)
   check(said.find("body plate is no body of revolution") != std::string::npos &&
           said.find("every 90.000 deg") != std::string::npos,
         "a plate that stands still is warned of, with its period");
+
+  const std::string pressed = R"(
+subsection Scene
+  set Loads = press
+  subsection Load press
+    set Body     = pad
+    set Face     = z_max
+    set Pressure = 1e6
+  end
+end
+)";
+  for (const auto &[analysis, table] :
+       {std::make_pair("preload", "preload.csv"),
+        std::make_pair("transient", "transient.csv")})
+    {
+      run(argv[1],
+          {std::string("Analysis = ") + analysis,
+           "Transient/End time = 1e-4",
+           "Transient/Time step = 1e-6"},
+          table,
+          said,
+          pressed);
+      check(said.find("body plate is no body of revolution") !=
+              std::string::npos,
+            std::string("and in ") + analysis);
+    }
 }

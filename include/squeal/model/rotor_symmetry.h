@@ -9,6 +9,9 @@
 
 namespace squeal
 {
+  class Model;
+  class RunLog;
+
   /**
    * The numbers n of times a turn in which the mass of some bodies repeats
    * about an axis: the orders with a Fourier coefficient |int exp(i n theta)
@@ -30,6 +33,9 @@ namespace squeal
    * revolution and stands still at one angle. Empty where there is none.
    */
   std::string frozen_rotors(const Discretization &discretization);
+
+  /** Warns of frozen_rotors() in the log; scenes without a mesh have none. */
+  void warn_of_frozen_rotors(const Model &model, RunLog &log);
 } // namespace squeal
 
 #endif

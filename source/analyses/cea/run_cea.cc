@@ -191,10 +191,7 @@ namespace squeal
     const auto &p = context.parameters;
     Model       model(p, context.timers);
     model.print_summary(context.log);
-    if (model.discretization() && model.discretization()->has_mesh())
-      if (const std::string text = frozen_rotors(*model.discretization());
-          !text.empty())
-        context.log.warning(text);
+    warn_of_frozen_rotors(model, context.log);
     Table     steps = mesh_steps_table();
     MeshedCea cea =
       solve_cea_adaptively(model, context.log, context.timers, &steps);

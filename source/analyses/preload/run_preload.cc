@@ -3,6 +3,7 @@
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/contact_output.h>
 #include <squeal/results/chart.h>
 
@@ -320,6 +321,7 @@ namespace squeal
     const Parameters p = moving(context.parameters);
     Model            model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
+    warn_of_frozen_rotors(model, context.log);
     PressedModel  pressed(p,
                          *model.discretization(),
                          model.body_matrices(),

@@ -8,6 +8,7 @@
 #include <squeal/base/root_action.h>
 #include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/rotor_symmetry.h>
 #include <squeal/results/wav_file.h>
 #include <squeal/run/checkpoints.h>
 
@@ -394,6 +395,8 @@ namespace squeal
       contact.state = ContactParameters::State::full;
     Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
+    if (p.transient.disc_frame == TransientParameters::DiscFrame::eulerian)
+      warn_of_frozen_rotors(model, context.log);
     const PreparedTransient prepared(
       PressedModel(p,
                    *model.discretization(),
