@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/available_memory.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/hdf5_handle.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/results/hdf5_file.h>
@@ -363,6 +365,22 @@ namespace squeal
 
 
 
+  std::uint64_t
+  Hdf5File::size_to_read(const std::string &name,
+                         const Dimensions  &extent,
+                         const std::size_t  bytes) const
+  {
+    double needed = bytes;
+    for (const std::uint64_t n : extent)
+      needed *= n;
+    if (!(needed <= available_memory()))
+      fail("is damaged or does not fit into the memory (dataset " + name +
+           " of " + rounded_text(needed / 1e9, 3) + " GB)");
+    return size_of(extent);
+  }
+
+
+
   void
   Hdf5File::read_rows(const std::string   &name,
                       const std::uint64_t  first,
@@ -370,12 +388,13 @@ namespace squeal
                       std::vector<double> &values) const
   {
     std::vector<hsize_t> count = sizes(dimensions(name));
-    if (count.empty() || first + n > count[0])
+    if (count.empty() || n > count[0] || first > count[0] - n)
       fail("is shorter than it says (dataset " + name + ")");
     std::vector<hsize_t> start(count.size(), 0);
     start[0] = first;
     count[0] = n;
-    values.resize(size_of(Dimensions(count.begin(), count.end())));
+    values.resize(
+      size_to_read(name, Dimensions(count.begin(), count.end()), 8));
     if (values.empty())
       return;
     const Hdf5Handle data(H5Dopen2(id, name.c_str(), H5P_DEFAULT), H5Dclose);
@@ -414,7 +433,7 @@ namespace squeal
         H5Tis_variable_str(type) != 0)
       fail("holds no texts of fixed length (dataset " + name + ")");
     const std::size_t length = H5Tget_size(type);
-    std::string       block(extent[0] * length, '\0');
+    std::string       block(size_to_read(name, extent, length) * length, '\0');
     if (!block.empty() &&
         H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()) < 0)
       fail("is damaged (dataset " + name + ")");

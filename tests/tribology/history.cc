@@ -232,6 +232,25 @@ namespace
     H5Fclose(file);
   }
 
+  /** Puts a dataset of @p n rows in the place of another; none is stored. */
+  void
+  claim_rows(const char *dataset, const hsize_t n)
+  {
+    const hid_t   file  = H5Fopen("bad.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+    const hsize_t chunk = 64;
+    const hid_t   space = H5Screate_simple(1, &n, nullptr);
+    const hid_t   how   = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(how, 1, &chunk);
+    H5Ldelete(file, dataset, H5P_DEFAULT);
+    const hid_t data = H5Dcreate2(
+      file, dataset, H5T_IEEE_F64LE, space, H5P_DEFAULT, how, H5P_DEFAULT);
+    check(data >= 0, std::string("the test writes ") + dataset);
+    H5Dclose(data);
+    H5Pclose(how);
+    H5Sclose(space);
+    H5Fclose(file);
+  }
+
   void
   faults_of_files()
   {
@@ -297,6 +316,10 @@ namespace
             "do not increase",
             "times out of order");
     refuses([] { poke("nodes/area", 1, -1.); }, "area", "a negative area");
+    for (const hsize_t n : {hsize_t(1) << 38, hsize_t(1) << 60})
+      refuses([n] { claim_rows("nodes/area", n); },
+              "does not fit into the memory (dataset nodes/area",
+              "more nodes than any memory holds");
     {
       // 32-bit field of another number of nodes
       HistoryLayout layout = two_nodes();

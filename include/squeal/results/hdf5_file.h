@@ -94,6 +94,11 @@ namespace squeal
 
   private:
     [[noreturn]] void fail(const std::string &what) const;
+    /** Number of values of @p bytes each; fails where they take more than the
+     * available memory, as what a damaged file says of its extent may. */
+    std::uint64_t size_to_read(const std::string &name,
+                               const Dimensions  &extent,
+                               const std::size_t  bytes) const;
 
     std::string  file_name;
     std::int64_t id = -1;
