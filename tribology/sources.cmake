@@ -35,6 +35,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_finder.cc
     source/images/crack_growth.cc
     source/images/crack_width.cc
+    source/images/decoder_messages.cc
     source/images/image_files.cc
     source/images/image_parameters.cc
     source/images/image_size.cc

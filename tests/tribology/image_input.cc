@@ -3,6 +3,7 @@
 // Scale and stage of microscopes, and what cannot be read. Argument: the
 // executable.
 #include <squeal/base/exceptions.h>
+#include <squeal/tribology/images/decoder_messages.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/specimen.h>
@@ -10,8 +11,10 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
 #include "check.h"
@@ -209,6 +212,65 @@ namespace
             missed({"slides/a.tif"}).empty(),
           "nothing is missed where all are named or no wildcard is");
   }
+
+
+
+  /** Damage that decoders pass over or report on the terminal alone. */
+  void
+  check_damaged_pixels()
+  {
+    cv::Mat image(200, 200, CV_8U);
+    for (int y = 0; y < image.rows; ++y)
+      for (int x = 0; x < image.cols; ++x)
+        image.at<std::uint8_t>(y, x) = (37 * x + 91 * y + x * y) % 256;
+    unsigned int n_refused = 0, n_silent = 0, n_other = 0;
+    for (const std::string name : {"damaged.jpg", "damaged.png"})
+      {
+        std::vector<unsigned char> encoded;
+        cv::imencode(name.substr(7), image, encoded);
+        write(name, std::string(encoded.begin(), encoded.end()));
+        const cv::Mat whole = read_raw(name, 1e9);
+        for (unsigned int i = 1; i < 20; ++i)
+          {
+            std::string       data(encoded.begin(), encoded.end());
+            const std::size_t at = data.size() * (20 + i) / 50;
+            for (std::size_t k = at; k < at + 12; ++k)
+              data[k] = char(data[k] ^ (0x5a + i));
+            write(name, data);
+            const std::string said = messages_of([&] {
+              try
+                {
+                  const cv::Mat read = read_raw(name, 1e9);
+                  n_silent += cv::norm(read, whole, cv::NORM_INF) > 0.;
+                }
+              catch (const InputError &e)
+                {
+                  ++n_refused;
+                  n_other +=
+                    std::string(e.what()).find("damaged") == std::string::npos;
+                }
+            });
+            check(said.empty(), name + ": nothing on the terminal: " + said);
+          }
+      }
+    std::cout << n_refused << " of 38 damaged images refused, " << n_silent
+              << " read with other pixels\n";
+    check(n_other == 0, "they are called damaged");
+    check(n_refused >= 19, "all PNG, which carry checksums, are refused");
+  }
+
+  void
+  check_messages()
+  {
+    check(messages_of([] { std::fprintf(stderr, "one\n"); }) == "one\n",
+          "what is written to the terminal is caught");
+    check(damage_in("TIFFReadDirectory: Warning, Unknown field with tag 34682")
+            .empty(),
+          "the tag of a microscope is no damage");
+    check(damage_in("a\nCorrupt JPEG data: 3 extraneous bytes\n") ==
+            "Corrupt JPEG data: 3 extraneous bytes",
+          "the line of a damaged file");
+  }
 } // namespace
 
 
@@ -218,6 +280,8 @@ main(int argc, char **argv)
 {
   check_metadata();
   check_missed_images();
+  check_messages();
+  check_damaged_pixels();
   if (argc > 1)
     check_refusals(argv[1]);
   return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/tribology/images/decoder_messages.h>
 #include <squeal/tribology/images/micrograph.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -58,19 +59,24 @@ namespace squeal::tribology
     cv::Mat
     decode(const std::string &data, const std::string &path)
     {
-      cv::Mat image;
-      try
-        {
-          image = cv::imdecode(
-            cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(&data[0])),
-            cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
-        }
-      catch (const cv::Exception &)
-        {
-          image.release();
-        }
+      cv::Mat           image;
+      const std::string messages = messages_of([&] {
+        try
+          {
+            image = cv::imdecode(
+              cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(&data[0])),
+              cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
+          }
+        catch (const cv::Exception &)
+          {
+            image.release();
+          }
+      });
       if (image.empty())
         refuse_format(path);
+      if (const std::string damage = damage_in(messages); !damage.empty())
+        throw InputError(path + " is damaged: its decoder says '" + damage +
+                         "'");
       return image;
     }
   } // namespace
