@@ -19,6 +19,8 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
     source/driver/run_recorded_history.cc
+    source/driver/run_segmentation.cc
+    source/driver/run_synthetic_specimen.cc
     source/driver/study_report.cc
     source/fatigue/accumulation.cc
     source/fatigue/damage_counter.cc
@@ -37,7 +39,6 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_width.cc
     source/images/decoder_messages.cc
     source/images/image_files.cc
-    source/images/image_parameters.cc
     source/images/image_size.cc
     source/images/line_features.cc
     source/images/line_graph.cc
@@ -53,8 +54,6 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/rating.cc
     source/images/registration.cc
     source/images/ridge_filter.cc
-    source/images/run_segmentation.cc
-    source/images/run_synthetic_specimen.cc
     source/images/section_profile.cc
     source/images/segmentation.cc
     source/images/segmentation_record.cc
@@ -68,6 +67,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_correlation.cc
     source/setup/declare_damage.cc
     source/setup/declare_history.cc
+    source/setup/image_parameters.cc
     source/setup/tribology_parameters.cc
     source/statistics/association.cc
     source/statistics/conditional_link.cc

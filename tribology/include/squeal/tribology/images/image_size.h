@@ -2,6 +2,8 @@
 #ifndef squeal_tribology_images_image_size_h
 #define squeal_tribology_images_image_size_h
 
+#include <squeal/tribology/setup/image_parameters.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,10 +21,6 @@ namespace squeal::tribology
   /** Bytes that reading and segmenting an image take for each of its pixels:
    * 112 were measured on one full of dark lines, 49 on one without. */
   constexpr double bytes_per_pixel = 120.;
-
-  /** Largest image that is read, in million pixels, where nothing else is
-   * said. */
-  constexpr double usual_largest_image = 100.;
 
   /**
    * Width and height from the first bytes of a PNG, TIFF, JPEG or BMP file,

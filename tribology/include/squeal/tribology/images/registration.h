@@ -2,7 +2,7 @@
 #ifndef squeal_tribology_images_registration_h
 #define squeal_tribology_images_registration_h
 
-#include <squeal/tribology/images/image_parameters.h>
+#include <squeal/tribology/setup/image_parameters.h>
 #include <squeal/tribology/images/micrograph.h>
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/schema.h>
-#include <squeal/tribology/images/image_parameters.h>
+#include <squeal/tribology/setup/image_parameters.h>
 
 namespace squeal::tribology
 {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef squeal_tribology_images_image_parameters_h
-#define squeal_tribology_images_image_parameters_h
+#ifndef squeal_tribology_setup_image_parameters_h
+#define squeal_tribology_setup_image_parameters_h
 
 #include <squeal/parameters/choices.h>
-#include <squeal/tribology/images/image_size.h>
 
 #include <string>
 #include <vector>
@@ -17,6 +16,10 @@ namespace squeal
 
   namespace tribology
   {
+    /** Largest image that is read, in million pixels, where nothing else is
+     * said. */
+    constexpr double usual_largest_image = 100.;
+
     /** Which images are read and their scale. */
     struct ImageParameters
     {
