@@ -249,7 +249,7 @@ namespace squeal
       {
         if (scenes.size() > 1)
           context.log.heading(scene.title());
-        SweepModel          model(context,
+        SweepModel model(context,
                          scene.parameters,
                          scene.name,
                          scenes.size() > 1 ? &vectors : nullptr);
