@@ -34,6 +34,7 @@ namespace squeal::tribology
     constexpr double faint_darkness = 0.07, faint_odds = -4.;
     constexpr double faint_waviness = 0.011; // of its length
     constexpr double faint_length   = 60.;   // pixels
+    constexpr double faint_sum      = 46.;   // over them, above needed_sum
     // Log odds, of lines that are listed although they are left out.
     constexpr double worth_a_word = -3.;
     // In pixels.
@@ -337,7 +338,7 @@ namespace squeal::tribology
       {
         double odds = std::max(0., lines.log_odds[i] - counts);
         if (is_faint_crack(i))
-          odds = std::max(odds, needed_sum / double(lines.cores[i].size()));
+          odds = std::max(odds, faint_sum / double(lines.cores[i].size()));
         return is_plain(i)
                  ? std::max(odds,
                             plain_share * (feature(i, LineFeature::contrast) -
