@@ -12,7 +12,10 @@ namespace squeal::tribology
 {
   namespace
   {
+    // Cracks are sought with filters of half an octave less, but with the wide
+    // ones where these make them stronger and bring more evidence, by factors.
     constexpr double narrow_filters = 0.7; // pixels, deviation
+    constexpr double stronger = 1.03, more_evidence = 1.5;
     // Log odds of a line that belongs to a crack, and their sum over the pixels
     // of a crack, of (odds + 1).
     constexpr double to_belong  = -0.5;
@@ -24,6 +27,14 @@ namespace squeal::tribology
     constexpr double plain_darkness = 0.045, plain_odds = -2.;
     constexpr double plain_counts = 2.;  // contrast that adds up
     constexpr double plain_share  = 0.6; // of needed_sum, for a unit of it
+    // In wide filters a long wavy line is a crack although each piece of it is
+    // faint.
+    constexpr double faint_contrast = 2.7, faint_path = 2.2,
+                     faint_coarse   = 1.95;
+    constexpr double faint_darkness = 0.07, faint_odds = -4.;
+    constexpr double faint_waviness = 0.011; // of its length
+    constexpr double faint_length   = 60.;   // pixels
+    constexpr double faint_sum      = 46.;   // over them, above needed_sum
     // Log odds, of lines that are listed although they are left out.
     constexpr double worth_a_word = -3.;
     // In pixels.
@@ -130,15 +141,53 @@ namespace squeal::tribology
     public:
       Search(const cv::Mat    &grey,
              const RidgeField &ridges,
-             const LineJudge  &judge)
+             const LineJudge  &judge,
+             const bool        with_faint)
         : ridges(ridges)
         , judge(judge)
-        , lines(grey, ridges, judge)
+        , with_faint(with_faint)
+        , lines(grey, this->ridges, judge)
       {
         choose();
         start = lines.graph.draw(kept);
         remove_hooks();
         remove_spurs(start, longest_spur);
+      }
+
+      bool
+      is_empty() const
+      {
+        return cv::countNonZero(start) == 0;
+      }
+
+      /** The strength of the cracks in other filters over that in these: the
+       * median over their pixels. A crest may lie a pixel beside. */
+      double
+      strength_in(const RidgeField &other) const
+      {
+        cv::Mat strength, other_strength;
+        cv::dilate(ridges.strength, strength, cv::Mat());
+        cv::dilate(other.strength, other_strength, cv::Mat());
+        PixelPath pixels;
+        cv::findNonZero(start, pixels);
+        std::vector<float> ratio;
+        for (const cv::Point &p : pixels)
+          ratio.push_back(other_strength.at<float>(p) /
+                          std::max(0.01F, strength.at<float>(p)));
+        const auto middle = ratio.begin() + ratio.size() / 2;
+        std::nth_element(ratio.begin(), middle, ratio.end());
+        return *middle;
+      }
+
+      /** Sum over the pixels of the cracks. */
+      double
+      all_evidence() const
+      {
+        double sum = 0.;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          if (kept[i])
+            sum += double(lines.cores[i].size()) * evidence(i);
+        return sum;
       }
 
       /** The cracks with what goes on from their ends. */
@@ -177,7 +226,8 @@ namespace squeal::tribology
             const int  length = int(lines.cores[i].size());
             const bool is_end = lines.graph.edges[i].nodes.size() < 2;
             kept.push_back((!is_end && length <= shortest_bridge) ||
-                           ((lines.log_odds[i] >= to_belong || is_plain(i)) &&
+                           ((lines.log_odds[i] >= to_belong || is_plain(i) ||
+                             is_faint_crack(i)) &&
                             length >= shortest_end));
           }
         drop_shallow_lines();
@@ -268,11 +318,27 @@ namespace squeal::tribology
                feature(i, LineFeature::darkness) >= plain_darkness;
       }
 
+      /** Faint, but long and not straight. */
+      bool
+      is_faint_crack(const std::size_t i) const
+      {
+        return with_faint && lines.log_odds[i] >= faint_odds &&
+               !is_straight(i) &&
+               double(lines.cores[i].size()) >= faint_length &&
+               feature(i, LineFeature::contrast) >= faint_contrast &&
+               feature(i, LineFeature::path) >= faint_path &&
+               feature(i, LineFeature::coarse_path) >= faint_coarse &&
+               feature(i, LineFeature::darkness) >= faint_darkness &&
+               feature(i, LineFeature::waviness) >= faint_waviness;
+      }
+
       /** What each pixel of a line adds to its crack. */
       double
       evidence(const std::size_t i) const
       {
-        const double odds = std::max(0., lines.log_odds[i] - counts);
+        double odds = std::max(0., lines.log_odds[i] - counts);
+        if (is_faint_crack(i))
+          odds = std::max(odds, faint_sum / double(lines.cores[i].size()));
         return is_plain(i)
                  ? std::max(odds,
                             plain_share * (feature(i, LineFeature::contrast) -
@@ -324,8 +390,9 @@ namespace squeal::tribology
         result.doubt.invented += led_wrong * cv::countNonZero(led);
       }
 
-      const RidgeField &ridges;
+      const RidgeField  ridges;
       const LineJudge  &judge;
+      const bool        with_faint; /**< faint lines may be cracks */
       const JudgedLines lines;
       std::vector<char> kept;
       std::vector<int>  part;
@@ -361,7 +428,16 @@ namespace squeal::tribology
   CrackLines
   find_cracks(const cv::Mat &grey, const int n_octaves, const LineJudge &judge)
   {
-    const RidgeField ridges = filter_ridges(grey, n_octaves, narrow_filters);
-    return Search(grey, ridges, judge).finished();
+    const Search narrow(
+      grey, filter_ridges(grey, n_octaves, narrow_filters), judge, false);
+    if (narrow.is_empty())
+      return narrow.finished();
+    const RidgeField ridges = filter_ridges(grey, n_octaves);
+    if (narrow.strength_in(ridges) < stronger)
+      return narrow.finished();
+    const Search wide(grey, ridges, judge, true);
+    return wide.all_evidence() < more_evidence * narrow.all_evidence()
+             ? narrow.finished()
+             : wide.finished();
   }
 } // namespace squeal::tribology

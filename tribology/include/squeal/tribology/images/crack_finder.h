@@ -70,6 +70,10 @@ namespace squeal::tribology
    * it that is contrasty itself. At last the ends are moved to where the line
    * stops being dark.
    *
+   * Filters are narrow. Where wide ones see the cracks stronger and bring half
+   * as much evidence again, as on coarse grains, they are used instead; there
+   * long wavy lines count although they are faint.
+   *
    * Nothing depends on quantiles of the evidence: an image without cracks
    * gives none. @p grey is CV_32F; for @p n_octaves see filter_ridges().
    */
