@@ -138,9 +138,15 @@ namespace
     refuses(replaced(two, last, "21 7 2 12 1 14 15 18 17 23"),
             "pyramids (1)",
             "pyramids");
+    refuses(replaced(two, last, "21 92 2 12 1" + spaced(cube.cells[7])),
+            "ElementOrder = 2",
+            "third-order hexahedra");
     refuses(replaced(two, last, "21 17 2 12 1" + spaced(cube.cells[7])),
-            "ElementOrder = 1",
-            "second-order hexahedra");
+            "mesh.msh:62",
+            "a second-order hexahedron without its other nodes");
+    refuses(replaced(two, last, last + " 1"),
+            "more than the 8 nodes",
+            "a hexahedron with more nodes than its type has");
     check(read(replaced(two, last, "21 4 2 12 1 14 15 18 17"), "lower")
               .cells.size() == 4,
           "tetrahedra in another volume do not matter");
