@@ -71,6 +71,7 @@ set(SQUEAL_SOURCES_PARAMETERS
 
 set(SQUEAL_SOURCES_SCENE
     source/scene/body_mesh.cc
+    source/scene/check_meshes.cc
     source/scene/coarse_mesh.cc
     source/scene/curved_cell.cc
     source/scene/gmsh_cell.cc
@@ -82,6 +83,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/import_tables.cc
     source/scene/import_text.cc
     source/scene/imported_model.cc
+    source/scene/loose_parts.cc
     source/scene/matrix_formats.cc
     source/scene/matrix_import.cc
     source/scene/matrix_import_abaqus.cc

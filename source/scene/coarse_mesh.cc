@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/scene/coarse_mesh.h>
+#include <squeal/scene/loose_parts.h>
 
 #include <algorithm>
 #include <map>
@@ -263,6 +264,7 @@ namespace squeal
           join(mesh, partner, source, target);
         mesh.tie_is_conforming.push_back(join_it);
       }
+    refuse_loose_parts(scene, mesh);
     compress(mesh);
     return mesh;
   }

@@ -433,12 +433,6 @@ namespace squeal
 
 
 
-  unsigned int
-  GmshFile::Element::n_corners() const
-  {
-    return kind == Kind::hexahedron ? 8 : kind == Kind::quadrilateral ? 4 : 0;
-  }
-
   GmshFile
   read_gmsh_file(const std::string &name)
   {

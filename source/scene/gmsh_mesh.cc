@@ -11,7 +11,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 

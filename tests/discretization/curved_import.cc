@@ -18,7 +18,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "../scene/gmsh_annulus.h"
-#include "check.h"
+#include "scenes.h"
+#include "worst.h"
 
 using namespace squeal;
 using namespace squeal::testing;

@@ -4,6 +4,7 @@
 // and says what to do.
 
 #include <squeal/base/exceptions.h>
+#include <squeal/scene/check_meshes.h>
 
 #include "gmsh_cube.h"
 
@@ -175,22 +176,6 @@ namespace
     refuses(with_element(cube, "3 2 2 6" + spaced(Cube::plane(0, 0)[0])),
             "a face has one name",
             "a face in two physical surfaces");
-
-    // The upper half on nodes of its own: 9 duplicates of the middle plane.
-    std::ostringstream apart;
-    apart << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n54\n";
-    for (int n = 0; n < 54; ++n)
-      apart << n + 1 << spaced(cube.nodes[n % 27]) << "\n";
-    apart << "$EndNodes\n$Elements\n8\n";
-    for (int c = 0; c < 8; ++c)
-      {
-        auto cell = cube.cells[c];
-        for (int &node : cell)
-          node += c < 4 ? 0 : 27;
-        apart << c + 1 << " 5 2 0 1" << spaced(cell) << "\n";
-      }
-    apart << "$EndElements\n";
-    refuses(apart.str(), "2 parts", "a body in parts that share no nodes");
   }
 
   /** Two bodies of one file that share the nodes of the middle plane. */
@@ -219,6 +204,22 @@ namespace
     scene.ties                        = {tie};
     check(make_coarse_mesh(scene).vertices.size() == 27,
           "a tie glues the two halves");
+    check_meshes(scene);
+    SupportParameters support;
+    support.name   = "clamp";
+    support.body   = "lower half";
+    support.face   = "left";
+    scene.supports = {support};
+    check_meshes(scene);
+    scene.supports[0].face = "wrong";
+    check_throws<InputError>([&]() { check_meshes(scene); },
+                             "left, right side, middle, unnamed",
+                             "refused before a run: a face that is not there");
+    std::ofstream("halves.msh") << version_2(Cube()).substr(0, 600);
+    check_throws<InputError>([&]() { check_meshes(scene); },
+                             "halves.msh",
+                             "refused before a run: a truncated mesh");
+    std::ofstream("halves.msh") << version_2(Cube());
     scene.bodies.pop_back();
     scene.ties.clear();
     check(make_coarse_mesh(scene).cells.size() == 4,

@@ -36,8 +36,6 @@ namespace squeal
       /** Indices into nodes, in Gmsh's order, the corners first; of hexahedra
        * and quadrilaterals only. */
       std::vector<unsigned int> nodes;
-
-      unsigned int n_corners() const;
     };
 
     std::vector<dealii::Point<3>> nodes;
