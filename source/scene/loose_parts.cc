@@ -91,7 +91,7 @@ namespace squeal
             for (const unsigned int v : quad.vertices)
               corners.push_back(mesh.vertices[v]);
             Box box(corners);
-            box.extend(.1 * corners[0].distance(corners[3]));
+            box.extend(.02 * corners[0].distance(corners[3]));
             const auto [it, is_new] =
               boxes.emplace(root(quad.vertices[0]), box);
             if (!is_new)
