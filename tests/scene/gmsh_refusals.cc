@@ -143,7 +143,7 @@ namespace
             "ElementOrder = 2",
             "third-order hexahedra");
     refuses(replaced(two, last, "21 17 2 12 1" + spaced(cube.cells[7])),
-            "mesh.msh:62",
+            "mesh.msh:64: expected node",
             "a second-order hexahedron without its other nodes");
     refuses(replaced(two, last, last + " 1"),
             "more than the 8 nodes",
