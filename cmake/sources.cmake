@@ -71,14 +71,19 @@ set(SQUEAL_SOURCES_PARAMETERS
 
 set(SQUEAL_SOURCES_SCENE
     source/scene/body_mesh.cc
+    source/scene/check_meshes.cc
     source/scene/coarse_mesh.cc
+    source/scene/curved_cell.cc
+    source/scene/gmsh_cell.cc
     source/scene/gmsh_file.cc
     source/scene/gmsh_mesh.cc
+    source/scene/gmsh_selection.cc
     source/scene/import_contact.cc
     source/scene/import_numbering.cc
     source/scene/import_tables.cc
     source/scene/import_text.cc
     source/scene/imported_model.cc
+    source/scene/loose_parts.cc
     source/scene/matrix_formats.cc
     source/scene/matrix_import.cc
     source/scene/matrix_import_abaqus.cc

@@ -5,6 +5,7 @@
 #include <squeal/base/memory.h>
 #include <squeal/results/compare.h>
 #include <squeal/run/command_line.h>
+#include <squeal/scene/check_meshes.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -78,7 +79,9 @@ namespace
           throw InputError("--validate needs a parameter file");
         for (const auto &file : line.files)
           {
-            read_parameters(file, line.overrides).check();
+            const Parameters parameters = read_parameters(file, line.overrides);
+            parameters.check();
+            check_meshes(parameters.scene);
             if (is_root)
               std::cout << file << ": valid\n";
           }

@@ -90,6 +90,25 @@ namespace squeal
                                                           body.position[1],
                                                           body.position[2])));
       }
+    attach_charts();
+  }
+
+
+
+  void
+  Discretization::attach_charts()
+  {
+    const unsigned int first = scene_parameters->bodies.size() + 1;
+    for (const auto &cell : mesh->cell_iterators_on_level(0))
+      if (const auto it = coarse.curved.find(cell->index());
+          it != coarse.curved.end())
+        {
+          Assert(cell->vertex_index(0) ==
+                   coarse.cells[cell->index()].vertices[0],
+                 dealii::ExcInternalError());
+          cell->set_all_manifold_ids(first + cell->index());
+          mesh->set_manifold(first + cell->index(), *chart_of_cell(it->second));
+        }
   }
 
 

@@ -209,14 +209,18 @@ namespace squeal
       const dealii::Tensor<1, 3> e = axis / axis.norm();
       const Vector3             &c = body.centre_of_rotation();
       const dealii::Point<3>     centre(c[0], c[1], c[2]);
-      const double               angle = body.angle * (M_PI / 180.);
+      const double               angle      = body.angle * (M_PI / 180.);
+      const auto                 turn_point = [&](dealii::Point<3> &x) {
+        const dealii::Tensor<1, 3> r     = x - centre;
+        const dealii::Tensor<1, 3> along = (e * r) * e;
+        x = centre + along + std::cos(angle) * (r - along) +
+            std::sin(angle) * dealii::cross_product_3d(e, r);
+      };
       for (auto &vertex : mesh.vertices)
-        {
-          const dealii::Tensor<1, 3> r     = vertex - centre;
-          const dealii::Tensor<1, 3> along = (e * r) * e;
-          vertex = centre + along + std::cos(angle) * (r - along) +
-                   std::sin(angle) * dealii::cross_product_3d(e, r);
-        }
+        turn_point(vertex);
+      for (auto &[cell, nodes] : mesh.curved)
+        for (auto &node : nodes)
+          turn_point(node);
     }
   } // namespace
 

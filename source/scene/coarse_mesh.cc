@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/scene/coarse_mesh.h>
+#include <squeal/scene/loose_parts.h>
 
 #include <algorithm>
 #include <map>
@@ -180,6 +181,8 @@ namespace squeal
   unsigned int
   axis_of_face(const CoarseMesh &mesh, const unsigned int face)
   {
+    if (mesh.round_faces.count(face) > 0)
+      return -1u;
     dealii::Tensor<1, 3> area;
     double               total = 0.;
     for (const auto &quad : mesh.boundary.boundary_quads)
@@ -212,6 +215,10 @@ namespace squeal
         const BodyMesh body = make_body_mesh(scene.bodies[b]);
         check_shared_nodes(scene, scene.bodies[b], body);
         const unsigned int first = mesh.vertices.size();
+        for (const auto &[cell, nodes] : body.curved)
+          mesh.curved[mesh.cells.size() + cell] = nodes;
+        for (const unsigned int face : body.round_faces)
+          mesh.round_faces.insert(face_id(b, face));
         mesh.face_names.push_back(body.face_names);
         mesh.vertices.insert(
           mesh.vertices.end(), body.vertices.begin(), body.vertices.end());
@@ -257,6 +264,7 @@ namespace squeal
           join(mesh, partner, source, target);
         mesh.tie_is_conforming.push_back(join_it);
       }
+    refuse_loose_parts(scene, mesh);
     compress(mesh);
     return mesh;
   }

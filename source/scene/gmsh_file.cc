@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/input_file.h>
-#include <squeal/base/unknown_choice.h>
 
 #include <squeal/parameters/text.h>
 
@@ -26,10 +25,10 @@ namespace squeal
     {
       static const std::map<Kind, std::vector<long>> types{
         {Kind::low_dimensional, {15, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66}},
-        {Kind::quadrilateral, {3}},
-        {Kind::other_surface, {2, 9, 10, 16}},
-        {Kind::hexahedron, {5}},
-        {Kind::higher_order_hexahedron, {12, 17, 92, 93}},
+        {Kind::quadrilateral, {3, 10, 16}},
+        {Kind::other_surface, {2, 9}},
+        {Kind::hexahedron, {5, 12, 17}},
+        {Kind::higher_order_hexahedron, {92, 93, 94, 95, 96, 97, 98}},
         {Kind::tetrahedron, {4, 11, 29, 30, 31}},
         {Kind::wedge, {6, 13, 18}},
         {Kind::pyramid, {7, 14, 19}}};
@@ -44,26 +43,15 @@ namespace squeal
 
 
 
-    /** Nodes that are kept of an element of a kind. */
+    /** Nodes that are kept of an element of Gmsh's types: of hexahedra and
+     * quadrilaterals of first and second order. */
     unsigned int
-    n_nodes_read(const Kind kind)
+    n_nodes_read(const long type)
     {
-      switch (kind)
-        {
-        case Kind::hexahedron:
-          return 8;
-        case Kind::quadrilateral:
-          return 4;
-        case Kind::low_dimensional:
-        case Kind::other_surface:
-        case Kind::higher_order_hexahedron:
-        case Kind::tetrahedron:
-        case Kind::wedge:
-        case Kind::pyramid:
-        case Kind::other_volume:
-          return 0;
-        }
-      unknown_choice("kind of element");
+      static const std::map<long, unsigned int> numbers{
+        {3, 4}, {16, 8}, {10, 9}, {5, 8}, {17, 20}, {12, 27}};
+      const auto it = numbers.find(type);
+      return it == numbers.end() ? 0 : it->second;
     }
 
 
@@ -352,16 +340,20 @@ namespace squeal
       GmshFile::Element element{tag, kind_of(type), group, {}};
       if (element.kind == Kind::low_dimensional)
         return;
-      for (unsigned int v = 0; v < n_nodes_read(element.kind); ++v)
+      for (unsigned int v = 0; v < n_nodes_read(type); ++v)
         {
           const long node = next_integer("node");
           const auto it   = index_of_node.find(node);
           if (it == index_of_node.end())
             text.fail("element " + std::to_string(tag) + " refers to node " +
                       std::to_string(node) + ", which is not in the file");
-          element.nodes[v] = it->second;
+          element.nodes.push_back(it->second);
         }
-      file.elements.push_back(element);
+      if (!element.nodes.empty() && !import::trimmed(rest).empty())
+        text.fail("element " + std::to_string(tag) + " has more than the " +
+                  std::to_string(element.nodes.size()) +
+                  " nodes of its type: " + prm::in_quotes(std::string(rest)));
+      file.elements.push_back(std::move(element));
     }
 
     void

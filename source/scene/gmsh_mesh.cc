@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/unknown_choice.h>
+#include <squeal/base/number_text.h>
 
 #include <squeal/scene/coarse_mesh.h>
-#include <squeal/scene/gmsh_file.h>
+#include <squeal/scene/gmsh_cell.h>
+#include <squeal/scene/gmsh_selection.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace squeal
@@ -28,6 +27,13 @@ namespace squeal
 
     const char *const unnamed_face = "unnamed";
 
+    /** Of a cell, over its diagonal: what looks for cells that may hold a point
+     * counts on it. */
+    constexpr double largest_bulge = .2;
+
+    /** Below this a face is flat. */
+    constexpr double flat_height = 1e-6;
+
     /** The faces x min, x max, y min, ... of a hexahedron. */
     constexpr std::array<Quad, 6> faces_of_hexahedron{{{{0, 2, 4, 6}},
                                                        {{1, 3, 5, 7}},
@@ -36,43 +42,17 @@ namespace squeal
                                                        {{0, 1, 2, 3}},
                                                        {{4, 5, 6, 7}}}};
 
-    bool
-    is_volume(const Kind kind)
+    std::string
+    percent(const double share)
     {
-      return kind != Kind::low_dimensional && kind != Kind::quadrilateral &&
-             kind != Kind::other_surface;
+      return rounded_text(100. * share, 3) + " %";
     }
 
-    std::string
-    plural_of(const Kind kind)
+    Quad
+    corners_of_face(const Hexahedron &cell, const unsigned int f)
     {
-      switch (kind)
-        {
-        case Kind::tetrahedron:
-          return "tetrahedra";
-        case Kind::wedge:
-          return "wedges";
-        case Kind::pyramid:
-          return "pyramids";
-        case Kind::higher_order_hexahedron:
-          return "hexahedra of second or higher order";
-        case Kind::other_volume:
-          return "cells of an unknown kind";
-        case Kind::low_dimensional:
-        case Kind::quadrilateral:
-        case Kind::other_surface:
-        case Kind::hexahedron:
-          break;
-        }
-      unknown_choice("kind of cell to refuse");
-    }
-
-    /** The name of a physical group, or its number where it has none. */
-    std::string
-    name_of(const std::map<int, std::string> &names, const int tag)
-    {
-      const auto it = names.find(tag);
-      return it == names.end() ? std::to_string(tag) : it->second;
+      const Quad &face = faces_of_hexahedron[f];
+      return {{cell[face[0]], cell[face[1]], cell[face[2]], cell[face[3]]}};
     }
 
     Quad
@@ -91,29 +71,31 @@ namespace squeal
       GmshBody(const BodyParameters &body)
         : body(body)
         , file(read_gmsh_file(body.mesh_file))
+        , selection(file, body)
       {
       }
 
       BodyMesh make();
 
     private:
-      [[noreturn]] void fail(const std::string &text) const;
-      bool              is_selected(const GmshFile::Element &element) const;
-      void              check_physical_volume() const;
-      void              check_kinds() const;
-      void              collect_hexahedra();
-      void              orient_hexahedra();
-      void              find_boundary();
-      void              check_connected() const;
-      void              name_boundary();
-      void              number_unnamed_faces();
-      std::vector<std::string> touching_volumes() const;
-      BodyMesh                 without_unused_nodes() const;
+      void         collect_hexahedra();
+      void         add_points(const GmshFile::Element &element);
+      void         orient_hexahedra();
+      void         find_boundary();
+      void         name_boundary();
+      void         number_unnamed_faces();
+      Tensor<1, 3> offset() const;
+      BodyMesh     without_unused_nodes() const;
+      void         add_curved_cells(BodyMesh &mesh) const;
 
       const BodyParameters    &body;
       const GmshFile           file;
+      const GmshSelection      selection;
       std::vector<Hexahedron>  hexahedra;
-      std::vector<long>        tags;         /**< of the hexahedra */
+      std::vector<long>        tags;   /**< of the hexahedra */
+      std::vector<CellNodes>   points; /**< of the hexahedra */
+      bool                     has_second_order = false;
+      SharedPoints             shared_points;
       std::map<Quad, int>      face_of_quad; /**< -1: not yet named */
       std::map<Quad, Quad>     boundary;     /**< by sorted corners */
       std::vector<std::string> face_names;
@@ -122,130 +104,57 @@ namespace squeal
 
 
     void
-    GmshBody::fail(const std::string &text) const
-    {
-      throw InputError("body '" + body.name + "': mesh file '" +
-                       body.mesh_file + "' " + text);
-    }
-
-    bool
-    GmshBody::is_selected(const GmshFile::Element &element) const
-    {
-      if (!is_volume(element.kind))
-        return false;
-      if (body.physical_volume.empty())
-        return true;
-      const auto &group = file.groups[element.group];
-      return std::any_of(group.begin(), group.end(), [&](const int tag) {
-        return name_of(file.volume_names, tag) == body.physical_volume;
-      });
-    }
-
-
-
-    void
-    GmshBody::check_physical_volume() const
-    {
-      if (body.physical_volume.empty())
-        return;
-      std::set<std::string> names;
-      for (const auto &[tag, name] : file.volume_names)
-        names.insert(name);
-      for (const auto &element : file.elements)
-        if (is_volume(element.kind))
-          for (const int tag : file.groups[element.group])
-            names.insert(name_of(file.volume_names, tag));
-      if (names.count(body.physical_volume) > 0)
-        return;
-      std::string list;
-      for (const auto &name : names)
-        list += (list.empty() ? "" : ", ") + name;
-      fail("has no physical volume '" + body.physical_volume +
-           "'; there are: " + (list.empty() ? "none" : list));
-    }
-
-
-
-    void
-    GmshBody::check_kinds() const
-    {
-      std::map<Kind, unsigned int> count;
-      for (const auto &element : file.elements)
-        if (is_selected(element))
-          ++count[element.kind];
-      if (count.empty())
-        fail((body.physical_volume.empty()
-                ? "holds no volume cells"
-                : "holds no cells of physical volume '" + body.physical_volume +
-                    "'") +
-             std::string(": mesh it in three dimensions and give the volume a "
-                         "physical group"));
-      std::string others;
-      for (const auto &[kind, n] : count)
-        if (kind != Kind::hexahedron)
-          others += (others.empty() ? "" : ", ") + plural_of(kind) + " (" +
-                    std::to_string(n) + ")";
-      const bool only_order = count.count(Kind::higher_order_hexahedron) == 1 &&
-                              count.size() <= 1 + count.count(Kind::hexahedron);
-      if (!others.empty())
-        fail("holds " + others +
-             ", but only hexahedra with 8 nodes are used: " +
-             (only_order ? "save it with Mesh.ElementOrder = 1 (the degree is "
-                           "set in Discretization)"
-                         : "use transfinite or extruded meshes with Recombine, "
-                           "or Mesh.SubdivisionAlgorithm = 2"));
-    }
-
-
-
-    void
     GmshBody::collect_hexahedra()
     {
       // Format 2 repeats a cell for each physical group that it is in.
-      std::set<std::array<unsigned int, 8>> known;
+      std::set<Hexahedron> known;
+      has_second_order = std::any_of(file.elements.begin(),
+                                     file.elements.end(),
+                                     [&](const GmshFile::Element &element) {
+                                       return selection.holds(element) &&
+                                              element.nodes.size() > 8;
+                                     });
       for (const auto &element : file.elements)
-        if (is_selected(element))
+        if (selection.holds(element))
           {
-            auto corners = element.nodes;
+            auto all = element.nodes;
+            std::sort(all.begin(), all.end());
+            if (std::adjacent_find(all.begin(), all.end()) != all.end())
+              selection.fail("has a collapsed cell: element " +
+                             std::to_string(element.tag) +
+                             " names a node twice");
+            Hexahedron corners;
+            std::copy_n(element.nodes.begin(), 8, corners.begin());
             std::sort(corners.begin(), corners.end());
-            if (std::adjacent_find(corners.begin(), corners.end()) !=
-                corners.end())
-              fail("has a collapsed cell: element " +
-                   std::to_string(element.tag) + " names a node twice");
             if (!known.insert(corners).second)
               continue;
             const auto &n = element.nodes;
             hexahedra.push_back(
               {{n[0], n[1], n[3], n[2], n[4], n[5], n[7], n[6]}});
             tags.push_back(element.tag);
+            add_points(element);
           }
     }
 
-
-
-    /** Smallest and largest Jacobian determinant at the corners, relative to
-     * the cube of the longest edge. */
-    std::pair<double, double>
-    range_of_jacobian(const Hexahedron            &cell,
-                      const std::vector<Point<3>> &nodes)
+    void
+    GmshBody::add_points(const GmshFile::Element &element)
     {
-      double smallest = std::numeric_limits<double>::max();
-      double largest = -smallest, longest = 0.;
-      for (unsigned int v = 0; v < 8; ++v)
-        {
-          std::array<Tensor<1, 3>, 3> edges;
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              edges[d] = nodes[cell[v | 1 << d]] - nodes[cell[v & ~(1 << d)]];
-              longest  = std::max(longest, edges[d].norm());
-            }
-          const double jacobian =
-            dealii::cross_product_3d(edges[0], edges[1]) * edges[2];
-          smallest = std::min(smallest, jacobian);
-          largest  = std::max(largest, jacobian);
-        }
-      const double scale = 1. / (longest * longest * longest);
-      return {smallest * scale, largest * scale};
+      points.push_back(nodes_of_hexahedron(file, element));
+      if (bulge_of(points.back()) > largest_bulge)
+        selection.fail(
+          "has a cell that is too round: a node of element " +
+          std::to_string(element.tag) + " lies " +
+          percent(bulge_of(points.back())) +
+          " of its diagonal from where its corners have it; at most " +
+          percent(largest_bulge) + " are allowed: use more cells there");
+      if (!has_second_order)
+        return;
+      if (const auto other = shared_points.disagrees(element, points.back()))
+        selection.fail(
+          "does not fit together: elements " + std::to_string(*other) +
+          " and " + std::to_string(element.tag) +
+          " share corners, but not the points between them: mesh both in "
+          "second order or both in first order");
     }
 
 
@@ -257,28 +166,35 @@ namespace squeal
       std::vector<long> inverted, bad;
       for (unsigned int i = 0; i < hexahedra.size(); ++i)
         {
-          const auto range = range_of_jacobian(hexahedra[i], file.nodes);
+          const auto range = range_of_jacobian(points[i]);
           if (range.second < -flat)
             inverted.push_back(tags[i]);
           else if (!(range.first > flat))
             bad.push_back(tags[i]);
         }
       if (!bad.empty())
-        fail("has " + std::to_string(bad.size()) +
-             (bad.size() == 1 ? " cell" : " cells") +
-             " with a folded or flat corner, first element " +
-             std::to_string(bad.front()) + ": improve the mesh there");
+        selection.fail("has " + std::to_string(bad.size()) +
+                       (bad.size() == 1 ? " cell" : " cells") +
+                       " with a folded or flat corner, first element " +
+                       std::to_string(bad.front()) +
+                       ": improve the mesh there");
       // A mirrored mesh is numbered the other way round as a whole; a few
       // such cells lie on top of their neighbours.
       if (!inverted.empty() && inverted.size() < hexahedra.size())
-        fail("has " + std::to_string(inverted.size()) +
-             (inverted.size() == 1 ? " inverted cell" : " inverted cells") +
-             " (negative volume), first element " +
-             std::to_string(inverted.front()) +
-             ": improve the mesh there or reverse the volume");
+        selection.fail(
+          "has " + std::to_string(inverted.size()) +
+          (inverted.size() == 1 ? " inverted cell" : " inverted cells") +
+          " (negative volume), first element " +
+          std::to_string(inverted.front()) +
+          ": improve the mesh there or reverse the volume");
       if (!inverted.empty())
-        for (auto &cell : hexahedra)
-          std::swap_ranges(cell.begin(), cell.begin() + 4, cell.begin() + 4);
+        for (unsigned int i = 0; i < hexahedra.size(); ++i)
+          {
+            auto &cell = hexahedra[i];
+            std::swap_ranges(cell.begin(), cell.begin() + 4, cell.begin() + 4);
+            auto &x = points[i];
+            std::swap_ranges(x.begin(), x.begin() + 9, x.begin() + 18);
+          }
     }
 
 
@@ -288,44 +204,20 @@ namespace squeal
     {
       std::map<Quad, std::vector<Quad>> faces;
       for (const auto &cell : hexahedra)
-        for (const auto &face : faces_of_hexahedron)
+        for (unsigned int f = 0; f < 6; ++f)
           {
-            const Quad quad{
-              {cell[face[0]], cell[face[1]], cell[face[2]], cell[face[3]]}};
+            const Quad quad = corners_of_face(cell, f);
             faces[sorted(quad)].push_back(quad);
           }
       for (const auto &[key, quads] : faces)
         {
           if (quads.size() > 2)
-            fail("has cells that overlap: " + std::to_string(quads.size()) +
-                 " of them share one face");
+            selection.fail(
+              "has cells that overlap: " + std::to_string(quads.size()) +
+              " of them share one face");
           if (quads.size() == 1)
             boundary[key] = quads.front();
         }
-    }
-
-
-
-    void
-    GmshBody::check_connected() const
-    {
-      std::vector<unsigned int> parent(file.nodes.size());
-      std::iota(parent.begin(), parent.end(), 0);
-      const auto root = [&](unsigned int n) {
-        while (parent[n] != n)
-          n = parent[n] = parent[parent[n]];
-        return n;
-      };
-      for (const auto &cell : hexahedra)
-        for (const unsigned int n : cell)
-          parent[root(n)] = root(cell[0]);
-      std::set<unsigned int> parts;
-      for (const auto &cell : hexahedra)
-        parts.insert(root(cell[0]));
-      if (parts.size() > 1)
-        fail("falls into " + std::to_string(parts.size()) +
-             " parts that share no nodes: merge coincident nodes (Coherence "
-             "Mesh), or make each physical volume a body of its own");
     }
 
 
@@ -350,7 +242,7 @@ namespace squeal
           }
       for (const auto &[tag, quads] : quads_of_tag)
         {
-          const std::string name = name_of(file.surface_names, tag);
+          const std::string name = name_of_group(file.surface_names, tag);
           const auto it = std::find(face_names.begin(), face_names.end(), name);
           const int  number = it - face_names.begin();
           if (it == face_names.end())
@@ -359,9 +251,10 @@ namespace squeal
             {
               int &face = face_of_quad[key];
               if (face >= 0 && face != number)
-                fail("gives one cell face to the physical surfaces '" +
-                     face_names[face] + "' and '" + name +
-                     "': a face has one name");
+                selection.fail(
+                  "gives one cell face to the physical surfaces '" +
+                  face_names[face] + "' and '" + name +
+                  "': a face has one name");
               face = number;
             }
         }
@@ -389,20 +282,25 @@ namespace squeal
               face = number;
         }
       if (face_names.size() > max_faces_per_body)
-        fail("names " + std::to_string(face_names.size()) +
-             " faces of the body; at most " +
-             std::to_string(max_faces_per_body) + " are supported");
+        selection.fail("names " + std::to_string(face_names.size()) +
+                       " faces of the body; at most " +
+                       std::to_string(max_faces_per_body) + " are supported");
     }
 
 
+
+    Tensor<1, 3>
+    GmshBody::offset() const
+    {
+      const auto &x = body.position;
+      return Point<3>(x[0], x[1], x[2]);
+    }
 
     BodyMesh
     GmshBody::without_unused_nodes() const
     {
       BodyMesh                  mesh;
       std::vector<unsigned int> number(file.nodes.size(), -1u);
-      const Point<3>            offset(
-        body.position[0], body.position[1], body.position[2]);
       for (const auto &cell : hexahedra)
         {
           mesh.cells.emplace_back();
@@ -412,7 +310,7 @@ namespace squeal
               if (n == -1u)
                 {
                   n = mesh.vertices.size();
-                  mesh.vertices.push_back(file.nodes[cell[v]] + offset);
+                  mesh.vertices.push_back(file.nodes[cell[v]] + offset());
                 }
               mesh.cells.back().vertices[v] = n;
             }
@@ -425,27 +323,26 @@ namespace squeal
           mesh.boundary.back().boundary_id = face_of_quad.at(key);
         }
       mesh.face_names = face_names;
+      add_curved_cells(mesh);
       return mesh;
     }
 
-
-
-    std::vector<std::string>
-    GmshBody::touching_volumes() const
+    void
+    GmshBody::add_curved_cells(BodyMesh &mesh) const
     {
-      std::vector<bool> own(file.nodes.size(), false);
-      for (const auto &cell : hexahedra)
-        for (const unsigned int n : cell)
-          own[n] = true;
-      std::set<std::string> names;
-      for (const auto &element : file.elements)
-        if (element.kind == Kind::hexahedron && !is_selected(element) &&
-            std::any_of(element.nodes.begin(),
-                        element.nodes.end(),
-                        [&](const unsigned int n) { return own[n]; }))
-          for (const int tag : file.groups[element.group])
-            names.insert(name_of(file.volume_names, tag));
-      return {names.begin(), names.end()};
+      for (unsigned int i = 0; i < hexahedra.size(); ++i)
+        if (has_second_order && is_curved(points[i]))
+          {
+            mesh.curved[i] = points[i];
+            for (auto &x : mesh.curved[i])
+              x += offset();
+            for (unsigned int f = 0; f < 6; ++f)
+              if (const auto it =
+                    face_of_quad.find(sorted(corners_of_face(hexahedra[i], f)));
+                  it != face_of_quad.end() &&
+                  height_of_face(points[i], f) > flat_height)
+                mesh.round_faces.insert(it->second);
+          }
     }
 
 
@@ -453,16 +350,13 @@ namespace squeal
     BodyMesh
     GmshBody::make()
     {
-      check_physical_volume();
-      check_kinds();
       collect_hexahedra();
       orient_hexahedra();
       find_boundary();
-      check_connected();
       name_boundary();
       number_unnamed_faces();
       BodyMesh mesh         = without_unused_nodes();
-      mesh.touching_volumes = touching_volumes();
+      mesh.touching_volumes = selection.touching_volumes();
       dealii::GridTools::consistently_order_cells(mesh.cells);
       return mesh;
     }

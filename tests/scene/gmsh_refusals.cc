@@ -4,6 +4,7 @@
 // and says what to do.
 
 #include <squeal/base/exceptions.h>
+#include <squeal/scene/check_meshes.h>
 
 #include "gmsh_cube.h"
 
@@ -138,9 +139,15 @@ namespace
     refuses(replaced(two, last, "21 7 2 12 1 14 15 18 17 23"),
             "pyramids (1)",
             "pyramids");
+    refuses(replaced(two, last, "21 92 2 12 1" + spaced(cube.cells[7])),
+            "ElementOrder = 2",
+            "third-order hexahedra");
     refuses(replaced(two, last, "21 17 2 12 1" + spaced(cube.cells[7])),
-            "ElementOrder = 1",
-            "second-order hexahedra");
+            "mesh.msh:64: expected node",
+            "a second-order hexahedron without its other nodes");
+    refuses(replaced(two, last, last + " 1"),
+            "more than the 8 nodes",
+            "a hexahedron with more nodes than its type has");
     check(read(replaced(two, last, "21 4 2 12 1 14 15 18 17"), "lower")
               .cells.size() == 4,
           "tetrahedra in another volume do not matter");
@@ -169,22 +176,6 @@ namespace
     refuses(with_element(cube, "3 2 2 6" + spaced(Cube::plane(0, 0)[0])),
             "a face has one name",
             "a face in two physical surfaces");
-
-    // The upper half on nodes of its own: 9 duplicates of the middle plane.
-    std::ostringstream apart;
-    apart << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n54\n";
-    for (int n = 0; n < 54; ++n)
-      apart << n + 1 << spaced(cube.nodes[n % 27]) << "\n";
-    apart << "$EndNodes\n$Elements\n8\n";
-    for (int c = 0; c < 8; ++c)
-      {
-        auto cell = cube.cells[c];
-        for (int &node : cell)
-          node += c < 4 ? 0 : 27;
-        apart << c + 1 << " 5 2 0 1" << spaced(cell) << "\n";
-      }
-    apart << "$EndElements\n";
-    refuses(apart.str(), "2 parts", "a body in parts that share no nodes");
   }
 
   /** Two bodies of one file that share the nodes of the middle plane. */
@@ -213,6 +204,22 @@ namespace
     scene.ties                        = {tie};
     check(make_coarse_mesh(scene).vertices.size() == 27,
           "a tie glues the two halves");
+    check_meshes(scene);
+    SupportParameters support;
+    support.name   = "clamp";
+    support.body   = "lower half";
+    support.face   = "left";
+    scene.supports = {support};
+    check_meshes(scene);
+    scene.supports[0].face = "wrong";
+    check_throws<InputError>([&]() { check_meshes(scene); },
+                             "left, right side, middle, unnamed",
+                             "refused before a run: a face that is not there");
+    std::ofstream("halves.msh") << version_2(Cube()).substr(0, 600);
+    check_throws<InputError>([&]() { check_meshes(scene); },
+                             "halves.msh",
+                             "refused before a run: a truncated mesh");
+    std::ofstream("halves.msh") << version_2(Cube());
     scene.bodies.pop_back();
     scene.ties.clear();
     check(make_coarse_mesh(scene).cells.size() == 4,

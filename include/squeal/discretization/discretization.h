@@ -100,6 +100,8 @@ namespace squeal
     Discretization(const Discretization &other, const unsigned int degree);
     void create_mesh();
     void attach_manifolds();
+    /** Curved cells of mesh files keep their shape when they are refined. */
+    void attach_charts();
     /** Refines cells at the faces until each has those of one level. */
     void make_even(const std::vector<unsigned int> &faces);
     void distribute();

@@ -4,10 +4,14 @@
 
 #include <squeal/parameters/scene_parameters.h>
 
+#include <squeal/scene/curved_cell.h>
+
 #include <deal.II/base/point.h>
 
 #include <deal.II/grid/tria_description.h>
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +28,12 @@ namespace squeal
     std::vector<dealii::Point<3>>    vertices;
     std::vector<dealii::CellData<3>> cells;
     dealii::SubCellData              boundary;
+    /** Nodes of the cells of second order that are curved, by their position
+     * in cells. m */
+    std::map<unsigned int, CellNodes> curved;
+    /** Ids of faces that such cells make round although all corners may lie in
+     * one plane. */
+    std::set<unsigned int> round_faces;
     /** Names of the faces of each body; the position is the face number. */
     std::vector<std::vector<std::string>> face_names;
     /** True for the ties whose face meshes match and were joined. */
@@ -65,6 +75,9 @@ namespace squeal
     std::vector<dealii::CellData<3>> cells;
     std::vector<dealii::CellData<2>> boundary;
     std::vector<std::string>         face_names;
+    /** As in CoarseMesh; the faces by their numbers. */
+    std::map<unsigned int, CellNodes> curved;
+    std::set<unsigned int>            round_faces;
     /** Other physical volumes of the Gmsh file that use nodes of this body. */
     std::vector<std::string> touching_volumes;
   };

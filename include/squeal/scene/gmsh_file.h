@@ -4,7 +4,6 @@
 
 #include <deal.II/base/point.h>
 
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,10 +19,10 @@ namespace squeal
     enum class Kind
     {
       low_dimensional, /**< points and lines */
-      quadrilateral,   /**< with 4 nodes */
+      quadrilateral,   /**< with 4, 8 or 9 nodes */
       other_surface,
-      hexahedron, /**< with 8 nodes */
-      higher_order_hexahedron,
+      hexahedron,              /**< with 8, 20 or 27 nodes */
+      higher_order_hexahedron, /**< of third or higher order */
       tetrahedron,
       wedge,
       pyramid,
@@ -34,9 +33,9 @@ namespace squeal
       long         tag; /**< its number in the file */
       Kind         kind;
       unsigned int group; /**< index into groups */
-      /** Indices into nodes, in Gmsh's order; of hexahedra and quadrilaterals
-       * only. */
-      std::array<unsigned int, 8> nodes;
+      /** Indices into nodes, in Gmsh's order, the corners first; of hexahedra
+       * and quadrilaterals only. */
+      std::vector<unsigned int> nodes;
     };
 
     std::vector<dealii::Point<3>> nodes;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_scene_loose_parts_h
+#define squeal_scene_loose_parts_h
+
+#include <squeal/scene/coarse_mesh.h>
+
+namespace squeal
+{
+  /**
+   * A body may consist of parts that share no vertices (vanes between two
+   * rings) if ties, contacts, supports or springs on areas hold each of them:
+   * every part must hang on the ground, or on the part of most cells. Pairs of
+   * faces hold parts where the boxes round both meet. Throws InputError that
+   * names a loose part by its size and a node. Conforming ties must be joined.
+   */
+  void refuse_loose_parts(const SceneParameters &scene, const CoarseMesh &mesh);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
+
+#include <squeal/scene/gmsh_selection.h>
+
+#include <algorithm>
+#include <set>
+
+namespace squeal
+{
+  namespace
+  {
+    using Kind = GmshFile::Kind;
+
+    bool
+    is_volume(const Kind kind)
+    {
+      return kind != Kind::low_dimensional && kind != Kind::quadrilateral &&
+             kind != Kind::other_surface;
+    }
+
+    std::string
+    plural_of(const Kind kind)
+    {
+      switch (kind)
+        {
+        case Kind::tetrahedron:
+          return "tetrahedra";
+        case Kind::wedge:
+          return "wedges";
+        case Kind::pyramid:
+          return "pyramids";
+        case Kind::higher_order_hexahedron:
+          return "hexahedra of third or higher order";
+        case Kind::other_volume:
+          return "cells of an unknown kind";
+        case Kind::low_dimensional:
+        case Kind::quadrilateral:
+        case Kind::other_surface:
+        case Kind::hexahedron:
+          break;
+        }
+      unknown_choice("kind of cell to refuse");
+    }
+  } // namespace
+
+
+
+  /** The name of a physical group, or its number where it has none. */
+  std::string
+  name_of_group(const std::map<int, std::string> &names, const int tag)
+  {
+    const auto it = names.find(tag);
+    return it == names.end() ? std::to_string(tag) : it->second;
+  }
+
+  GmshSelection::GmshSelection(const GmshFile &file, const BodyParameters &body)
+    : file(file)
+    , body(body)
+  {
+    check_physical_volume();
+    check_kinds();
+  }
+
+  void
+  GmshSelection::fail(const std::string &text) const
+  {
+    throw InputError("body '" + body.name + "': mesh file '" + body.mesh_file +
+                     "' " + text);
+  }
+
+  bool
+  GmshSelection::holds(const GmshFile::Element &element) const
+  {
+    if (!is_volume(element.kind))
+      return false;
+    if (body.physical_volume.empty())
+      return true;
+    const auto &group = file.groups[element.group];
+    return std::any_of(group.begin(), group.end(), [&](const int tag) {
+      return name_of_group(file.volume_names, tag) == body.physical_volume;
+    });
+  }
+
+
+
+  void
+  GmshSelection::check_physical_volume() const
+  {
+    if (body.physical_volume.empty())
+      return;
+    std::set<std::string> names;
+    for (const auto &[tag, name] : file.volume_names)
+      names.insert(name);
+    for (const auto &element : file.elements)
+      if (is_volume(element.kind))
+        for (const int tag : file.groups[element.group])
+          names.insert(name_of_group(file.volume_names, tag));
+    if (names.count(body.physical_volume) > 0)
+      return;
+    std::string list;
+    for (const auto &name : names)
+      list += (list.empty() ? "" : ", ") + name;
+    fail("has no physical volume '" + body.physical_volume +
+         "'; there are: " + (list.empty() ? "none" : list));
+  }
+
+
+
+  void
+  GmshSelection::check_kinds() const
+  {
+    std::map<Kind, unsigned int> count;
+    for (const auto &element : file.elements)
+      if (holds(element))
+        ++count[element.kind];
+    if (count.empty())
+      fail((body.physical_volume.empty()
+              ? "holds no volume cells"
+              : "holds no cells of physical volume '" + body.physical_volume +
+                  "'") +
+           std::string(": mesh it in three dimensions and give the volume a "
+                       "physical group"));
+    std::string others;
+    for (const auto &[kind, n] : count)
+      if (kind != Kind::hexahedron)
+        others += (others.empty() ? "" : ", ") + plural_of(kind) + " (" +
+                  std::to_string(n) + ")";
+    const bool only_order = count.count(Kind::higher_order_hexahedron) == 1 &&
+                            count.size() <= 1 + count.count(Kind::hexahedron);
+    if (!others.empty())
+      fail("holds " + others +
+           ", but only hexahedra with 8, 20 or 27 nodes are used: " +
+           (only_order ? "save it with Mesh.ElementOrder = 2 (the degree is "
+                         "set in Discretization)"
+                       : "use transfinite or extruded meshes with Recombine, "
+                         "or Mesh.SubdivisionAlgorithm = 2"));
+  }
+
+
+
+  std::vector<std::string>
+  GmshSelection::touching_volumes() const
+  {
+    std::vector<bool> own(file.nodes.size(), false);
+    for (const auto &element : file.elements)
+      if (holds(element))
+        for (const unsigned int n : element.nodes)
+          own[n] = true;
+    std::set<std::string> names;
+    for (const auto &element : file.elements)
+      if (element.kind == Kind::hexahedron && !holds(element) &&
+          std::any_of(element.nodes.begin(),
+                      element.nodes.end(),
+                      [&](const unsigned int n) { return own[n]; }))
+        for (const int tag : file.groups[element.group])
+          names.insert(name_of_group(file.volume_names, tag));
+    return {names.begin(), names.end()};
+  }
+} // namespace squeal

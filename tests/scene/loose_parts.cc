@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A body may consist of parts that share no nodes where something holds each of
+// them; a part that nothing holds is refused by its place.
+
+#include <squeal/base/exceptions.h>
+
+#include "gmsh_cube.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  /** The cube in two halves; the upper one has nodes of its own, 0.1 up. */
+  std::string
+  halves()
+  {
+    const Cube         cube;
+    std::ostringstream out;
+    out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" << names << "$Nodes\n54\n";
+    for (int n = 0; n < 54; ++n)
+      {
+        auto x = cube.nodes[n % 27];
+        x[2] += n < 27 ? 0. : .1;
+        out << n + 1 << spaced(x) << "\n";
+      }
+    out << "$EndNodes\n$Elements\n12\n";
+    int tag = 1;
+    for (auto quad : Cube::plane(0, 0))
+      {
+        bool upper = false;
+        for (const int node : quad)
+          upper = upper || node > 18;
+        for (int &node : quad)
+          node += upper ? 27 : 0;
+        out << tag++ << " 3 2 1 7" << spaced(quad) << "\n";
+      }
+    for (int c = 0; c < 8; ++c)
+      {
+        auto cell = cube.cells[c];
+        for (int &node : cell)
+          node += c < 4 ? 0 : 27;
+        out << tag++ << " 5 2 0 1" << spaced(cell) << "\n";
+      }
+    out << "$EndElements\n";
+    return out.str();
+  }
+
+  SceneParameters
+  scene_of_halves()
+  {
+    std::ofstream("halves.msh") << halves();
+    SceneParameters scene;
+    BodyParameters  body;
+    body.name      = "vanes";
+    body.shape     = BodyParameters::Shape::gmsh;
+    body.mesh_file = "halves.msh";
+    scene.bodies   = {body};
+    return scene;
+  }
+
+  /** Beside the face "left" (x = 0), as high as given. */
+  void
+  add_wall(SceneParameters &scene, const double height)
+  {
+    BodyParameters wall;
+    wall.name     = "wall";
+    wall.size     = {{.2, 2., height}};
+    wall.position = {{-.1, .5, 0.}};
+    wall.cells    = {{1, 1, 1}};
+    scene.bodies.push_back(wall);
+    TieParameters tie;
+    tie.name        = "root";
+    tie.source_body = "vanes";
+    tie.source_face = "left";
+    tie.target_body = "wall";
+    tie.target_face = "x_max";
+    scene.ties      = {tie};
+  }
+} // namespace
+
+int
+main()
+{
+  SceneParameters scene = scene_of_halves();
+  check_throws<InputError>([&]() { make_coarse_mesh(scene); },
+                           "2 parts that share no nodes, and nothing holds the "
+                           "part of 4 cells",
+                           "refused: two parts that nothing holds");
+  SupportParameters support;
+  support.name   = "clamp";
+  support.body   = "vanes";
+  support.face   = "left";
+  scene.supports = {support};
+  check(make_coarse_mesh(scene).cells.size() == 8, "a support holds both");
+  scene.supports[0].kind = SupportParameters::Kind::free;
+  check_throws<InputError>([&]() { make_coarse_mesh(scene); },
+                           "nothing holds",
+                           "refused: a support that holds nothing");
+  scene = scene_of_halves();
+  add_wall(scene, 1.1);
+  check(make_coarse_mesh(scene).cells.size() == 9, "a tie holds both");
+  scene = scene_of_halves();
+  add_wall(scene, .4);
+  check_throws<InputError>([&]() { make_coarse_mesh(scene); },
+                           "nothing holds",
+                           "refused: a part that the tied body does not reach");
+}
