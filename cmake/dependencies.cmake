@@ -101,6 +101,11 @@ function(squeal_setup_target target)
     ${target} SYSTEM PRIVATE ${MUMPS_INCLUDE_DIR} ${ARPACK_INCLUDE_DIR}
                              ${NLOPT_INCLUDE_DIR} ${HDF5_INCLUDE_DIRS})
   deal_ii_setup_target(${target})
+  get_target_property(_type ${target} TYPE)
+  if(SQUEAL_SANITIZE AND _type STREQUAL "EXECUTABLE")
+    target_sources(${target}
+                   PRIVATE "${PROJECT_SOURCE_DIR}/tests/sanitizers/keep_modules.cc")
+  endif()
   target_compile_options(
     ${target} PRIVATE ${SQUEAL_FLAGS_NATIVE}
                       $<$<COMPILE_LANGUAGE:CXX>:${SQUEAL_ERRORS}>)

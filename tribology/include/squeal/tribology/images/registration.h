@@ -2,8 +2,8 @@
 #ifndef squeal_tribology_images_registration_h
 #define squeal_tribology_images_registration_h
 
-#include <squeal/tribology/setup/image_parameters.h>
 #include <squeal/tribology/images/micrograph.h>
+#include <squeal/tribology/setup/image_parameters.h>
 
 #include <optional>
 #include <vector>

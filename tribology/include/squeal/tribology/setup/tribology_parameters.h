@@ -6,8 +6,8 @@
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/schema.h>
 #include <squeal/parameters/schema_text.h>
-#include <squeal/tribology/setup/image_parameters.h>
 #include <squeal/tribology/setup/damage_parameters.h>
+#include <squeal/tribology/setup/image_parameters.h>
 
 #include <iosfwd>
 #include <string>
