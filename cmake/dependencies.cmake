@@ -104,7 +104,7 @@ function(squeal_setup_target target)
   get_target_property(_type ${target} TYPE)
   if(SQUEAL_SANITIZE AND _type STREQUAL "EXECUTABLE")
     target_sources(${target}
-                   PRIVATE "${PROJECT_SOURCE_DIR}/tests/sanitizers/keep_modules.cc")
+                   PRIVATE "${PROJECT_SOURCE_DIR}/cmake/keep_modules.cc")
   endif()
   target_compile_options(
     ${target} PRIVATE ${SQUEAL_FLAGS_NATIVE}
