@@ -70,16 +70,18 @@ namespace squeal
         {
           const Parameters here = with_values(
             parameters, grid.entries(), grid.values(grid.point(points[0])));
-          PressedModel pressed(
+          const PressedModel pressed(
             here, discretization, bodies, cut_off_of_statics, context.timers);
           for (const std::size_t i : points)
             {
               const SweepPoint point = grid.point(i);
-              pressed.set_friction(friction_sizes(grid.scene(point).contacts));
               try
                 {
-                  result[i] = pressed.states_of(pressed.steady(
-                    parameters.preload.tolerance, context.timers));
+                  result[i] = pressed.states_of(
+                    pressed
+                      .with_friction(friction_sizes(grid.scene(point).contacts))
+                      .steady(parameters.preload.tolerance, context.timers)
+                      .sliding);
                 }
               catch (const ComputationError &error)
                 {

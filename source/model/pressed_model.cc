@@ -38,9 +38,31 @@ namespace squeal
   /** The same scene with its held supports guided. */
   struct PressedModel::MovingScene
   {
-    Parameters                      scene;
-    std::unique_ptr<Discretization> space;
-    std::unique_ptr<PressedModel>   pressed;
+    MovingScene(const PressedModel &held, Timers &timers)
+      : scene(guided(held.parameters))
+      , space(scene.scene,
+              scene.discretization,
+              held.discretization.degree(),
+              MPI_COMM_WORLD)
+      , bodies(assemble_bodies(space))
+    {
+      pressed = std::make_unique<const PressedModel>(
+        scene, space, bodies, held.cut_off, timers, held.interface_cut_off);
+    }
+
+    static Parameters
+    guided(Parameters p)
+    {
+      for (auto &support : p.scene.supports)
+        if (support.kind == SupportParameters::Kind::held)
+          support.kind = SupportParameters::Kind::guided;
+      return p;
+    }
+
+    const Parameters                    scene;
+    const Discretization                space;
+    const std::vector<BodyMatrices>     bodies;
+    std::unique_ptr<const PressedModel> pressed;
   };
 
 
@@ -71,20 +93,24 @@ namespace squeal
       basis = std::make_shared<const ReductionBasis>(reduction_basis(
         *pencil, modes, contact_nodes.relative_motion(), interface_cut_off));
     }
-    Timers::Section      section(timers, "Solve: contact flexibility");
-    const PointEvaluator evaluator(d);
-    Block                nodal = Block::Zero(d.space()->n_owned(), 1);
-    for (const auto &l : scene.loads)
-      nodal += load_vector(d, evaluator, l);
-    load = separated.restrict_forces(nodal);
-    observed =
-      separated.restrict_forces(observed_motions(d, contact_nodes, bodies));
-    struck =
-      inner_products(*pencil->space(), basis->shapes, struck_points()).col(0);
-    struck.normalize();
-    reduced = reduce_contact_model(
-      *pencil, *basis, cut_off, contact_nodes, load, observed);
-    add_cut_off_damping(reduced, p.transient.cut_off_damping);
+    {
+      Timers::Section      section(timers, "Solve: contact flexibility");
+      const PointEvaluator evaluator(d);
+      Block                nodal = Block::Zero(d.space()->n_owned(), 1);
+      for (const auto &l : scene.loads)
+        nodal += load_vector(d, evaluator, l);
+      load = separated.restrict_forces(nodal);
+      observed =
+        separated.restrict_forces(observed_motions(d, contact_nodes, bodies));
+      struck =
+        inner_products(*pencil->space(), basis->shapes, struck_points()).col(0);
+      struck.normalize();
+      reduced = reduce_contact_model(
+        *pencil, *basis, cut_off, contact_nodes, load, observed);
+      add_cut_off_damping(reduced, p.transient.cut_off_damping);
+    }
+    if (has_held_support(scene))
+      moving = std::make_shared<const MovingScene>(*this, timers);
   }
 
 
@@ -107,10 +133,12 @@ namespace squeal
     return reduced;
   }
 
-  void
-  PressedModel::set_friction(const std::vector<double> &of_pairs)
+  PressedModel
+  PressedModel::with_friction(const std::vector<double> &of_pairs) const
   {
-    contact_nodes.set_coefficients(of_pairs);
+    PressedModel result = *this;
+    result.contact_nodes.set_coefficients(of_pairs);
+    return result;
   }
 
   NodalFriction
@@ -204,52 +232,38 @@ namespace squeal
 
 
 
-  SteadySliding
-  PressedModel::steady(const double tolerance, Timers &timers)
+  SteadyModel
+  PressedModel::steady(const double tolerance, Timers &timers) const
   {
-    if (!has_held_support(scene))
+    SteadyModel result{*this, {}};
+    auto       &model = result.pressed.reduced;
+    if (!moving)
       {
         Timers::Section section(timers, "Solve: steady sliding");
         if (parameters.preload.run_in == PreloadParameters::RunIn::archard)
-          reduced.initial_gap = worn_gap(
-            reduced, contact_nodes.areas(), sliding_friction().coefficient);
-        return steady_of_this(tolerance);
+          model.initial_gap = worn_gap(
+            model, contact_nodes.areas(), sliding_friction().coefficient);
+        result.sliding = result.pressed.steady_of_this(tolerance);
+        return result;
       }
-    if (!moving)
-      {
-        moving        = std::make_shared<MovingScene>();
-        moving->scene = parameters;
-        for (auto &support : moving->scene.scene.supports)
-          if (support.kind == SupportParameters::Kind::held)
-            support.kind = SupportParameters::Kind::guided;
-        moving->space =
-          std::make_unique<Discretization>(moving->scene.scene,
-                                           moving->scene.discretization,
-                                           discretization.degree(),
-                                           MPI_COMM_WORLD);
-        moving->pressed =
-          std::make_unique<PressedModel>(moving->scene,
-                                         *moving->space,
-                                         assemble_bodies(*moving->space),
-                                         cut_off,
-                                         timers,
-                                         interface_cut_off);
-      }
-    moving->pressed->set_friction(contact_nodes.coefficients());
-    SteadySliding steady = moving->pressed->steady(tolerance, timers);
-    reduced.initial_gap  = moving->pressed->model().initial_gap;
-    if ((reduced.omega_squared.array() == 0.).any())
+    const SteadyModel guided =
+      moving->pressed->with_friction(contact_nodes.coefficients())
+        .steady(tolerance, timers);
+    result.sliding    = guided.sliding;
+    model.initial_gap = guided.pressed.model().initial_gap;
+    if ((model.omega_squared.array() == 0.).any())
       throw InputError("Scene/Supports: with a held support a motion is left "
                        "that nothing holds; hold it by Scene/Springs");
     // The held support adds a constant to the motion of the nodes: what is left
     // when loads and contact forces have done theirs.
+    SteadySliding &steady = result.sliding;
     steady.coordinates =
-      (reduced.load - reduced.participation.transpose() * steady.forces)
-        .cwiseQuotient(reduced.omega_squared);
-    reduced.load_motion =
-      steady.motion - (reduced.participation * steady.coordinates -
-                       reduced.flexibility * steady.forces);
-    return steady;
+      (model.load - model.participation.transpose() * steady.forces)
+        .cwiseQuotient(model.omega_squared);
+    model.load_motion =
+      steady.motion - (model.participation * steady.coordinates -
+                       model.flexibility * steady.forces);
+    return result;
   }
 
 
@@ -320,8 +334,8 @@ namespace squeal
                          bodies,
                          parameters.eigen.highest_frequency,
                          timers);
-    auto         states =
-      pressed.states_of(pressed.steady(parameters.preload.tolerance, timers));
+    auto         states = pressed.states_of(
+      pressed.steady(parameters.preload.tolerance, timers).sliding);
     for (std::size_t i = 0; i < states.size(); ++i)
       if (parameters.scene.contacts[i].state !=
           ContactParameters::State::preload)

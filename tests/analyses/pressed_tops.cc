@@ -83,9 +83,10 @@ namespace
     std::vector<Eigen::VectorXd> forces;
     for (const std::string top : {"free", "guided", "held"})
       {
-        Brake               brake(coarse(top));
-        const SteadySliding s = brake.pressed.steady(1e-10, brake.timers);
-        const auto          r = contact_resultant(brake.geometry(), s.forces);
+        Brake                brake(coarse(top));
+        const SteadyModel    about = brake.pressed.steady(1e-10, brake.timers);
+        const SteadySliding &s     = about.sliding;
+        const auto           r = contact_resultant(brake.geometry(), s.forces);
         check_close(r.force[2], 100., 1e-6, top + ": carries the load");
         check_close(r.force[1], 50., 1e-6, top + ": friction along +y");
         // About 4.6 times the mean, 3 mm from the middle of a pad of 10 mm.
@@ -100,7 +101,7 @@ namespace
         drive.speed    = [&](double) { return brake.pressed.speed(); };
         drive.load     = [](double) { return 1.; };
         ReducedTransient run(
-          brake.pressed.model(), 2e-6, drive, 100. / s.status.size());
+          about.pressed.model(), 2e-6, drive, 100. / s.status.size());
         run.start(
           s.coordinates, Eigen::VectorXd::Zero(s.coordinates.size()), s.forces);
         Worst worst;
@@ -131,9 +132,10 @@ namespace
       back(
         coarse("free", {"Scene/Contact pad_disc/Friction coefficient = -0.5"}));
     const auto a = contact_resultant(
-      forth.geometry(), forth.pressed.steady(1e-10, forth.timers).forces);
+      forth.geometry(),
+      forth.pressed.steady(1e-10, forth.timers).sliding.forces);
     const auto b = contact_resultant(
-      back.geometry(), back.pressed.steady(1e-10, back.timers).forces);
+      back.geometry(), back.pressed.steady(1e-10, back.timers).sliding.forces);
     check(sliding_text(forth.geometry()) == "+y" &&
             sliding_text(back.geometry()) == "-y",
           "the sliding turns");
@@ -149,12 +151,13 @@ namespace
   void
   springs()
   {
-    Brake               brake(coarse("free",
+    Brake                brake(coarse("free",
                        {"Scene/Contact pad_disc/Formulation = springs",
-                                      "Scene/Contact pad_disc/Grid = 5, 5"}));
-    const SteadySliding s = brake.pressed.steady(1e-10, brake.timers);
+                                       "Scene/Contact pad_disc/Grid = 5, 5"}));
+    const SteadyModel    about = brake.pressed.steady(1e-10, brake.timers);
+    const SteadySliding &s     = about.sliding;
     check_close(s.resultant()[0], 100., 1e-6, "springs carry the load");
-    const auto           states = press_at_rest(brake.pressed.model(), .5, 4);
+    const auto           states = press_at_rest(about.pressed.model(), .5, 4);
     const SteadySliding &rest   = states.back();
     check_close(rest.resultant()[0], 100., 1e-6, "at rest too");
     check(rest.n_with(ContactStatus::stick) > 0, "there nodes stick");

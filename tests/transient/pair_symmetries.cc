@@ -146,11 +146,13 @@ namespace
     const Parameters     p = parameters_of(placed);
     const Discretization d(
       p.scene, p.discretization, p.discretization.degree, MPI_COMM_SELF);
-    Timers              timers;
-    PressedModel        pressed(p, d, assemble_bodies(d), statics, timers);
-    const SteadySliding s = pressed.steady(1e-12, timers);
+    Timers            timers;
+    const auto        bodies = assemble_bodies(d);
+    const SteadyModel about =
+      PressedModel(p, d, bodies, statics, timers).steady(1e-12, timers);
+    const SteadySliding &s = about.sliding;
     check(s.n_closed() > s.status.size() / 2, "most nodes touch");
-    return forces_of(placed, pressed.nodes(), s.forces);
+    return forces_of(placed, about.pressed.nodes(), s.forces);
   }
 
   PairForces
@@ -160,10 +162,13 @@ namespace
     const Parameters     p = parameters_of(placed, integrator);
     const Discretization d(
       p.scene, p.discretization, p.discretization.degree, MPI_COMM_SELF);
-    Timers              timers;
-    PressedModel        pressed(p, d, assemble_bodies(d), cut_off, timers);
-    const SteadySliding s      = pressed.steady(1e-12, timers);
-    const auto          motion = make_integrator(pressed, s, p);
+    Timers            timers;
+    const auto        bodies = assemble_bodies(d);
+    const SteadyModel about =
+      PressedModel(p, d, bodies, cut_off, timers).steady(1e-12, timers);
+    const PressedModel  &pressed = about.pressed;
+    const SteadySliding &s       = about.sliding;
+    const auto           motion  = make_integrator(pressed, s, p);
     motion->start(
       s.coordinates, Eigen::VectorXd::Zero(s.coordinates.size()), s.forces);
     Worst      moved;

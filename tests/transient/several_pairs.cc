@@ -101,12 +101,12 @@ namespace
     explicit Pressed(const Parameters &given)
       : p(given)
       , model(p, timers, {}, squeal::Model::Contacts::open)
-      , pressed(p,
-                *model.discretization(),
-                model.body_matrices(),
-                p.transient.cut_off,
-                timers)
-      , steady(pressed.steady(1e-12, timers))
+      , about(PressedModel(p,
+                           *model.discretization(),
+                           model.body_matrices(),
+                           p.transient.cut_off,
+                           timers)
+                .steady(1e-12, timers))
     {
     }
 
@@ -119,11 +119,12 @@ namespace
       return {f[2], f[1], f[0]};
     }
 
-    const Parameters p;
-    Timers           timers;
-    squeal::Model    model;
-    PressedModel     pressed;
-    SteadySliding    steady;
+    const Parameters     p;
+    Timers               timers;
+    squeal::Model        model;
+    SteadyModel          about;
+    const PressedModel  &pressed = about.pressed;
+    const SteadySliding &steady  = about.sliding;
   };
 
 

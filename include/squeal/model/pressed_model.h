@@ -14,13 +14,16 @@
 namespace squeal
 {
   class Timers;
+  struct SteadyModel;
 
   /**
    * A scene of bodies with its contact pairs cut open, in modes up to a
    * cut-off: what steady sliding and transients are computed with.
    *
    * The sliding direction of a pair is turned where its friction coefficient is
-   * negative (the target turns backwards).
+   * negative (the target turns backwards). Nothing of it changes once it is
+   * there: other friction, and what steady sliding does to the gaps and the
+   * loads, make a model of their own, which shares what has not changed.
    */
   class PressedModel
   {
@@ -54,9 +57,9 @@ namespace squeal
 
     const ContactNodes        &nodes() const;
     const ReducedContactModel &model() const;
-    /** Other coefficients of friction >= 0 of the pairs for the same directions
-     * of sliding; as ContactNodes::set_coefficients(). */
-    void          set_friction(const std::vector<double> &of_pairs);
+    /** The same with other coefficients of friction >= 0 of the pairs for the
+     * same directions of sliding; as ContactNodes::set_coefficients(). */
+    PressedModel  with_friction(const std::vector<double> &of_pairs) const;
     NodalFriction sliding_friction() const; /**< in steady sliding */
     /** The largest sliding speed of a pair, m/s, that the speeds of nodes are
      * measured by. */
@@ -73,13 +76,15 @@ namespace squeal
     Eigen::VectorXd disturbance(const double energy) const;
 
     /**
-     * Steady sliding under the full load; where no pair slides, the contact at
-     * rest, pressed on in the steps of the parameters. Where a support is
-     * `held` it is that of the same scene with the support guided, whose
-     * position along z is kept: then the model's load becomes what does that.
-     * To be called before a transient.
+     * Steady sliding under the full load, with the model that moves about it;
+     * where no pair slides, the contact at rest, pressed on in the steps of the
+     * parameters. The model's gaps are those after the run-in. Where a support
+     * is `held` the state is that of the same scene with the support guided,
+     * whose position along z is kept: then the model's load is what does that.
+     * Throws ComputationError where there is none, InputError where a held
+     * support leaves a free motion.
      */
-    SteadySliding steady(const double tolerance, Timers &timers);
+    SteadyModel steady(const double tolerance, Timers &timers) const;
 
     /** All unknowns of the same scene, about @p steady. */
     FullContactModel full_model(const SteadySliding &steady) const;
@@ -109,7 +114,15 @@ namespace squeal
     ReducedContactModel reduced;
     double              cut_off, interface_cut_off;
     struct MovingScene;
-    std::shared_ptr<MovingScene> moving; /**< of held supports */
+    std::shared_ptr<const MovingScene> moving; /**< of held supports */
+  };
+
+  /** A scene in steady sliding: the model with the gaps and loads of that
+   * state, and the state. */
+  struct SteadyModel
+  {
+    PressedModel  pressed;
+    SteadySliding sliding;
   };
 
   /** The contact states of a scene's steady sliding, one list a pair; empty

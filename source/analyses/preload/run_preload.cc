@@ -15,16 +15,13 @@ namespace squeal
 {
   namespace
   {
-    /** States at equal shares of the load, the last one full. */
+    /** States at equal shares of the load up to the full one. */
     std::vector<SteadySliding>
-    load_steps(PressedModel     &pressed,
-               const Parameters &p,
-               SteadySliding    &full,
-               Timers           &timers)
+    load_steps(const SteadyModel &full, const Parameters &p, Timers &timers)
     {
-      full = pressed.steady(p.preload.tolerance, timers);
-      Timers::Section    section(timers, "Solve: load steps");
-      const unsigned int n = p.preload.load_steps;
+      Timers::Section     section(timers, "Solve: load steps");
+      const PressedModel &pressed = full.pressed;
+      const unsigned int  n       = p.preload.load_steps;
       if (pressed.speed() == 0.)
         return press_at_rest(
           pressed.model(),
@@ -37,7 +34,7 @@ namespace squeal
                                         pressed.sliding_friction().coefficient,
                                         double(k) / n,
                                         p.preload.tolerance));
-      states.push_back(full);
+      states.push_back(full.sliding);
       return states;
     }
 
@@ -67,17 +64,18 @@ namespace squeal
         {
           const Parameters q =
             moving(with_value(p, p.preload.stiffness_entry, value));
-          Model         model(q, context.timers, {}, Model::Contacts::open);
-          PressedModel  pressed(q,
-                               *model.discretization(),
-                               model.body_matrices(),
-                               q.eigen.highest_frequency,
-                               context.timers);
-          SteadySliding full;
-          const auto    states = load_steps(pressed, q, full, context.timers);
+          Model             model(q, context.timers, {}, Model::Contacts::open);
+          const SteadyModel full =
+            PressedModel(q,
+                         *model.discretization(),
+                         model.body_matrices(),
+                         q.eigen.highest_frequency,
+                         context.timers)
+              .steady(q.preload.tolerance, context.timers);
+          const auto states = load_steps(full, q, context.timers);
           for (std::size_t k = 0; k < states.size(); ++k)
             {
-              steps.add(pressed, states[k], double(k + 1) / states.size());
+              steps.add(full.pressed, states[k], double(k + 1) / states.size());
               values.push_back(value);
             }
           progress.advance();
@@ -322,18 +320,20 @@ namespace squeal
     Model            model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
-    PressedModel  pressed(p,
-                         *model.discretization(),
-                         model.body_matrices(),
-                         p.eigen.highest_frequency,
-                         context.timers);
-    SteadySliding full;
-    const auto    states = load_steps(pressed, p, full, context.timers);
-    LoadSteps     steps(p.scene.contacts);
+    const SteadyModel full = PressedModel(p,
+                                          *model.discretization(),
+                                          model.body_matrices(),
+                                          p.eigen.highest_frequency,
+                                          context.timers)
+                               .steady(p.preload.tolerance, context.timers);
+    const PressedModel &pressed = full.pressed;
+    const auto          states  = load_steps(full, p, context.timers);
+    LoadSteps           steps(p.scene.contacts);
     for (std::size_t k = 0; k < states.size(); ++k)
       steps.add(pressed, states[k], double(k + 1) / states.size());
     context.write_table("preload.csv", steps.table());
-    context.write_table("contact.csv", contact_nodes_table(pressed, full));
+    context.write_table("contact.csv",
+                        contact_nodes_table(pressed, full.sliding));
 
     const bool is_at_rest = pressed.speed() == 0.;
     log_steps(context, steps, is_at_rest);
@@ -352,7 +352,7 @@ namespace squeal
     if (context.is_root)
       {
         steps.write_json(p.scene.contacts, context.output.file("preload.json"));
-        open_this = write_contacts(context, pressed, full, report);
+        open_this = write_contacts(context, pressed, full.sliding, report);
       }
     report.section("Load steps");
     report.table(steps.table(), "Contact over the load");

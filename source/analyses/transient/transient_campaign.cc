@@ -58,12 +58,13 @@ namespace squeal
       std::unique_ptr<PreparedTransient>
       prepare(const CampaignRun &run)
       {
-        PressedModel with = pressed;
-        with.set_friction(friction_sizes(run.parameters.scene.contacts));
         try
           {
             return std::make_unique<PreparedTransient>(
-              with, run.parameters, context.timers);
+              pressed.with_friction(
+                friction_sizes(run.parameters.scene.contacts)),
+              run.parameters,
+              context.timers);
           }
         catch (const ComputationError &e)
           {

@@ -311,8 +311,15 @@ namespace squeal
   PreparedTransient::PreparedTransient(const PressedModel &model,
                                        const Parameters   &p,
                                        Timers             &timers)
-    : pressed(model)
-    , steady(pressed.steady(p.preload.tolerance, timers))
+    : PreparedTransient(model.steady(p.preload.tolerance, timers), p, timers)
+  {
+  }
+
+  PreparedTransient::PreparedTransient(const SteadyModel &model,
+                                       const Parameters  &p,
+                                       Timers            &timers)
+    : pressed(model.pressed)
+    , steady(model.sliding)
   {
     Timers::Section section(timers, "Solve: linearised motion");
     linear = linearize(

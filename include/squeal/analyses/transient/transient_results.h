@@ -30,6 +30,11 @@ namespace squeal
     PreparedTransient(const PressedModel &pressed,
                       const Parameters   &parameters,
                       Timers             &timers);
+
+  private:
+    PreparedTransient(const SteadyModel &model,
+                      const Parameters  &parameters,
+                      Timers            &timers);
   };
 
   /** One pair about steady sliding and what the motion makes of it. */
