@@ -232,10 +232,12 @@ set(SQUEAL_SOURCES_MODEL
     source/model/contact_states.cc
     source/model/doublets.cc
     source/model/finer_modes.cc
+    source/model/growth_errors.cc
     source/model/measured_points.cc
     source/model/mode_solution.cc
     source/model/model.cc
     source/model/observed_motions.cc
+    source/model/other_degree.cc
     source/model/pair_errors.cc
     source/model/point_forces.cc
     source/model/pressed_model.cc

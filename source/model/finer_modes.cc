@@ -3,7 +3,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/eigen/undamped_modes.h>
 #include <squeal/model/finer_modes.h>
-#include <squeal/model/pressed_model.h>
+#include <squeal/model/other_degree.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -29,34 +29,6 @@ namespace squeal
       const double along          = 1. / E[0] + 1. / E[1] + 1. / E[2];
       return 1. - 2. * (n12 / E[0] + n13 / E[0] + n23 / E[1]) / along;
     }
-
-    /** Contact states of @p model for the finer unknowns: those of point
-     * springs stay where they are; mortar nodes are others. */
-    std::vector<ContactStates>
-    states_for(const Model                     &model,
-               const Discretization            &fine,
-               const std::vector<BodyMatrices> &bodies,
-               Timers                          &timers)
-    {
-      bool has_preload = false, all_grids = true;
-      for (const auto &contact : model.parameters().scene.contacts)
-        {
-          has_preload =
-            has_preload || contact.state == ContactParameters::State::preload;
-          all_grids =
-            all_grids &&
-            contact.formulation == ContactParameters::Formulation::springs &&
-            contact.layout == ContactParameters::SpringLayout::grid;
-        }
-      if (!has_preload)
-        return {};
-      if (!all_grids)
-        return preload_states(model.parameters(), fine, bodies, timers);
-      std::vector<ContactStates> result;
-      for (const ContactState &state : model.linearized().states)
-        result.push_back({state});
-      return result;
-    }
   } // namespace
 
 
@@ -80,19 +52,15 @@ namespace squeal
                         const double           limit,
                         Timers                &timers)
   {
-    Timers::Section section(timers, "Solve: modes of the next degree");
-    const auto     &p = model.parameters();
-    const auto      fine =
-      model.discretization()->with_degree(model.discretization()->degree() + 1);
-    const auto             bodies = assemble_bodies(*fine);
-    const LinearizedSystem system = linearized_system(
-      *fine, bodies, states_for(model, *fine, bodies, timers));
-    const Pencil pencil(system.system, p.scene);
-    ModeOptions  options;
+    Timers::Section   section(timers, "Solve: modes of the next degree");
+    const auto       &p = model.parameters();
+    const OtherDegree fine =
+      with_degree(model, model.discretization()->degree() + 1, timers);
+    ModeOptions options;
     options.tolerance = p.eigen.mode_tolerance;
     // A curved face of a higher degree may raise a frequency a little.
-    const UndampedModes modes =
-      undamped_modes(pencil, ShiftedInverse(pencil, 1.1 * limit), options);
+    const UndampedModes modes = undamped_modes(
+      *fine.pencil, ShiftedInverse(*fine.pencil, 1.1 * limit), options);
     if (modes.omega_squared.size() < omega_squared.size())
       throw ComputationError(
         "the modes of the next degree, from which the errors of a nearly "

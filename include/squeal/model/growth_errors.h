@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_model_growth_errors_h
+#define squeal_model_growth_errors_h
+
+#include <squeal/model/pair_errors.h>
+
+namespace squeal
+{
+  class Timers;
+
+  /**
+   * Errors of the growth rates of the pairs that grow, from the same mesh with
+   * one degree less.
+   *
+   * The growth rate of two modes that lock in hangs on the small difference of
+   * what the mesh does to the one and to the other. Estimates of cells know
+   * each to some five percent, which is far more than their difference; two
+   * solutions on one mesh know the difference itself. What one degree has
+   * changed, sigma_p - sigma_(p-1), has the same sign as what is left, and is
+   * longer by the factor that the frequency of the pair tells, whose error the
+   * cells do know:
+   *
+   *   sigma - sigma_p = (sigma_p - sigma_(p-1)) |f - f_p| / |f_p - f_(p-1)|,
+   *
+   * where the ratio is kept between 1/10 and 1: below, the frequency hardly
+   * moves and says nothing; above, the solutions do not converge yet. The error
+   * is no smaller than twice that of the frequency, both relative: the lowest
+   * degrees are far from converging, and their growth rates may be alike by
+   * chance (doc/verification.md has pairs with 2.3 to 3 times it).
+   *
+   * A pair is found again by its shape: of the pairs of the lower degree whose
+   * shapes share 0.3 of it (squared cosine in the mass of points on all
+   * bodies), the one that grows fastest.
+   *
+   * @param pairs  right vectors are used
+   * @param errors of the pairs, for the frequencies
+   * @return 1/s, one a pair: NaN for those that do not grow, that are not found
+   * again or whose @p errors are not known, and for all where the degree is 1.
+   */
+  Eigen::VectorXd growth_errors_by_lower_degree(const Model        &model,
+                                                const ComplexPairs &pairs,
+                                                const PairErrors   &errors,
+                                                Timers             &timers);
+} // namespace squeal
+
+#endif

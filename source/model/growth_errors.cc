@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/timers.h>
+#include <squeal/discretization/point_evaluator.h>
+#include <squeal/eigen/certified_solver.h>
+#include <squeal/model/growth_errors.h>
+#include <squeal/model/other_degree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Of the band beyond the growing pairs, in which they are sought again. */
+    constexpr double reach = 0.15;
+    /** Least squared cosine of the shapes of a pair found again. Two modes
+     * that lock in share half of each of theirs. */
+    constexpr double least_likeness = 0.3;
+    constexpr double least_ratio = 0.1, largest_ratio = 1.;
+    /** Least relative error of a growth rate over that of its frequency. */
+    constexpr double least_share = 2.;
+
+    /** Displacements at the corners of the coarse mesh, body after body. */
+    Functionals
+    at_corners(const Discretization &d)
+    {
+      const PointEvaluator          evaluator(d);
+      const CoarseMesh             &mesh = d.coarse_mesh();
+      std::vector<Functionals::Row> rows;
+      for (unsigned int b = 0; b < d.scene().bodies.size(); ++b)
+        {
+          std::vector<unsigned int> corners;
+          for (const auto &cell : mesh.cells)
+            if (cell.material_id == b)
+              corners.insert(
+                corners.end(), cell.vertices.begin(), cell.vertices.end());
+          std::sort(corners.begin(), corners.end());
+          corners.erase(std::unique(corners.begin(), corners.end()),
+                        corners.end());
+          std::vector<dealii::Point<3>> points;
+          for (const unsigned int i : corners)
+            points.push_back(mesh.vertices[i]);
+          const auto found = evaluator.displacements(b, points);
+          for (std::size_t i = 0; i < points.size(); ++i)
+            if (found.found[i])
+              rows.insert(
+                rows.end(), found.rows[i].begin(), found.rows[i].end());
+        }
+      return {d.space(), std::move(rows)};
+    }
+
+    /** Shapes of @p pairs there, each of norm 1. */
+    Eigen::MatrixXcd
+    shapes_at_corners(const Discretization   &d,
+                      const LinearizedSystem &system,
+                      const ComplexBlock     &vectors)
+    {
+      const Functionals corners = at_corners(d);
+      Eigen::MatrixXcd  shapes(corners.n_rows(), vectors.cols());
+      shapes.real() = corners.apply(system.expand(Block(vectors.real())));
+      shapes.imag() = corners.apply(system.expand(Block(vectors.imag())));
+      shapes.colwise().normalize();
+      return shapes;
+    }
+
+    /** Pairs of the lower degree about those of @p pairs that grow. */
+    ComplexPairs
+    pairs_of(const OtherDegree     &coarse,
+             const ComplexPairs    &pairs,
+             const EigenParameters &p)
+    {
+      double lowest = std::numeric_limits<double>::infinity(), highest = 0.;
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        if (pairs.sigma(k) > 0.)
+          {
+            lowest  = std::min(lowest, pairs.frequency(k));
+            highest = std::max(highest, pairs.frequency(k));
+          }
+      CertifiedOptions options;
+      options.lowest_frequency    = (1. - reach) * lowest;
+      options.highest_frequency   = (1. + reach) * highest;
+      options.residual_tolerance  = std::max(1e-6, p.residual_tolerance);
+      options.error_tolerance     = std::max(1e-6, p.error_tolerance);
+      options.maximum_enrichments = p.maximum_enrichments;
+      ModeOptions of_modes;
+      of_modes.tolerance = p.mode_tolerance;
+      const ShiftedInverse inverse(
+        *coarse.pencil, std::pow(2. * M_PI * options.highest_frequency, 2));
+      UndampedModes modes = undamped_modes(*coarse.pencil, inverse, of_modes);
+      if (modes.shapes.cols() == 0)
+        return {};
+      CertifiedSolver solver(*coarse.pencil, inverse, modes);
+      modes.release_start();
+      return solver.solve(options);
+    }
+
+    /** The one that @p likeness calls the same and that grows fastest; -1 for
+     * none. */
+    int
+    found_again(const ComplexPairs &coarse, const Eigen::VectorXd &likeness)
+    {
+      int best = -1;
+      for (unsigned int i = 0; i < coarse.size(); ++i)
+        if (likeness[i] >= least_likeness &&
+            (best < 0 || coarse.sigma(i) > coarse.sigma(best)))
+          best = i;
+      return best;
+    }
+  } // namespace
+
+
+
+  Eigen::VectorXd
+  growth_errors_by_lower_degree(const Model        &model,
+                                const ComplexPairs &pairs,
+                                const PairErrors   &errors,
+                                Timers             &timers)
+  {
+    Eigen::VectorXd result =
+      Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
+    const Discretization *d = model.discretization();
+    if (!d || !d->has_mesh() || d->degree() < 2 ||
+        pairs.lambda.real().maxCoeff() <= 0.)
+      return result;
+    Timers::Section   section(timers, "Solve: pairs of the lower degree");
+    const OtherDegree lower = with_degree(model, d->degree() - 1, timers);
+    ComplexPairs      coarse;
+    try
+      {
+        coarse = pairs_of(lower, pairs, model.parameters().eigen);
+      }
+    catch (const ComputationError &)
+      {
+        return result; // the estimate of the cells stands
+      }
+    if (coarse.size() == 0)
+      return result;
+    const Eigen::MatrixXd likeness =
+      (shapes_at_corners(*lower.space, lower.system, coarse.right).adjoint() *
+       shapes_at_corners(*d, model.linearized(), pairs.right))
+        .cwiseAbs2();
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      {
+        const int i = found_again(coarse, likeness.col(k));
+        if (pairs.sigma(k) <= 0. || i < 0)
+          continue;
+        const double ratio =
+          std::abs(errors.lambda[k].imag()) /
+          (2. * M_PI * std::abs(pairs.frequency(k) - coarse.frequency(i)));
+        if (std::isnan(ratio))
+          continue;
+        const double change = (pairs.sigma(k) - coarse.sigma(i)) *
+                              std::clamp(ratio, least_ratio, largest_ratio),
+                     least = least_share * pairs.sigma(k) *
+                             std::abs(errors.lambda[k].imag()) /
+                             std::abs(pairs.lambda[k]);
+        result[k] = std::copysign(std::max(std::abs(change), least), change);
+      }
+    return result;
+  }
+} // namespace squeal
