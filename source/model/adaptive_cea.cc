@@ -35,32 +35,8 @@ namespace squeal
       return loudest;
     }
 
-    /** Pairs whose errors are wanted, and their neighbours in frequency that
-     * they may lock in with. */
-    std::vector<int>
-    with_neighbours(const ComplexPairs &pairs, std::vector<int> wanted)
-    {
-      // Twice what a mesh that is of any use may be off.
-      constexpr double  reach    = 0.05;
-      const std::size_t n_wanted = wanted.size();
-      std::vector<bool> is_there(pairs.size(), false);
-      for (const int k : wanted)
-        is_there[k] = true;
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        for (std::size_t k = 0; k < n_wanted && !is_there[i]; ++k)
-          if (pairs.sigma(wanted[k]) > 0. &&
-              std::abs(pairs.frequency(i) - pairs.frequency(wanted[k])) <
-                reach * pairs.frequency(wanted[k]))
-            {
-              is_there[i] = true;
-              wanted.push_back(i);
-            }
-      return wanted;
-    }
-
-    /** Those of all pairs that grow, of their neighbours and of the least
-     * damped others; NaN for the rest, which would cost a sixth of an
-     * analysis. */
+    /** Those of all pairs that grow and of the least damped others; NaN for the
+     * rest, which would cost a sixth of an analysis. */
     PairErrors
     errors_of_loudest(const Model        &model,
                       const Pencil       &pencil,
@@ -78,17 +54,15 @@ namespace squeal
       while (n < order.size() && pairs.sigma(order[n]) > 0.)
         ++n;
       order.resize(n);
-      order = with_neighbours(pairs, order);
       const PairErrors some =
         pair_mesh_errors(model, pencil, select_pairs(pairs, order));
       PairErrors result;
       result.lambda    = Eigen::VectorXcd::Constant(pairs.size(), std::nan(""));
-      result.at_points = result.first_order = result.lambda;
+      result.at_points = result.lambda;
       for (std::size_t i = 0; i < order.size(); ++i)
         {
-          result.lambda[order[i]]      = some.lambda[i];
-          result.first_order[order[i]] = some.first_order[i];
-          result.at_points[order[i]]   = some.at_points[i];
+          result.lambda[order[i]]    = some.lambda[i];
+          result.at_points[order[i]] = some.at_points[i];
         }
       return result;
     }

@@ -19,6 +19,8 @@ namespace squeal
     /** Least squared cosine of the shapes of a pair found again. Two modes
      * that lock in share half of each of theirs. */
     constexpr double least_likeness = 0.3;
+    /** The same over that of the most alike. */
+    constexpr double least_of_best = 0.6;
     constexpr double least_ratio = 0.1, largest_ratio = 1.;
     /** Least relative error of a growth rate over that of its frequency. */
     constexpr double least_share = 2.;
@@ -98,13 +100,16 @@ namespace squeal
     }
 
     /** The one that @p likeness calls the same and that grows fastest; -1 for
-     * none. */
+     * none. Where the lower degree has not locked in, the two partners are
+     * alike. */
     int
     found_again(const ComplexPairs &coarse, const Eigen::VectorXd &likeness)
     {
+      const double least =
+        std::max(least_likeness, least_of_best * likeness.maxCoeff());
       int best = -1;
       for (unsigned int i = 0; i < coarse.size(); ++i)
-        if (likeness[i] >= least_likeness &&
+        if (likeness[i] >= least &&
             (best < 0 || coarse.sigma(i) > coarse.sigma(best)))
           best = i;
       return best;

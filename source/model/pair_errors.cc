@@ -74,9 +74,8 @@ namespace squeal
         pairs.left.cols() != pairs.right.cols())
       {
         PairErrors unknown;
-        unknown.lambda = unknown.first_order = unknown.at_points =
-          Eigen::VectorXcd::Constant(pairs.size(),
-                                     std::numeric_limits<double>::quiet_NaN());
+        unknown.lambda = unknown.at_points = Eigen::VectorXcd::Constant(
+          pairs.size(), std::numeric_limits<double>::quiet_NaN());
         return unknown;
       }
     PairShapes shapes;

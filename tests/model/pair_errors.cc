@@ -83,7 +83,7 @@ namespace
     for (unsigned int k = 0; k < r.pairs.size(); ++k)
       {
         const double shift =
-          -r.errors.first_order[k].imag() / r.pairs.lambda[k].imag();
+          -r.errors.lambda[k].imag() / r.pairs.lambda[k].imag();
         double nearest = 1e300;
         for (const double e : r.of_modes)
           if (std::abs(shift - e) < nearest)

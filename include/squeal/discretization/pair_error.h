@@ -27,16 +27,13 @@ namespace squeal
   /** Estimated errors of complex eigenvalues by the mesh. */
   struct PairErrors
   {
-    /** lambda - lambda_h, 1/s: the real part is that of the growth rate. Of
-     * all pairs together: see estimate_pair_errors(). */
+    /** lambda - lambda_h, 1/s: the real part is that of the growth rate. */
     Eigen::VectorXcd lambda;
-    /** What the mesh gives to each pair alone, to first order, 1/s. */
-    Eigen::VectorXcd first_order;
     /** The part of it that arises in cells with pointwise forces and is left
      * out of `lambda`, as in ModeErrors. */
     Eigen::VectorXcd at_points;
     /** One row a pair, one column an active cell: what the cell gives to
-     * `first_order`, 1/s; zero on cells of other ranks. */
+     * `lambda`, 1/s; zero on cells of other ranks. */
     Eigen::MatrixXcd cell;
   };
 
@@ -47,18 +44,12 @@ namespace squeal
    * residuals r_x and r_y of both vectors against the functions b of a cell
    * that the mesh does not have,
    *
-   *   E_ij = sum over cells r_yi^T Q_bb^-1 r_xj / (y_i^T (2 lambda_i M + C)
-   * x_i)
+   *   lambda - lambda_h = sum over cells r_y^T Q_bb^-1 r_x
+   *                       / (y^T (2 lambda M + C) x),
    *
-   * is what the mesh adds to the eigenvalues in the space of the pairs, where
-   * Q_bb is the stiffness with its damping (1 + lambda beta + i eta) of the
-   * body; its inertia is of higher order. Times (p + 1)/2, as there. A pair
-   * alone shifts by E_ii, its first order, and undamped modes without friction
-   * by the estimate of those. Two pairs that lock in do not: their growth rate
-   * hangs on the difference of what the mesh does to their partners, through
-   * E_12 E_21. The errors are therefore those of the eigenvalues of
-   * diag(lambda) + E among all pairs, followed from those of diag(lambda):
-   * the more neighbours of a pair are given, the better.
+   * where Q_bb is the stiffness with its damping (1 + lambda beta + i eta) of
+   * the body; its inertia is of higher order. Times (p + 1)/2, as there. For
+   * undamped modes without friction it is the estimate of those.
    *
    * Gyroscopic terms of turning bodies and the damping of slip rates are left
    * out.

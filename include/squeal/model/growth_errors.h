@@ -28,9 +28,9 @@ namespace squeal
    * degrees are far from converging, and their growth rates may be alike by
    * chance (doc/verification.md has pairs with 2.3 to 3 times it).
    *
-   * A pair is found again by its shape: of the pairs of the lower degree whose
-   * shapes share 0.3 of it (squared cosine in the mass of points on all
-   * bodies), the one that grows fastest.
+   * A pair is found again by its shape at the corners of the coarse mesh
+   * (squared cosine): of the pairs of the lower degree that share 0.3 of it and
+   * 0.6 of what the most alike does, the one that grows fastest.
    *
    * @param pairs  right vectors are used
    * @param errors of the pairs, for the frequencies
