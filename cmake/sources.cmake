@@ -101,6 +101,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/free_unknowns.cc
     source/discretization/load_vector.cc
     source/discretization/pair_error.cc
+    source/discretization/patterned_matrix.cc
     source/discretization/pencil.cc
     source/discretization/point_evaluator.cc
     source/discretization/point_forces_in_cells.cc)
@@ -181,7 +182,8 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/run_in.cc
     source/transient/spectrum.cc
     source/transient/steady_sliding.cc
-    source/transient/time_step_error.cc)
+    source/transient/time_step_error.cc
+    source/transient/turning_inertia.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc

@@ -66,6 +66,19 @@ namespace squeal
 
 
 
+  std::map<std::string, double>
+  TurningContacts::rates() const
+  {
+    std::map<std::string, double> result;
+    for (const Pair &pair : pairs)
+      if (pair.turning)
+        result[pair.turning->target_body()] =
+          pair.turning->angle(pair.speed_ratio);
+    return result;
+  }
+
+
+
   std::shared_ptr<const Functionals>
   TurningContacts::relative_motion(const double way)
   {

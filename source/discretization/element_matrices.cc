@@ -196,4 +196,23 @@ namespace squeal
     spread(half - half.transpose(), G);
     spread(-turn.transpose() * weights.asDiagonal() * turn, N);
   }
+
+
+
+  void
+  ElementMatrices::turning_axes(Eigen::MatrixXd &G, Eigen::MatrixXd &N) const
+  {
+    const unsigned int n = fe.n_dofs_per_cell();
+    G.setZero(3 * n, 3 * n);
+    N.setZero(3 * n, 3 * n);
+    for (unsigned int b = 0; b < n; ++b)
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          const double m                = scalar_mass(a, b);
+          G(dof_of[0][a], dof_of[1][b]) = -m;
+          G(dof_of[1][a], dof_of[0][b]) = m;
+          for (unsigned int i = 0; i < 2; ++i)
+            N(dof_of[i][a], dof_of[i][b]) = m;
+        }
+  }
 } // namespace squeal

@@ -283,8 +283,15 @@ namespace squeal
     full.motion_offset = Eigen::VectorXd::Zero(steady.motion.size());
     if (parameters.transient.disc_frame ==
         TransientParameters::DiscFrame::corotating)
-      full.turning = std::make_shared<TurningContacts>(
-        discretization, contact_nodes, separated.reduce, knots_per_cell);
+      {
+        full.turning = std::make_shared<TurningContacts>(
+          discretization, contact_nodes, separated.reduce, knots_per_cell);
+        full.inertia =
+          std::make_shared<const TurningInertia>(discretization,
+                                                 full.turning->rates(),
+                                                 separated.expand,
+                                                 separated.restrict_forces);
+      }
     if (has_held_support(scene))
       full.motion_offset =
         steady.motion - full.relative_motion->apply(Block(static_motion(

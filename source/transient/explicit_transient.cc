@@ -183,6 +183,7 @@ namespace squeal
   {
     const double          t     = time();
     const Eigen::VectorXd f     = external_force(t);
+    const Eigen::VectorXd g     = inertial_force(t);
     const double          reach = (beta_2 + 0.5) * dt * dt;
     const Eigen::Index    n     = u.size();
     multiply_by_stiffness();
@@ -190,7 +191,9 @@ namespace squeal
     predicted.resize(n);
     for (Eigen::Index i = 0; i < n; ++i)
       {
-        a_now[i]     = (f[i] - K_u[i] - beta * K_w[i]) / mass[i] - alpha * w[i];
+        a_now[i] = (f[i] - K_u[i] - beta * K_w[i]) / mass[i] - alpha * w[i];
+        if (g.size() > 0)
+          a_now[i] += g[i] / mass[i];
         predicted[i] = u[i] + dt * w[i] + reach * a_now[i];
       }
     ContactStep step = contact_step(t + dt);
@@ -222,6 +225,8 @@ namespace squeal
       }
     energies.damping += damping;
     energies.load += load;
+    if (g.size() > 0)
+      energies.driving += moved.dot(g);
     energies.numerical -= 0.5 * (beta_2 - 0.5) * dt * dt * numerical;
     enter_contact_work(step, next, relative(moved));
     a                = a_now;

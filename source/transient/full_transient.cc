@@ -67,6 +67,14 @@ namespace squeal
   }
 
   Eigen::VectorXd
+  FullTransient::inertial_force(const double time) const
+  {
+    return model.inertia
+             ? model.inertia->forces(u - u_start, v, drive.speed(time))
+             : Eigen::VectorXd();
+  }
+
+  Eigen::VectorXd
   FullTransient::relative(const Eigen::VectorXd &x) const
   {
     return B->apply(Block(x));
@@ -203,9 +211,9 @@ namespace squeal
         way.setZero();
         set_turn();
       }
-    u      = static_motion(model, q, drive.load(0.), forces);
-    v      = model.basis->shapes * velocity;
-    a      = Eigen::VectorXd::Zero(u.size());
+    u = u_start = static_motion(model, q, drive.load(0.), forces);
+    v           = model.basis->shapes * velocity;
+    a           = Eigen::VectorXd::Zero(u.size());
     lambda = lambda_1 = lambda_2 = forces;
     nodes_motion                 = relative(u) + model.motion_offset;
     energies                     = {};

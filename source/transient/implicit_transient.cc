@@ -52,14 +52,17 @@ namespace squeal
     touching.setZero(model.n_nodes());
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       touching[j] = lambda[3 * j] > 1e-6 * lambda.cwiseAbs().maxCoeff();
+    inertial = inertial_force(0.);
     set_stored_energy();
   }
 
   std::vector<std::pair<std::string, Eigen::VectorXd *>>
   ImplicitTransient::further_state()
   {
-    return {
-      {"elastic_forces", &K_u}, {"momentum", &M_v}, {"touching", &touching}};
+    return {{"elastic_forces", &K_u},
+            {"momentum", &M_v},
+            {"touching", &touching},
+            {"inertial_forces", &inertial}};
   }
 
   void
@@ -108,7 +111,15 @@ namespace squeal
     const double          t = time();
     const Eigen::VectorXd f =
       0.5 * (external_force(t) + external_force(t + dt));
-    Block       rhs  = M_v + 0.5 * dt * (f - K_u);
+    Block           rhs = M_v + 0.5 * dt * (f - K_u);
+    Eigen::VectorXd of_turning; // in the middle of the step, extrapolated
+    if (model.inertia)
+      {
+        const Eigen::VectorXd now = inertial_force(t);
+        of_turning                = 1.5 * now - 0.5 * inertial;
+        inertial                  = now;
+        rhs += 0.5 * dt * of_turning;
+      }
     ContactStep step = contact_step(t + dt);
     turn(step);
     step.free_motion     = free_motion(rhs);
@@ -126,6 +137,8 @@ namespace squeal
     energies.damping +=
       dt * (0.5 * alpha * v_h.dot(M_v + M_v1) + beta * v_h.dot(K_vh));
     energies.load += dt * v_h.dot(f);
+    if (model.inertia)
+      energies.driving += dt * v_h.dot(of_turning);
     enter_contact_work(step, next, dt * relative(v_h));
     K_u += dt * K_vh;
     M_v = M_v1;

@@ -84,31 +84,6 @@ namespace
 
 
 
-  /** e_z x u of every column, node by node. */
-  Block
-  turned_about_z(const Discretization &d, const Block &u)
-  {
-    const auto &fe     = d.dof_handler().get_fe();
-    Block       result = Block::Zero(u.rows(), u.cols());
-    std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : d.dof_handler().active_cell_iterators())
-      {
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (const auto [c, node] = fe.system_to_component_index(i); c < 2)
-            {
-              const unsigned int other =
-                fe.component_to_system_index(1 - c, node);
-              const auto &a = d.expansion(dofs[i]),
-                         &b = d.expansion(dofs[other]);
-              if (a.size() == 1 && b.size() == 1)
-                result.row(a[0].first) =
-                  (c == 0 ? -1. : 1.) * u.row(b[0].first);
-            }
-      }
-    return result;
-  }
-
   /** Frequencies in the turning frame: M u'' + 2 Omega M (e_z x u') -
    * Omega^2 M u_xy + K u = 0, projected on modes and their responses to the
    * Coriolis forces. */
@@ -120,9 +95,11 @@ namespace
   {
     const Model         model(scene, degree, highest);
     const UndampedModes modes = undamped_modes(model.pencil, model.inverse);
+    const TurningAxes   axes  = turning_axes(model.discretization, 0);
+    const double        rho   = scene.bodies[0].density;
     Block               V(modes.shapes.rows(), 2 * modes.shapes.cols());
-    V << modes.shapes, model.inverse.solve(model.pencil.multiply_mass(
-                         turned_about_z(model.discretization, modes.shapes)));
+    V << modes.shapes,
+      model.inverse.solve(Block(rho * axes.coriolis->multiply(modes.shapes)));
     for (int pass = 0; pass < 2; ++pass)
       for (Eigen::Index j = 0; j < V.cols(); ++j)
         {
@@ -135,13 +112,16 @@ namespace
           V.col(j) /= std::sqrt(
             V.col(j).dot(model.pencil.multiply_mass(Block(V.col(j))).col(0)));
         }
-    const Block           JV = turned_about_z(model.discretization, V);
-    const Eigen::MatrixXd K  = V.transpose() *
+    const Eigen::MatrixXd K = V.transpose() *
                               model.pencil.multiply_undamped_stiffness(V),
-                          G = V.transpose() * model.pencil.multiply_mass(JV),
-                          N = JV.transpose() * model.pencil.multiply_mass(JV);
-    const Eigen::Index n    = V.cols();
-    Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+                          G = rho * V.transpose() * axes.coriolis->multiply(V),
+                          N =
+                            rho * V.transpose() * axes.centrifugal->multiply(V);
+    check_below((G + G.transpose()).norm(),
+                1e-12 * G.norm(),
+                "Coriolis forces do no work");
+    const Eigen::Index n = V.cols();
+    Eigen::MatrixXd    A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     A.topRightCorner(n, n).setIdentity();
     A.bottomLeftCorner(n, n)      = -(K - speed * speed * N);
     A.bottomRightCorner(n, n)     = -2. * speed * G;

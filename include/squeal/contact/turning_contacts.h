@@ -5,7 +5,9 @@
 #include <squeal/contact/contact_nodes.h>
 #include <squeal/contact/turning_contact.h>
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace squeal
@@ -30,6 +32,10 @@ namespace squeal
 
     /** B where the drive has moved on by @p way, its speed over time, m. */
     std::shared_ptr<const Functionals> relative_motion(const double way);
+
+    /** Bodies that turn and by how much, rad counterclockwise about z per metre
+     * of the drive's way; each once. */
+    std::map<std::string, double> rates() const;
 
     /** All unknowns that some way has to do with, ascending. */
     std::vector<unsigned int> unknowns() const;

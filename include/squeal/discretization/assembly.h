@@ -24,6 +24,17 @@ namespace squeal
     dealii::Point<3>                    centre;      /**< of gravity, m */
   };
 
+  /** Inertia of a meshed body in axes that turn with it about z, in the free
+   * unknowns, for density 1 and 1 rad/s: at the speed Omega the forces
+   * rho (-2 Omega G u' + Omega^2 N u) act on it. */
+  struct TurningAxes
+  {
+    std::shared_ptr<const SparseMatrix> coriolis;    /**< G, skew, m^3 */
+    std::shared_ptr<const SparseMatrix> centrifugal; /**< N, m^3 */
+  };
+  TurningAxes turning_axes(const Discretization &discretization,
+                           const unsigned int    body);
+
   /** Assembles every body of the scene. */
   std::vector<BodyMatrices> assemble_bodies(
     const Discretization &discretization);

@@ -63,6 +63,13 @@ namespace squeal
                   Eigen::MatrixXd &G,
                   Eigen::MatrixXd &N) const;
 
+    /**
+     * Terms of a body in axes that turn with it about z, for density 1 and
+     * 1 rad/s: Coriolis G_(a i)(b j) = int phi_a phi_b (e_z x e_j)_i, skew, and
+     * centrifugal N, the mass of the components x and y.
+     */
+    void turning_axes(Eigen::MatrixXd &G, Eigen::MatrixXd &N) const;
+
     /** Component 0..2 of degree of freedom @p i of a cell. */
     unsigned int
     component(const unsigned int i) const

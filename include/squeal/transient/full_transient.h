@@ -4,6 +4,7 @@
 
 #include <squeal/contact/turning_contacts.h>
 #include <squeal/transient/lagged_friction.h>
+#include <squeal/transient/turning_inertia.h>
 
 #include <memory>
 
@@ -28,6 +29,8 @@ namespace squeal
     /** B in every step where meshes of targets turn, their unknowns being
      * displacements in axes that turn with them; null: B stays. */
     std::shared_ptr<TurningContacts> turning = {};
+    /** Inertia of what turns; null: none. */
+    std::shared_ptr<const TurningInertia> inertia = {};
 
     unsigned int
     n_nodes() const
@@ -89,6 +92,9 @@ namespace squeal
     virtual std::vector<std::pair<std::string, Eigen::VectorXd *>> further_state() = 0;
 
     Eigen::VectorXd external_force(const double time) const;
+    /** Coriolis and centrifugal forces on the motion from the start, N; empty
+     * where nothing turns. */
+    Eigen::VectorXd inertial_force(const double time) const;
     Eigen::VectorXd relative(const Eigen::VectorXd &x) const;
     /** f - B^T lambda. */
     Eigen::VectorXd applied(const double           time,
@@ -118,6 +124,7 @@ namespace squeal
     double                         alpha, beta; /**< of the damping */
     std::unique_ptr<ContactSolver> solver;
     LaggedFriction                 friction;
+    Eigen::VectorXd                u_start; /**< of the unknowns, m */
 
     unsigned int    n_steps = 0;
     Eigen::VectorXd u, v, a;                    /**< of the unknowns */

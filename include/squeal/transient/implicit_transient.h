@@ -55,6 +55,7 @@ namespace squeal
                                                         `inverse` */
     Eigen::VectorXd K_u, M_v;
     Eigen::VectorXd touching; /**< 1 for closed nodes */
+    Eigen::VectorXd inertial; /**< forces of turning a step ago, N */
   };
 } // namespace squeal
 
