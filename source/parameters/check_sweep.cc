@@ -32,11 +32,21 @@ namespace squeal
           {
             refuse_entry(section, name, std::string(": ") + e.what());
           }
-        if (!starts_with(path, "Scene/"))
+        if (starts_with(path, "Scene/"))
+          return;
+        const bool is_campaign =
+          parameters.analysis == Parameters::Analysis::transient;
+        if (!is_campaign || !is_resolution_entry(path))
           refuse_entry(section,
                        name,
                        "contains " + in_quotes(path) +
-                         ": only numbers of the scene can be swept");
+                         ": only numbers of the scene can be swept" +
+                         (is_campaign ? ", and how finely a transient is "
+                                        "computed: 'Discretization/Degree', "
+                                        "'Refinements', 'Transient/Time step', "
+                                        "'Cut-off', 'Interface cut-off', "
+                                        "'Tolerance'"
+                                      : ""));
       }
 
       void

@@ -12,11 +12,13 @@ namespace squeal
       {
         schema.enter_section("Discretization",
                              "Finite element space and mesh refinement.");
-        schema.add("Degree",
-                   d.degree,
-                   Allowed::integer(1, 8),
-                   "Polynomial degree of the hexahedral elements and of their "
-                   "curved geometry.");
+        schema
+          .add("Degree",
+               d.degree,
+               Allowed::integer(1, 8),
+               "Polynomial degree of the hexahedral elements and of their "
+               "curved geometry.")
+          .resolution();
         schema.add("Mass",
                    d.mass,
                    "Mass of the elements: integrated as the stiffness is, or "
@@ -28,11 +30,13 @@ namespace squeal
                    "times everywhere, or adaptively where the modes of the "
                    "band need it, or where the growth rates of the complex "
                    "pairs do (contact error, of 'Analysis = cea').");
-        schema.add("Refinements",
-                   d.refinements,
-                   Allowed::integer(0, 10),
-                   "Uniform refinements; each divides a cell into eight. With "
-                   "'Refinement = eigenvalue error' they come first.");
+        schema
+          .add("Refinements",
+               d.refinements,
+               Allowed::integer(0, 10),
+               "Uniform refinements; each divides a cell into eight. With "
+               "'Refinement = eigenvalue error' they come first.")
+          .resolution();
         schema.add("Tolerance",
                    d.tolerance,
                    Allowed::positive(1.),

@@ -60,12 +60,14 @@ namespace squeal
                    "trapezoidal rule with contact velocities (implicit), "
                    "beta-2 scheme with forward multipliers (explicit, needs "
                    "'Discretization/Mass = lumped').");
-        schema.add("Cut-off",
-                   t.cut_off,
-                   Allowed::positive(),
-                   "Modes of the bodies up to this frequency move in the "
-                   "reduced integrator; those above follow without inertia.",
-                   "Hz");
+        schema
+          .add("Cut-off",
+               t.cut_off,
+               Allowed::positive(),
+               "Modes of the bodies up to this frequency move in the "
+               "reduced integrator; those above follow without inertia.",
+               "Hz")
+          .resolution();
         schema.add("Cut-off damping",
                    t.cut_off_damping,
                    Allowed::number(0., 1.),
@@ -74,13 +76,15 @@ namespace squeal
                    "it: takes the ringing of impacts at 1.2 times the cut-off "
                    "away (0.2 does). The log says how far it shifts the "
                    "growing pairs of the band.");
-        schema.add("Interface cut-off",
-                   t.interface_cut_off,
-                   Allowed::number(0.),
-                   "The motions above 'Cut-off' that the contact excites "
-                   "itself (Ritz vectors of its flexibility) move with mass "
-                   "and damping up to this frequency; 0: none of them.",
-                   "Hz");
+        schema
+          .add("Interface cut-off",
+               t.interface_cut_off,
+               Allowed::number(0.),
+               "The motions above 'Cut-off' that the contact excites "
+               "itself (Ritz vectors of its flexibility) move with mass "
+               "and damping up to this frequency; 0: none of them.",
+               "Hz")
+          .resolution();
         schema.add("Beta 2",
                    t.beta_2,
                    Allowed::number(0.5, 1.),
@@ -204,15 +208,18 @@ namespace squeal
                  "Kinetic energy at the start, of an impulse spread at random "
                  "over points of all bodies.",
                  "J");
-      schema.add(
-        "Time step", t.time_step, Allowed::positive(), "Time step.", "s");
+      schema
+        .add("Time step", t.time_step, Allowed::positive(), "Time step.", "s")
+        .resolution();
       schema.add(
         "End time", t.end_time, Allowed::positive(), "Simulated time.", "s");
-      schema.add("Tolerance",
-                 t.tolerance,
-                 Allowed::positive(1e-2),
-                 "Largest violation of the contact law in a step, relative to "
-                 "the mean force of a contact node.");
+      schema
+        .add("Tolerance",
+             t.tolerance,
+             Allowed::positive(1e-2),
+             "Largest violation of the contact law in a step, relative to "
+             "the mean force of a contact node.")
+        .resolution();
       schema.add("Sample interval",
                  t.sample_interval,
                  Allowed::positive(),

@@ -55,4 +55,11 @@ namespace squeal
     const prm::Schema::Entry *entry = declaration(path);
     return entry && entry->is_friction;
   }
+
+  bool
+  is_resolution_entry(const std::string &path)
+  {
+    const prm::Schema::Entry *entry = declaration(path);
+    return entry && entry->is_resolution;
+  }
 } // namespace squeal

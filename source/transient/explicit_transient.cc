@@ -141,10 +141,11 @@ namespace squeal
   void
   ExplicitTransient::initialize()
   {
-    K_u = stiffness_times(u);
-    a   = (applied(0., lambda) - K_u - beta * stiffness_times(v))
-          .cwiseQuotient(mass) -
-        alpha * v;
+    K_u               = stiffness_times(u);
+    Eigen::VectorXd f = applied(0., lambda) - K_u - beta * stiffness_times(v);
+    if (model.inertia)
+      f += inertial_force(0.);
+    a                = f.cwiseQuotient(mass) - alpha * v;
     w                = v - beta_2 * dt * a;
     energies.kinetic = 0.5 * w.dot(mass.cwiseProduct(w));
     energies.elastic = 0.5 * K_u.dot(u - dt * w - (beta_2 - 0.5) * dt * dt * a);

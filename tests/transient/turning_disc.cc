@@ -2,7 +2,8 @@
 
 // A brake whose disc turns with its mesh beside the same brake with a disc that
 // stands still and slides: statics at several angles, a ramp in time with its
-// energies and a restart, and what a feature of the disc does.
+// energies and a restart, what a feature of the disc does, and Coriolis and
+// centrifugal forces.
 
 #include "transient/pressed_brake.h"
 #include "worst.h"
@@ -329,6 +330,92 @@ namespace
                 "a quarter of the cells' width: order 1.5 at least");
   }
 
+  /** A motion of the whole disc along x or y, all others at rest. */
+  Block
+  translation(const Discretization &d, const unsigned int direction)
+  {
+    Block result = Block::Zero(d.space()->n_owned(), 1);
+    std::vector<dealii::types::global_dof_index> dofs(
+      d.dof_handler().get_fe().n_dofs_per_cell());
+    for (const auto &cell : d.dof_handler().active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (cell->material_id() == 0 &&
+              d.dof_handler().get_fe().system_to_component_index(i).first ==
+                direction)
+            for (const auto &[row, weight] : d.expansion(dofs[i]))
+              result(row) = 1.;
+      }
+    return result;
+  }
+
+  /** A free disc that is pushed goes straight on. In axes that turn with it,
+   * counterclockwise, that is the spiral V t exp(-i Omega t). */
+  void
+  check_spiral(FullTransient         &run,
+               const Reduced         &r,
+               const Eigen::VectorXd &pushed,
+               const double           omega,
+               const std::string     &name)
+  {
+    const double V = 1e-3, end = 4e-3;
+    run.start(Eigen::VectorXd::Zero(r.model.n_modes()),
+              V * r.basis.mass_shapes.transpose() * pushed,
+              Eigen::VectorXd::Zero(3 * r.model.n_nodes()));
+    Worst worst;
+    while (run.time() < end)
+      {
+        run.advance();
+        const Eigen::VectorXd      x = run.observed_motion();
+        const std::complex<double> spiral =
+          V * run.time() * std::polar(1., -omega * run.time());
+        worst.add(std::abs(std::complex<double>(x[0], x[1]) - spiral) /
+                  (V * end));
+      }
+    std::printf("%s: turned by %.3f rad, largest distance from the straight "
+                "line %.1e of its length, imbalance %.1e\n",
+                name.c_str(),
+                omega * end,
+                worst.largest(),
+                run.ledger().imbalance());
+    check(std::abs(omega) * end > .7, "the disc has turned");
+    check_below(worst.largest(), 2e-6, name + ": a pushed disc goes straight");
+    check_below(run.ledger().imbalance(), 1e-6, name + ": the ledger closes");
+  }
+
+  void
+  inertia()
+  {
+    SceneParameters scene = turning_brake({{16, 3, 1}}, 2);
+    scene.supports        = {};
+    scene.damping         = {};
+    const Reduced r(scene, 12e3, 0., true, 1);
+    const Block   x       = translation(r.discretization, 0),
+                y         = translation(r.discretization, 1);
+    const Block M_x       = r.pencil.multiply_mass(x),
+                M_y       = r.pencil.multiply_mass(y);
+    FullContactModel full = full_model(r);
+    full.initial_gap.setOnes(); // nothing touches
+    full.observers.resize(x.rows(), 2);
+    full.observers << M_x / x.col(0).dot(M_x.col(0)),
+      M_y / y.col(0).dot(M_y.col(0));
+    full.turning = std::make_shared<TurningContacts>(turning_contact(r, 0));
+    full.inertia =
+      std::make_shared<const TurningInertia>(r.discretization,
+                                             full.turning->rates(),
+                                             r.separated.expand,
+                                             r.separated.restrict_forces);
+    const double   omega = fast * full.turning->rates().at("disc");
+    TransientDrive d     = drive(0.);
+    d.load               = [](double) { return 0.; };
+    const double      dt = stable_step(r);
+    ExplicitTransient forward(full, dt, d, 1.);
+    check_spiral(forward, r, x.col(0), omega, "explicit");
+    ImplicitTransient trapezoidal(full, 2e-6, d, 1.);
+    check_spiral(trapezoidal, r, x.col(0), omega, "implicit");
+  }
+
   /** Without friction and damping the turning of an axisymmetric disc does no
    * work but what its cells let through. */
   void
@@ -519,7 +606,10 @@ main(int argc, char *argv[])
     restart();
   else if (which == "feature")
     feature();
+  else if (which == "inertia")
+    inertia();
   else
     check(false,
-          "an argument: statics, agreement, no_friction, restart or feature");
+          "an argument: statics, agreement, no_friction, restart, feature or "
+          "inertia");
 }

@@ -24,6 +24,9 @@ namespace squeal
 
   /** Whether the entry is a coefficient of friction. */
   bool is_friction_entry(const std::string &path);
+
+  /** Whether the entry says how finely a run computes. */
+  bool is_resolution_entry(const std::string &path);
   //@}
 } // namespace squeal
 

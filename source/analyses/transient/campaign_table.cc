@@ -76,7 +76,14 @@ namespace squeal
         {"sigma_full_contact_per_s", Type::real, "1/s", "whole face closed", 4},
         {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
         {"phase_deg", Type::real, "deg", "tangential against normal", 4},
-        {"repetition", Type::real, "", "of the normal force", 3}};
+        {"repetition", Type::real, "", "of the normal force", 3},
+        {"leading_edge_factor",
+         Type::real,
+         "",
+         "pressure there over the mean one in steady sliding, all pairs",
+         4},
+        {"n_unknowns", Type::integer, "", "of the finite elements"},
+        {"n_modes", Type::integer, "", "that move in the reduced model"}};
     }
 
     Columns
@@ -148,6 +155,7 @@ namespace squeal
     std::vector<Cell>
     cycle_cells(const CampaignRun       &run,
                 const PreparedTransient &prepared,
+                const TransientRecord   &record,
                 const TransientFigures  &f)
     {
       const BranchResult *b          = leading_branch(f);
@@ -182,7 +190,12 @@ namespace squeal
               or_missing(sigma_with_full_contact(prepared, run.parameters)),
               or_missing(f.macroscopic_friction),
               f.phase,
-              vibrating(f.repetition)};
+              vibrating(f.repetition),
+              or_missing(record.samples.empty()
+                           ? nan
+                           : record.samples.front().leading_edge),
+              prepared.pressed.n_unknowns(),
+              prepared.pressed.model().n_modes()};
     }
 
     std::vector<Cell>
@@ -230,7 +243,7 @@ namespace squeal
       row.insert(row.end(), cells.begin(), cells.end());
     };
     append(t.compare_with_cea ? comparison_cells(run, prepared, f)
-                              : cycle_cells(run, prepared, f));
+                              : cycle_cells(run, prepared, record, f));
     if (!t.compare_with_cea && has_trigger(t))
       append(trigger_cells(evaluate_trigger(record, t)));
     return row;
