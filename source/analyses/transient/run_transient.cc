@@ -294,7 +294,8 @@ namespace squeal
       HtmlReport report("Transient of " + p.scene.name,
                         "motion in time about steady sliding");
       report.set_verdict(
-        f.verdict == "unstable" || squeals(f, trigger)
+        f.verdict == "unstable" || squeals(f, trigger) ||
+            !f.growing_outside.empty()
           ? HtmlReport::Verdict::bad
         : f.verdict == "stable" ? HtmlReport::Verdict::good
                                 : HtmlReport::Verdict::neutral,

@@ -172,12 +172,13 @@ namespace squeal
     {
       if (f.leading < 0)
         return "undecided";
-      const GrowthFit &fit = f.branches[f.leading].fit;
+      const bool       decays_alone = f.growing_outside.empty();
+      const GrowthFit &fit          = f.branches[f.leading].fit;
       if (!fit.is_valid)
         return "undecided";
-      return fit.rate - fit.rate_ci > 0.   ? "unstable"
-             : fit.rate + fit.rate_ci < 0. ? "stable"
-                                           : "undecided";
+      return fit.rate - fit.rate_ci > 0.                   ? "unstable"
+             : fit.rate + fit.rate_ci < 0. && decays_alone ? "stable"
+                                                           : "undecided";
     }
 
     void
@@ -341,7 +342,8 @@ namespace squeal
   {
     TransientFigures f;
     evaluate_branches(prepared, record, p.transient, cea, f);
-    f.verdict = verdict_of(f);
+    f.growing_outside = text_of_growth_outside(prepared.linear, p);
+    f.verdict         = verdict_of(f);
     evaluate_limit_cycle(prepared, record, p, f);
     evaluate_nodes(record, f);
     // Against the work of the whole run: at the start there is next to none.
@@ -358,6 +360,26 @@ namespace squeal
     f.n_inversions        = record.n_inversions;
     f.iterations_per_step = record.n_iterations / std::max(record.n_steps, 1.);
     return f;
+  }
+
+
+
+  std::string
+  text_of_growth_outside(const LinearizedMotion &linear, const Parameters &p)
+  {
+    if (linear.lambda.size() == 0)
+      return "";
+    Eigen::Index k;
+    const double sigma     = linear.lambda.real().maxCoeff(&k),
+                 frequency = linear.lambda[k].imag() / (2. * M_PI);
+    // Below is rounding.
+    if (!(sigma > 1e-9 * std::abs(linear.lambda[k])) ||
+        (frequency >= p.eigen.lowest_frequency &&
+         frequency <= p.eigen.highest_frequency))
+      return "";
+    return "a motion at " + rounded_text(frequency, 5) +
+           " Hz, outside the band, grows (sigma of " + rounded_text(sigma, 3) +
+           " 1/s)";
   }
 
 

@@ -58,6 +58,8 @@ namespace squeal
   {
     if (f.verdict == "unstable")
       return f.verdict;
+    if (!f.growing_outside.empty())
+      return f.verdict + " in the band; " + f.growing_outside;
     const std::string about = f.verdict + " about steady sliding; ";
     if (trigger.text == "squeal after the trigger")
       return about +

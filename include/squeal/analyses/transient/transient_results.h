@@ -54,7 +54,12 @@ namespace squeal
   {
     std::vector<BranchResult> branches;
     int                       leading = -1; /**< branch of the largest sigma */
-    std::string               verdict;      /**< stable, unstable, undecided */
+    /** stable, unstable, undecided: of the band, but not stable where a motion
+     * outside it grows. */
+    std::string verdict;
+    /** That motion in words, "a motion at 38995 Hz, outside the band, grows
+     * (sigma of 6.52 1/s)"; empty where there is none. */
+    std::string growing_outside;
     double linear_start = 0., linear_end = 0.; /**< of the linear phase, s */
 
     /** @name Over the second half of the run */
@@ -96,6 +101,11 @@ namespace squeal
                                       const TransientRecord   &record,
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
+
+  /** What grows fastest about steady sliding, if it grows and is outside the
+   * band of @p parameters, as TransientFigures::growing_outside. */
+  std::string text_of_growth_outside(const LinearizedMotion &linear,
+                                     const Parameters       &parameters);
 
   /** The limit cycle in words, or why there is none. */
   std::string limit_cycle_text(const TransientFigures &figures);
