@@ -19,16 +19,6 @@ namespace squeal
     /** Statics do not depend on it; modes below are taken out of them. */
     constexpr double cut_off_of_statics = 1000.; // Hz
 
-    std::string
-    text_of(const SweepGrid &grid, const SweepPoint &point)
-    {
-      std::string text;
-      for (unsigned int a = 0; a < grid.n_axes(); ++a)
-        text += (a > 0 ? ", " : "") + grid.axis(a).name + " = " +
-                rounded_text(grid.value(a, point[a]), 5);
-      return text;
-    }
-
     /** Points that differ in the size of the friction coefficient alone have
      * one flexibility of the contact. */
     std::map<std::vector<double>, std::vector<std::size_t>>

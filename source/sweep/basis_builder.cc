@@ -18,11 +18,8 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
-    /** Relative shift of an eigenvalue below which a direction is left out: at
-     * first, by what it falls where pairs that coalesce magnify what is left,
-     * and where rounding begins. */
-    constexpr double first_smallest_direction = 1e-14, finer = 1e-2,
-                     rounding_of_direction = 1e-20;
+    /** Relative shift of an eigenvalue below which a direction is left out. */
+    constexpr double smallest_direction = 1e-14;
 
     /** The basis before the last round is to be this much better than the
      * tolerance: with that round it can judge its leading part. */
@@ -143,7 +140,6 @@ namespace squeal
     for (const auto &point : grid.state_representatives())
       training.push_back(point);
     training_errors.assign(training.size(), 1.);
-    smallest_direction = first_smallest_direction;
   }
 
   BasisBuilder::~BasisBuilder() = default;
@@ -363,19 +359,6 @@ namespace squeal
 
 
 
-  bool
-  BasisBuilder::look_closer()
-  {
-    if (rounds.empty() ||
-        excess(rounds.back().worst, options) <= judge_quality ||
-        smallest_direction * finer < rounding_of_direction)
-      return false;
-    smallest_direction *= finer;
-    return true;
-  }
-
-
-
   void
   BasisBuilder::check_inertia()
   {
@@ -426,8 +409,6 @@ namespace squeal
             update_model(reduced.size());
           }
         check_inertia();
-        if (reduced.size() == before && look_closer())
-          continue;
         update_model(before);
         evaluate_training();
         rounds.back().cpu_seconds = seconds_now;

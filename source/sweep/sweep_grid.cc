@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/sweep/sweep_grid.h>
 
 #include <deal.II/base/exceptions.h>
@@ -307,5 +308,17 @@ namespace squeal
         result.push_back(p);
       }
     return result;
+  }
+
+
+
+  std::string
+  text_of(const SweepGrid &grid, const SweepPoint &point)
+  {
+    std::string text;
+    for (unsigned int a = 0; a < grid.n_axes(); ++a)
+      text += (a > 0 ? ", " : "") + grid.axis(a).name + " = " +
+              rounded_text(grid.value(a, point[a]), 5);
+    return text;
   }
 } // namespace squeal

@@ -100,11 +100,7 @@ namespace squeal
     std::vector<SweepPoint> choose_points(const unsigned int round);
     void                    evaluate_training();
     /** Reduced counts of modes against the inertia of the factors. */
-    void check_inertia();
-    /** Where nothing is left to add although the last basis was not good enough
-     * yet: lets smaller directions in, unless they are rounding. Pairs that
-     * coalesce magnify small residuals. */
-    bool                   look_closer();
+    void                   check_inertia();
     std::vector<ModelCell> make_cells() const;
     void                   fit_cell(ModelCell &cell) const;
     /** K + omega^2 M of the symmetric parts, omega the end of the band. */
@@ -120,10 +116,8 @@ namespace squeal
     std::vector<std::unique_ptr<Anchor>> anchor_list;
     std::vector<SweepPoint>              training;
     std::vector<double>                  training_errors;
-    /** Relative shift of an eigenvalue below which a direction is left out. */
-    double                    smallest_direction;
-    std::vector<ComplexPairs> snapshots; /**< of the last round */
-    std::vector<BasisRound>   rounds;
+    std::vector<ComplexPairs>            snapshots; /**< of the last round */
+    std::vector<BasisRound>              rounds;
   };
 
   /** Error over tolerance, the larger of frequency and sigma. */

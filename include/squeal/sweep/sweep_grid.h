@@ -94,6 +94,9 @@ namespace squeal
     std::vector<unsigned int>        state_of; /**< empty: one state */
     mutable SceneParameters          scene_with_state;
   };
+
+  /** A point in words, "mu = 0.3, log10_e_pad = 10.4". */
+  std::string text_of(const SweepGrid &grid, const SweepPoint &point);
 } // namespace squeal
 
 #endif

@@ -191,8 +191,9 @@ namespace squeal
     if (!is_within(own, 1.))
       {
         std::ostringstream text;
-        text << "the basis of the sweep does not reach its tolerance: error "
-             << own.frequency << " of a frequency, " << own.sigma
+        text << "the basis of the sweep does not reach its tolerance at "
+             << text_of(sweep_grid, point) << ": error " << own.frequency
+             << " of a frequency, " << own.sigma
              << " 1/s of a sigma; raise Sweep/Frequency tolerance and Sigma "
                 "tolerance";
         throw ComputationError(text.str());
@@ -242,7 +243,8 @@ namespace squeal
             std::to_string(round.n_factors) +
             " factors: worst estimated error " +
             rounded_text(round.worst.frequency, 2) + " of a frequency, " +
-            rounded_text(round.worst.sigma, 2) + " 1/s of a sigma");
+            rounded_text(round.worst.sigma, 2) + " 1/s of a sigma, at " +
+            text_of(sweep_grid, round.worst.sigma_at));
         },
         vectors ? *vectors : Block());
     }
