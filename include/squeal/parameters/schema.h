@@ -50,7 +50,8 @@ namespace squeal
         /** A coefficient of friction: steady states that differ in it alone
          * share the flexibility of the contact. */
         bool is_friction = false;
-        /** How finely a run computes, not what: campaigns make ladders of it. */
+        /** How finely a run computes, not what: campaigns make ladders of it.
+         */
         bool is_resolution = false;
         /** Where it is given per area of an elastic bed; empty: no bed. */
         std::string units_of_bed = {};
