@@ -14,7 +14,11 @@ namespace squeal
                    a.entries,
                    Allowed::list(Allowed::text()),
                    "Numbers of the scene that are swept, such as 'Scene/Body "
-                   "pad/Young modulus'; several move together.");
+                   "pad/Young modulus'; several move together. A "
+                   "campaign of transients also changes how finely it is "
+                   "computed: Discretization/Degree and Refinements, "
+                   "Transient/Time step, Cut-off, Interface cut-off and "
+                   "Tolerance.");
         schema.add("Scale",
                    a.scale,
                    "Equal ratios or equal steps between From and To, or a list "
