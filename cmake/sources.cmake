@@ -185,6 +185,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/time_step_error.cc)
 
 set(SQUEAL_SOURCES_CYCLE
+    source/cycle/cycle_search.cc
     source/cycle/harmonic_balance.cc
     source/cycle/period_map.cc
     source/cycle/shooting.cc)
@@ -262,6 +263,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc
     source/analyses/preload/preload_tables.cc

@@ -25,7 +25,8 @@ namespace squeal
                  l.start,
                  Allowed::positive(1e3),
                  "Amplitude of the pair at the start, over the one at which "
-                 "the first node opens or sticks.");
+                 "half of the closed nodes would open or stick if the motion "
+                 "stayed linear.");
       schema.add("Run time",
                  l.run_time,
                  Allowed::number(0.),

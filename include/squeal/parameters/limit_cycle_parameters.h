@@ -10,8 +10,8 @@ namespace squeal
     double       frequency    = 0.;   /**< Hz, of the pair it starts from; 0:
                                          that of the largest sigma in the band */
     bool         every_pair   = false; /**< one cycle for each growing pair */
-    double       start        = 2.;   /**< amplitude over that of the first
-                                         change of a contact status */
+    double       start        = 2.;   /**< amplitude over that at which
+                                         half of the nodes open or stick */
     double       run_time     = 0.02; /**< s, of the motion before Newton */
     unsigned int run_steps    = 64;   /**< of a period of the pair, then */
     unsigned int steps        = 128;  /**< of a period */
