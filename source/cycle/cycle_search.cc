@@ -40,7 +40,8 @@ namespace squeal
         {
           std::complex<double> sum = 0.;
           for (Eigen::Index i = 0; i < n; ++i)
-            sum += x[i] * std::polar(2. / n, -2. * M_PI * double(k * i % n) / n);
+            sum +=
+              x[i] * std::polar(2. / n, -2. * M_PI * double(k * i % n) / n);
           result.push_back(std::abs(sum));
         }
       return result;
@@ -60,11 +61,10 @@ namespace squeal
             return Eigen::VectorXd(model.load -
                                    model.participation.transpose() * f);
           };
-          const Eigen::VectorXd q =
-            half.q_q.cwiseProduct(a.coordinates) +
-            half.q_v.cwiseProduct(a.velocities) +
-            half.q_f0.cwiseProduct(modal(a.forces)) +
-            half.q_f1.cwiseProduct(modal(lambda));
+          const Eigen::VectorXd q = half.q_q.cwiseProduct(a.coordinates) +
+                                    half.q_v.cwiseProduct(a.velocities) +
+                                    half.q_f0.cwiseProduct(modal(a.forces)) +
+                                    half.q_f1.cwiseProduct(modal(lambda));
           const Eigen::VectorXd u = model.participation * q +
                                     model.load_motion -
                                     model.flexibility * lambda;
@@ -95,14 +95,13 @@ namespace squeal
     CycleFigures               f;
     f.frequency  = 1. / motion.period;
     f.resultants = Eigen::MatrixXd::Zero(3, n);
-    std::vector<bool>     opens(model.n_nodes()), sticks(model.n_nodes());
-    Eigen::VectorXd       lowest = orbit.motions[1], highest = lowest;
+    std::vector<bool> opens(model.n_nodes()), sticks(model.n_nodes());
+    Eigen::VectorXd   lowest = orbit.motions[1], highest = lowest;
     for (unsigned int i = 0; i < n; ++i)
       {
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            f.resultants.col(i) +=
-              orbit.states[i + 1].forces.segment<3>(3 * j);
+            f.resultants.col(i) += orbit.states[i + 1].forces.segment<3>(3 * j);
             opens[j]  = opens[j] || orbit.status[i][j] == ContactStatus::open;
             sticks[j] = sticks[j] || orbit.status[i][j] == ContactStatus::stick;
           }
@@ -116,18 +115,18 @@ namespace squeal
     };
     const Eigen::VectorXd normal = f.resultants.row(0),
                           along  = f.resultants.row(1);
-    f.mean_normal          = normal.mean();
-    f.rms_normal           = rms(normal);
-    f.min_normal           = normal.minCoeff();
-    f.max_normal           = normal.maxCoeff();
-    f.mean_tangential      = along.mean();
-    f.rms_tangential       = rms(along);
-    f.normal_harmonics     = amplitudes_of(normal);
-    f.tangential_harmonics = amplitudes_of(along);
-    f.largest_harmonic     = 1 + std::distance(
-                              f.normal_harmonics.begin(),
-                              std::max_element(f.normal_harmonics.begin(),
-                                               f.normal_harmonics.end()));
+    f.mean_normal                = normal.mean();
+    f.rms_normal                 = rms(normal);
+    f.min_normal                 = normal.minCoeff();
+    f.max_normal                 = normal.maxCoeff();
+    f.mean_tangential            = along.mean();
+    f.rms_tangential             = rms(along);
+    f.normal_harmonics           = amplitudes_of(normal);
+    f.tangential_harmonics       = amplitudes_of(along);
+    f.largest_harmonic =
+      1 + std::distance(f.normal_harmonics.begin(),
+                        std::max_element(f.normal_harmonics.begin(),
+                                         f.normal_harmonics.end()));
     f.penetration = penetration_of(model, orbit);
     f.n_opening   = std::count(opens.begin(), opens.end(), true);
     f.n_sticking  = std::count(sticks.begin(), sticks.end(), true);
@@ -139,9 +138,9 @@ namespace squeal
   std::string
   CycleResult::stability() const
   {
-    return multipliers.is_stable()   ? "stable" :
-           multipliers.is_unstable() ? "unstable" :
-                                       "at its limit";
+    return multipliers.is_stable()     ? "stable"
+           : multipliers.is_unstable() ? "unstable"
+                                       : "at its limit";
   }
 
   std::string
@@ -178,9 +177,9 @@ namespace squeal
       (model.participation * linear.right.col(k).segment(n, n))
         .cwiseAbs()
         .maxCoeff();
-    const double speed = std::abs(map.sliding_speed()),
-                 small = small_motion * speed / fastest;
-    const Orbit orbit = map.run(state_of_pair(steady, linear, k, small),
+    const double speed        = std::abs(map.sliding_speed()),
+                 small        = small_motion * speed / fastest;
+    const Orbit         orbit = map.run(state_of_pair(steady, linear, k, small),
                                 2. * M_PI / linear.lambda[k].imag(),
                                 n_steps);
     std::vector<double> result;
@@ -196,8 +195,8 @@ namespace squeal
             {
               const Eigen::Vector3d moved =
                 (orbit.motions[i + 1] - orbit.motions[i]).segment<3>(3 * j);
-              share =
-                std::max(share, 1. - std::hypot(way + moved[1], moved[2]) / way);
+              share = std::max(share,
+                               1. - std::hypot(way + moved[1], moved[2]) / way);
             }
           if (share > 0.)
             result.push_back(small / share);
@@ -224,8 +223,8 @@ namespace squeal
       throw ComputationError("no node is closed in steady sliding");
     result.first_change = changes.front();
     result.half_change  = changes[changes.size() / 2];
-    MotionState start = state_of_pair(
-      steady, linear, k, settings.start * result.half_change);
+    MotionState start =
+      state_of_pair(steady, linear, k, settings.start * result.half_change);
     double guess = period;
     try
       {
@@ -258,15 +257,16 @@ namespace squeal
     if (result.coarse.status != CycleStatus::converged)
       return result;
     shooting.n_steps = settings.steps;
-    result.motion    = shoot(map,
-                          result.coarse.orbit.states.front(),
-                          result.coarse.period,
-                          shooting);
+    result.motion    = shoot(
+      map, result.coarse.orbit.states.front(), result.coarse.period, shooting);
     if (result.motion.status != CycleStatus::converged)
       return result;
     result.coarse_figures = cycle_figures(map, result.coarse);
     result.figures        = cycle_figures(map, result.motion);
     result.multipliers    = floquet_multipliers(map, result.motion);
+    result.multipliers.error =
+      std::abs(result.multipliers.largest -
+               floquet_multipliers(map, result.coarse).largest);
     return result;
   }
 } // namespace squeal

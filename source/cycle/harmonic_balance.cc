@@ -19,8 +19,8 @@ namespace squeal
     /** Of a difference quotient over a frequency or a damping. */
     constexpr double increment = 1e-7;
     /** A step is shortened where the residual grows by more than this. */
-    constexpr double      accepted_growth = 2.;
-    constexpr unsigned int halvings       = 4;
+    constexpr double       accepted_growth = 2.;
+    constexpr unsigned int halvings        = 4;
     /** The frequency changes by no more than this share in an iteration. */
     constexpr double largest_change = 0.1;
 
@@ -149,8 +149,9 @@ namespace squeal
         result[j] = 0.;
       else
         result[j] =
-          1. / Complex(model.omega_squared[j] - w * w,
-                       w * (model.damping[j] + (k > 0 ? m.excess_damping : 0.)));
+          1. /
+          Complex(model.omega_squared[j] - w * w,
+                  w * (model.damping[j] + (k > 0 ? m.excess_damping : 0.)));
     return result;
   }
 
@@ -194,9 +195,9 @@ namespace squeal
         normal_give += psi[0] * psi[0] / stiffness;
         give += std::max(psi[1] * psi[1], psi[2] * psi[2]) / stiffness;
       }
-    const double    rho = 1. / normal_give, rho_rate = 1. / (give * omega);
-    const double    p = lambda[0] - rho * (model.initial_gap[j] - u[0]);
-    Law             law;
+    const double rho = 1. / normal_give, rho_rate = 1. / (give * omega);
+    const double p = lambda[0] - rho * (model.initial_gap[j] - u[0]);
+    Law          law;
     if (p <= 0.)
       {
         law.missed = lambda;
@@ -206,20 +207,19 @@ namespace squeal
       rate[1] + friction.speed * model.speed_ratio[j], rate[2]);
     const Eigen::Vector2d tried = lambda.tail<2>() + rho_rate * rate_t;
     const double          size = tried.norm(), mu = friction.kinetic[j];
-    law.missed[0]      = lambda[0] - p;
-    law.by_force(0, 0) = 0.;
+    law.missed[0]       = lambda[0] - p;
+    law.by_force(0, 0)  = 0.;
     law.by_motion(0, 0) = -rho;
     if (size > friction.limit_at_rest(j) * p)
       {
         const Eigen::Vector2d d = tried / size;
         const Eigen::Matrix2d turning =
-          mu * p / size *
-          (Eigen::Matrix2d::Identity() - d * d.transpose());
+          mu * p / size * (Eigen::Matrix2d::Identity() - d * d.transpose());
         law.status           = ContactStatus::slip;
         law.missed.tail<2>() = lambda.tail<2>() - mu * p * d;
         law.by_force.bottomRightCorner<2, 2>() -= turning;
-        law.by_force.block<2, 1>(1, 0)  = -mu * d;
-        law.by_motion.block<2, 1>(1, 0) = -mu * rho * d;
+        law.by_force.block<2, 1>(1, 0)        = -mu * d;
+        law.by_motion.block<2, 1>(1, 0)       = -mu * rho * d;
         law.by_rate.bottomRightCorner<2, 2>() = -rho_rate * turning;
       }
     else
@@ -239,7 +239,7 @@ namespace squeal
   HarmonicBalance::evaluate(HarmonicMotion &m) const
   {
     const Eigen::MatrixXcd lambda = harmonics_of(m.forces);
-    Eigen::MatrixXcd       u = relative_motion(modal_harmonics(m), lambda);
+    Eigen::MatrixXcd       u      = relative_motion(modal_harmonics(m), lambda);
     u.col(0) += model.load_motion;
     m.motion   = values_of(u, n);
     m.rate     = values_of(rates_of(u, m.omega), n);
@@ -267,7 +267,7 @@ namespace squeal
   {
     const unsigned int     fine   = factor * n;
     const Eigen::MatrixXcd lambda = harmonics_of(m.forces);
-    Eigen::MatrixXcd       u = relative_motion(modal_harmonics(m), lambda);
+    Eigen::MatrixXcd       u      = relative_motion(modal_harmonics(m), lambda);
     u.col(0) += model.load_motion;
     const Eigen::MatrixXd f = values_of(lambda, fine), x = values_of(u, fine),
                           v = values_of(rates_of(u, m.omega), fine);
@@ -301,9 +301,9 @@ namespace squeal
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < model.n_nodes(); ++j)
         {
-          const Eigen::Vector3d f   = m.forces.col(i).segment<3>(3 * j),
-                                v   = m.rate.col(i).segment<3>(3 * j);
-          const double          way = friction.speed * model.speed_ratio[j];
+          const Eigen::Vector3d f = m.forces.col(i).segment<3>(3 * j),
+                                v = m.rate.col(i).segment<3>(3 * j);
+          const double way        = friction.speed * model.speed_ratio[j];
           e.driving += dt * f[1] * way;
           e.friction += dt * (f[1] * (way + v[1]) + f[2] * v[2]);
           e.numerical += dt * f[0] * v[0];
@@ -345,15 +345,15 @@ namespace squeal
                                      m.rate.col(i).segment<3>(3 * j),
                                      m.omega);
             if (law.status == ContactStatus::open)
-              open.col(i).segment<3>(3 * j) = -m.forces.col(i).segment<3>(3 * j);
+              open.col(i).segment<3>(3 * j) =
+                -m.forces.col(i).segment<3>(3 * j);
             else
               {
                 closed.push_back({i, j});
                 laws.push_back(law);
               }
           }
-      const Eigen::Index n_rows =
-        3 * closed.size() + b.free.size() + 2;
+      const Eigen::Index n_rows = 3 * closed.size() + b.free.size() + 2;
       if (n_rows > largest_matrix)
         throw InputError("harmonic balance: a matrix of " +
                          std::to_string(n_rows) + " rows, at most " +
@@ -376,15 +376,15 @@ namespace squeal
         {
           const Eigen::VectorXcd d   = b.receptance(k, m);
           const Eigen::MatrixXd &Psi = b.model.participation;
-          Eigen::MatrixXd re = Psi * d.real().asDiagonal() * Psi.transpose() +
-                               b.model.flexibility;
+          Eigen::MatrixXd        re =
+            Psi * d.real().asDiagonal() * Psi.transpose() + b.model.flexibility;
           Eigen::MatrixXd im = Psi * d.imag().asDiagonal() * Psi.transpose();
           for (unsigned int s = 0; s < b.n; ++s)
             {
               const double angle = 2. * M_PI * double(k * s % b.n) / b.n;
               const double share = (k == 0 ? 1. : 2.) / b.n;
-              const double c = share * std::cos(angle),
-                           z = share * std::sin(angle);
+              const double c     = share * std::cos(angle),
+                           z     = share * std::sin(angle);
               by_force[s] -= c * re - z * im;
               rate_by_force[s] += k * m.omega * (z * re + c * im);
             }
@@ -449,18 +449,16 @@ namespace squeal
       b.evaluate(without);
       rhs.head(n_laws) -=
         law_by(without.motion - m.motion, without.rate - m.rate);
-      const Eigen::MatrixXd still =
-        Eigen::MatrixXd::Zero(m.forces.rows(), b.n);
+      const Eigen::MatrixXd still = Eigen::MatrixXd::Zero(m.forces.rows(), b.n);
       for (Eigen::Index i = 0; i < n_free; ++i)
         {
-          const auto psi = b.model.participation.col(b.free[i]);
-          A.col(n_laws + i).head(n_laws) =
-            law_by(psi.replicate(1, b.n), still);
+          const auto psi                 = b.model.participation.col(b.free[i]);
+          A.col(n_laws + i).head(n_laws) = law_by(psi.replicate(1, b.n), still);
           for (std::size_t c = 0; c < closed.size(); ++c)
             A.row(n_laws + i).segment<3>(3 * c) =
               psi.segment<3>(3 * closed[c].node).transpose() / b.n;
-          rhs[n_laws + i] = b.model.load[b.free[i]] -
-                            psi.dot(without.forces.rowwise().mean());
+          rhs[n_laws + i] =
+            b.model.load[b.free[i]] - psi.dot(without.forces.rowwise().mean());
         }
       A.col(n_laws + n_free).head(n_laws)     = law_by_number(1., 0.);
       A.col(n_laws + n_free + 1).head(n_laws) = law_by_number(0., 1.);
@@ -474,10 +472,9 @@ namespace squeal
                    const double       size_wanted,
                    const Held         held)
     {
-      const Eigen::Index at = rhs.size() - 2;
-      const Complex      response =
-        b.receptance(1, m)[mode] * std::conj(direction);
-      Eigen::VectorXcd by = Eigen::VectorXcd::Zero(rhs.size());
+      const Eigen::Index at  = rhs.size() - 2;
+      const Complex response = b.receptance(1, m)[mode] * std::conj(direction);
+      Eigen::VectorXcd by    = Eigen::VectorXcd::Zero(rhs.size());
       for (std::size_t c = 0; c < closed.size(); ++c)
         {
           const Complex turn =
@@ -495,12 +492,12 @@ namespace squeal
         for (unsigned int j = 0; j < b.model.n_nodes(); ++j)
           if (m.status[i][j] == ContactStatus::open)
             without.forces.col(i).segment<3>(3 * j).setZero();
-      const Complex  now = component(m);
+      const Complex  now    = component(m);
       HarmonicMotion faster = m, damped = m;
       faster.omega *= 1. + increment;
       damped.excess_damping += increment * m.omega;
-      by[at]     = (component(faster) - now) / increment;
-      by[at + 1] = (component(damped) - now) / increment;
+      by[at]              = (component(faster) - now) / increment;
+      by[at + 1]          = (component(damped) - now) / increment;
       const Complex rest  = component(without);
       const double  scale = std::max(std::abs(now), size_wanted);
       A.row(at)           = by.imag() / scale;
@@ -508,8 +505,8 @@ namespace squeal
       switch (held)
         {
         case Held::amplitude:
-          A.row(at + 1)   = by.real() / scale;
-          rhs[at + 1]     = (size_wanted - rest.real()) / scale;
+          A.row(at + 1) = by.real() / scale;
+          rhs[at + 1]   = (size_wanted - rest.real()) / scale;
           break;
         case Held::frequency:
           A(at + 1, at) = 1.;
@@ -568,8 +565,8 @@ namespace squeal
         const Eigen::VectorXd step = J.A.partialPivLu().solve(J.rhs);
         if (!step.allFinite())
           return m;
-        double share = std::min(
-          1., largest_change / std::abs(step[step.size() - 2]));
+        double share =
+          std::min(1., largest_change / std::abs(step[step.size() - 2]));
         HarmonicMotion best = J.moved(step, share);
         for (unsigned int i = 0;
              i < halvings && !(best.residual < accepted_growth * m.residual);

@@ -61,10 +61,8 @@ namespace squeal
                                     c > 0});
               break;
             case ContactStatus::slip:
-              add_slipping(j,
-                           forces[3 * j],
-                           slip.segment<2>(3 * j + 1),
-                           friction[j]);
+              add_slipping(
+                j, forces[3 * j], slip.segment<2>(3 * j + 1), friction[j]);
               break;
             }
       }
@@ -78,11 +76,8 @@ namespace squeal
         const double          size = slip.norm();
         const Eigen::Vector2d d =
           size > 0. ? Eigen::Vector2d(slip / size) : Eigen::Vector2d(1., 0.);
-        unknowns.push_back({j,
-                            {1., mu * d[0], mu * d[1]},
-                            Eigen::Vector3d::Unit(0),
-                            0.,
-                            false});
+        unknowns.push_back(
+          {j, {1., mu * d[0], mu * d[1]}, Eigen::Vector3d::Unit(0), 0., false});
         if (mu > 0. && normal > 0.)
           unknowns.push_back({j,
                               {0., -d[1], d[0]},
@@ -101,8 +96,9 @@ namespace squeal
                      const unsigned int     i,
                      const Eigen::VectorXd &initial_gap)
       {
-        const unsigned int n = orbit.n_steps();
-        const auto &before = orbit.status[(i + n - 1) % n], &now = orbit.status[i];
+        const unsigned int n      = orbit.n_steps();
+        const auto        &before = orbit.status[(i + n - 1) % n],
+                   &now           = orbit.status[i];
         // The step before that of the first one is the last.
         const unsigned int last = i > 0 ? i - 1 : n - 1;
         const auto         part = [](const double value, const double change) {
@@ -111,7 +107,7 @@ namespace squeal
         for (unsigned int j = 0; j < now.size(); ++j)
           {
             const bool was_open = before[j] == ContactStatus::open,
-                       is_open = now[j] == ContactStatus::open;
+                       is_open  = now[j] == ContactStatus::open;
             if (was_open && !is_open)
               {
                 const double gap = initial_gap[j] - orbit.motions[i][3 * j];
@@ -151,8 +147,8 @@ namespace squeal
       {
         Eigen::MatrixXd result(size(), A.cols());
         for (Eigen::Index i = 0; i < size(); ++i)
-          result.row(i) = unknowns[i].row.transpose() *
-                          A.middleRows<3>(3 * unknowns[i].node);
+          result.row(i) =
+            unknowns[i].row.transpose() * A.middleRows<3>(3 * unknowns[i].node);
         return result;
       }
     };
@@ -177,14 +173,15 @@ namespace squeal
         : model(m)
         , modes(m, step)
         , W(modes.delassus(m))
-      {}
+      {
+      }
 
       /** What @p weight of each node beside 1 adds to the modes' forces, -Psi^T
        * Q diag(weight - 1) and the columns that it has. */
       Eigen::MatrixXd
-      added(const ActiveContact    &c,
-            const Eigen::VectorXd  &weight,
-            std::vector<int>       &columns) const
+      added(const ActiveContact   &c,
+            const Eigen::VectorXd &weight,
+            std::vector<int>      &columns) const
       {
         columns.clear();
         for (Eigen::Index i = 0; i < c.size(); ++i)
@@ -300,7 +297,8 @@ namespace squeal
     , speed(v)
     , nodal_force(force)
     , tolerance(t)
-  {}
+  {
+  }
 
   PeriodMap::PeriodMap(const ReducedContactModel          &m,
                        std::shared_ptr<const FrictionLaws> laws,
@@ -312,7 +310,7 @@ namespace squeal
     if (!laws->is_constant())
       throw InputError("periodic motions need one coefficient of friction at "
                        "all slip rates");
-    friction = laws->at_rest(m.n_nodes());
+    friction   = laws->at_rest(m.n_nodes());
     drive.laws = std::move(laws);
   }
 
@@ -393,9 +391,9 @@ namespace squeal
         if (changes == Changes::located)
           contact.locate_changes(orbit, i, model.initial_gap);
         steps.advance(contact,
-                      i + 1 == orbit.n_steps() ?
-                        std::vector<unsigned int>() :
-                        closed_nodes(orbit.status[i + 1]),
+                      i + 1 == orbit.n_steps()
+                        ? std::vector<unsigned int>()
+                        : closed_nodes(orbit.status[i + 1]),
                       x);
       }
     Eigen::MatrixXd lambda = Eigen::MatrixXd::Zero(n_contact, size);

@@ -39,9 +39,9 @@ namespace squeal
             scale[n + k] = 1.;
           }
         for (std::size_t i = 0; i < rows.size(); ++i)
-          scale[2 * n + i] = std::sqrt(
-            std::max(model.flexibility(rows[i], rows[i]),
-                     std::numeric_limits<double>::min()));
+          scale[2 * n + i] =
+            std::sqrt(std::max(model.flexibility(rows[i], rows[i]),
+                               std::numeric_limits<double>::min()));
       }
 
       Eigen::VectorXd
@@ -65,7 +65,7 @@ namespace squeal
       MotionState
       moved(const MotionState &start, const Eigen::VectorXd &change) const
       {
-        const Eigen::VectorXd x = change.cwiseQuotient(scale);
+        const Eigen::VectorXd x      = change.cwiseQuotient(scale);
         MotionState           result = start;
         result.coordinates += x.head(n);
         result.velocities += x.segment(n, n);
@@ -127,11 +127,10 @@ namespace squeal
                 const std::vector<int> &rows)
     {
       const Orbit          &orbit = m.orbit;
-      const Eigen::MatrixXd D =
-        scaled.derivative(
-          map.derivative(orbit, rows, PeriodMap::Changes::at_steps));
-      const MotionState &start = orbit.states.front(), &end = orbit.end();
-      const MotionState &before = orbit.states[orbit.n_steps() - 1];
+      const Eigen::MatrixXd D     = scaled.derivative(
+        map.derivative(orbit, rows, PeriodMap::Changes::at_steps));
+      const MotionState    &start = orbit.states.front(), &end = orbit.end();
+      const MotionState    &before = orbit.states[orbit.n_steps() - 1];
       const Eigen::VectorXd end_rate =
         scaled.pack(end.velocities,
                     map.acceleration(end),
@@ -145,8 +144,8 @@ namespace squeal
       A.topLeftCorner(n, n).setIdentity();
       A.topLeftCorner(n, n) -= D;
       // The period in shares of itself.
-      A.col(n).head(n) = -m.period * end_rate;
-      A.row(n).head(n) = start_rate.transpose() / start_rate.norm();
+      A.col(n).head(n)    = -m.period * end_rate;
+      A.row(n).head(n)    = start_rate.transpose() / start_rate.norm();
       Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n + 1);
       rhs.head(n)         = scaled.difference(end, start);
       return A.partialPivLu().solve(rhs);
@@ -183,7 +182,7 @@ namespace squeal
               const MotionState         &a,
               const MotionState         &b)
   {
-    const Eigen::VectorXd q = a.coordinates - b.coordinates,
+    const Eigen::VectorXd q      = a.coordinates - b.coordinates,
                           lambda = a.forces - b.forces;
     return std::sqrt((a.velocities - b.velocities).squaredNorm() +
                      model.omega_squared.dot(q.cwiseAbs2()) +
@@ -198,7 +197,7 @@ namespace squeal
              const double               shortest,
              const double               longest)
   {
-    const auto         n = static_cast<std::size_t>(orbit.n_steps());
+    const auto          n = static_cast<std::size_t>(orbit.n_steps());
     std::vector<double> distance{0.};
     double              mean = 0., least = std::numeric_limits<double>::max();
     for (std::size_t k = 1; k <= n && k * orbit.step <= longest; ++k)
@@ -224,8 +223,8 @@ namespace squeal
           const double curvature =
             square(k - 1) - 2. * square(k) + square(k + 1);
           const double shift =
-            curvature > 0. ? .5 * (square(k - 1) - square(k + 1)) / curvature :
-                             0.;
+            curvature > 0. ? .5 * (square(k - 1) - square(k + 1)) / curvature
+                           : 0.;
           return {(k + shift) * orbit.step, distance[k] / mean};
         }
     return {0., 1.};
@@ -258,12 +257,12 @@ namespace squeal
         if (m.iterations >= settings.iterations)
           return m;
         const std::vector<int> rows = map.closed_rows(m.orbit);
-        const Scaled scaled(map.reduced_model(), rows, m.period);
-        const Eigen::VectorXd change = newton_step(map, m, scaled, rows);
+        const Scaled           scaled(map.reduced_model(), rows, m.period);
+        const Eigen::VectorXd  change = newton_step(map, m, scaled, rows);
         if (!change.allFinite())
           return m;
-        const double turn = std::abs(change[change.size() - 1]);
-        double       step = std::min(1., largest_change / turn);
+        const double   turn = std::abs(change[change.size() - 1]);
+        double         step = std::min(1., largest_change / turn);
         PeriodicMotion best;
         best.residual = std::numeric_limits<double>::max();
         for (; step >= shortest_step; step *= .5)
@@ -272,8 +271,7 @@ namespace squeal
             if (try_orbit(map,
                           scaled.moved(m.orbit.states.front(),
                                        step * change.head(change.size() - 1)),
-                          m.period *
-                            (1. + step * change[change.size() - 1]),
+                          m.period * (1. + step * change[change.size() - 1]),
                           settings.n_steps,
                           next) &&
                 next.residual < best.residual)
@@ -294,34 +292,33 @@ namespace squeal
   bool
   FloquetMultipliers::is_stable() const
   {
-    return largest < 1. - std::abs(trivial - 1.);
+    return largest + error < 1.;
   }
 
   bool
   FloquetMultipliers::is_unstable() const
   {
-    return largest > 1. + std::abs(trivial - 1.);
+    return largest - error > 1.;
   }
 
   FloquetMultipliers
   floquet_multipliers(const PeriodMap &map, const PeriodicMotion &motion)
   {
     const std::vector<int> rows = map.closed_rows(motion.orbit);
-    const Scaled scaled(map.reduced_model(), rows, motion.period);
+    const Scaled           scaled(map.reduced_model(), rows, motion.period);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-      scaled.derivative(map.derivative(
-        motion.orbit, rows, PeriodMap::Changes::located)),
+      scaled.derivative(
+        map.derivative(motion.orbit, rows, PeriodMap::Changes::located)),
       false);
     if (solver.info() != Eigen::Success)
       throw ComputationError("the multipliers of a periodic motion do not "
                              "converge");
     FloquetMultipliers result;
     result.values = solver.eigenvalues();
-    std::sort(result.values.begin(),
-              result.values.end(),
-              [](const auto a, const auto b) {
-                return std::abs(a) > std::abs(b);
-              });
+    std::sort(
+      result.values.begin(),
+      result.values.end(),
+      [](const auto a, const auto b) { return std::abs(a) > std::abs(b); });
     Eigen::Index at = 0;
     (result.values.array() - 1.).abs().minCoeff(&at);
     result.trivial = result.values[at];

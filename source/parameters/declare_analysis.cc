@@ -317,7 +317,8 @@ namespace squeal
         parameters.analysis,
         "What is computed: undamped modes, complex eigenvalues with "
         "friction, the same over ranges of parameters, steady "
-        "sliding under the loads, motion in time, periodic motions, error against time "
+        "sliding under the loads, motion in time, periodic motions, error "
+        "against time "
         "over a ladder of settings, frequency responses, or numbers of "
         "the scene fitted to measured frequencies.");
       schema.add("Output directory",

@@ -21,7 +21,7 @@ namespace squeal
     /** Of the normal and the tangential resultant, N: x = Re sum a_k e^{i k
      * omega t}, k from 1 to half the steps. */
     std::vector<double> normal_harmonics, tangential_harmonics;
-    unsigned int largest_harmonic = 0; /**< of the normal resultant */
+    unsigned int        largest_harmonic = 0; /**< of the normal resultant */
     /** Depth, m, that a node reaches in the middle of a step, and the largest
      * change of a gap over the period. */
     double       penetration = 0., gap_range = 0.;
@@ -31,7 +31,8 @@ namespace squeal
     double beyond(const unsigned int n) const;
   };
 
-  CycleFigures cycle_figures(const PeriodMap &map, const PeriodicMotion &motion);
+  CycleFigures cycle_figures(const PeriodMap      &map,
+                             const PeriodicMotion &motion);
 
   /** Of one growing pair: the periodic motion that it leads to. */
   struct CycleResult

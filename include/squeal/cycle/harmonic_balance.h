@@ -16,7 +16,7 @@ namespace squeal
     Eigen::VectorXd kinetic; /**< mu >= 0 of every node that slips */
     Eigen::VectorXd at_rest; /**< of those that stick, >= kinetic; empty: the
                                 same */
-    double speed = 0.; /**< that the nodes' are measured by, m/s */
+    double speed = 0.;       /**< that the nodes' are measured by, m/s */
 
     double
     limit_at_rest(const unsigned int node) const
@@ -31,15 +31,15 @@ namespace squeal
     Eigen::MatrixXd forces;    /**< lambda, N: three a node x samples */
     Eigen::VectorXd positions; /**< m sqrt(kg): mean coordinates of the motions
                                   that nothing holds (omega = 0) */
-    double omega = 0.; /**< rad/s */
+    double omega = 0.;         /**< rad/s */
     /** Damping added to that of every mode, 1/s: 0 in a motion of the model. */
     double excess_damping = 0.;
 
     /** Of the last evaluation: B u, m, and its rate, m/s. */
-    Eigen::MatrixXd motion, rate;
+    Eigen::MatrixXd                         motion, rate;
     std::vector<std::vector<ContactStatus>> status; /**< samples x nodes */
-    double       residual   = 0.; /**< of the law at the samples, over the mean
-                                     force */
+    double residual = 0.; /**< of the law at the samples, over the mean
+                             force */
     unsigned int iterations = 0;
     bool         converged  = false;
   };
@@ -83,8 +83,8 @@ namespace squeal
     {
       no_excess, /**< the frequency is free: a motion of the model */
       frequency, /**< the excess damping is free */
-      amplitude  /**< both are free: the first harmonic of the mode that vibrates
-                    most at the start keeps its size */
+      amplitude /**< both are free: the first harmonic of the mode that vibrates
+                   most at the start keeps its size */
     };
 
     /** References are kept. @p force: N, that residuals are measured in.
@@ -119,15 +119,15 @@ namespace squeal
     struct Law;
     struct Jacobian;
 
-    Eigen::VectorXcd receptance(const unsigned int   k,
+    Eigen::VectorXcd receptance(const unsigned int    k,
                                 const HarmonicMotion &m) const;
     Eigen::MatrixXcd relative_motion(const Eigen::MatrixXcd &q,
                                      const Eigen::MatrixXcd &lambda) const;
-    Law law_at(const unsigned int     node,
-               const Eigen::Vector3d &lambda,
-               const Eigen::Vector3d &u,
-               const Eigen::Vector3d &rate,
-               const double           omega) const;
+    Law              law_at(const unsigned int     node,
+                            const Eigen::Vector3d &lambda,
+                            const Eigen::Vector3d &u,
+                            const Eigen::Vector3d &rate,
+                            const double           omega) const;
 
     const ReducedContactModel &model;
     const CycleFriction        friction;

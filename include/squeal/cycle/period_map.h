@@ -64,11 +64,11 @@ namespace squeal
               const double               nodal_force,
               const double               tolerance = 1e-10);
     /** With a coefficient a pair: constant laws only. */
-    PeriodMap(const ReducedContactModel                &model,
+    PeriodMap(const ReducedContactModel          &model,
               std::shared_ptr<const FrictionLaws> laws,
-              const double                              speed,
-              const double                              nodal_force,
-              const double                              tolerance = 1e-10);
+              const double                        speed,
+              const double                        nodal_force,
+              const double                        tolerance = 1e-10);
 
     /** Throws ComputationError where a step has no solution, InputError for
      * steps that are too long. */

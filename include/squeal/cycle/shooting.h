@@ -11,17 +11,17 @@ namespace squeal
     converged,
     not_converged,  /**< nothing is said about whether there is one */
     steady_sliding, /**< the iterations have ended there */
-    no_period /**< the motion before does not come back to where it was */
+    no_period       /**< the motion before does not come back to where it was */
   };
 
   /** A periodic motion, or what the iterations have made of one. */
   struct PeriodicMotion
   {
-    CycleStatus  status = CycleStatus::not_converged;
-    double       period = 0.; /**< s */
-    Orbit        orbit;       /**< of one period */
-    double       residual   = 0.;
-    unsigned int iterations = 0;
+    CycleStatus         status = CycleStatus::not_converged;
+    double              period = 0.; /**< s */
+    Orbit               orbit;       /**< of one period */
+    double              residual   = 0.;
+    unsigned int        iterations = 0;
     std::vector<double> history; /**< residuals before every iteration */
   };
 
@@ -76,7 +76,10 @@ namespace squeal
     /** Of the others, in size. */
     double largest = 0.;
 
-    /** By more than what the trivial one misses 1 by. */
+    /** What the largest is uncertain by: its difference to half the steps. */
+    double error = 0.;
+
+    /** By more than the error. */
     bool is_stable() const;
     bool is_unstable() const;
   };

@@ -54,6 +54,11 @@ namespace squeal
          Type::real,
          "",
          "in size, of those beside the trivial one"},
+        {"largest_multiplier_error",
+         Type::real,
+         "",
+         "difference to half the steps",
+         3},
         {"trivial_multiplier_error",
          Type::real,
          "",
@@ -97,19 +102,18 @@ namespace squeal
     double
     last_residual(const CycleResult &c)
     {
-      return !c.motion.history.empty() ? c.motion.residual :
-             !c.coarse.history.empty() ? c.coarse.residual :
-                                         not_known;
+      return !c.motion.history.empty()   ? c.motion.residual
+             : !c.coarse.history.empty() ? c.coarse.residual
+                                         : not_known;
     }
 
     std::string
     rounded(const double value, const double error)
     {
-      const double shown = std::max(error, 1e-12 * std::abs(value));
-      const int    digits =
-        std::max(3,
-                 1 + static_cast<int>(std::ceil(
-                       std::log10(std::abs(value) / shown))));
+      const double shown  = std::max(error, 1e-12 * std::abs(value));
+      const int    digits = std::max(
+        3,
+        1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / shown))));
       return rounded_text(value, std::min(digits, 8));
     }
   } // namespace
@@ -146,6 +150,7 @@ namespace squeal
            found ? Cell(f.n_opening) : Cell(),
            found ? Cell(f.n_sticking) : Cell(),
            value(c.multipliers.largest),
+           value(c.multipliers.error),
            value(std::abs(c.multipliers.trivial - 1.)),
            or_missing(last_residual(c)),
            c.coarse.iterations + c.motion.iterations,
@@ -241,16 +246,20 @@ namespace squeal
   {
     if (!c.has_converged())
       return "from the pair at " +
-             rounded_text(c.pair.imag() / (2. * M_PI), 6) + " Hz: " +
-             c.status() +
-             (c.status() == "not converged" ?
-                ", which says nothing about whether there is a limit cycle" :
-                "");
+             rounded_text(c.pair.imag() / (2. * M_PI), 6) +
+             " Hz: " + c.status() +
+             (c.status() == "not converged"
+                ? ", which says nothing about whether there is a limit cycle"
+                : "");
     const CycleFigures &f = c.figures, &g = c.coarse_figures;
-    const double df = std::abs(f.frequency - g.frequency),
-                 dr = std::abs(f.rms_normal - g.rms_normal);
-    return "a " + c.stability() + " limit cycle at " +
-           rounded(f.frequency, df) + " +- " + rounded_text(df, 2) +
+    const double        df = std::abs(f.frequency - g.frequency),
+                 dr        = std::abs(f.rms_normal - g.rms_normal);
+    const std::string kind =
+      c.stability() == "at its limit"
+        ? "a limit cycle whose stability the multipliers leave open at "
+        : (c.stability() == "stable" ? "a stable" : "an unstable") +
+            std::string(" limit cycle at ");
+    return kind + rounded(f.frequency, df) + " +- " + rounded_text(df, 2) +
            " Hz, rms of the normal force " + rounded(f.rms_normal, dr) +
            " +- " + rounded_text(dr, 2) +
            " N (errors by half the steps; mesh and cut-off not estimated)";
@@ -277,8 +286,9 @@ namespace squeal
     ChartSeries loop;
     for (unsigned int i = 0; i <= n; ++i)
       {
-        const unsigned int at = i % n, next = (i + 1) % n, last = (at + n - 1) % n;
-        const double       time = 1e3 * (i + 1) * c.motion.orbit.step;
+        const unsigned int at = i % n, next = (i + 1) % n,
+                           last = (at + n - 1) % n;
+        const double time       = 1e3 * (i + 1) * c.motion.orbit.step;
         normal.x.push_back(time);
         tangential.x.push_back(time);
         normal.y.push_back(f.resultants(0, at));

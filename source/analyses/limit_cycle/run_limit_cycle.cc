@@ -46,18 +46,18 @@ namespace squeal
       if (pairs.empty())
         return pairs;
       if (l.frequency > 0.)
-        std::iter_swap(pairs.begin(),
-                       std::min_element(
-                         pairs.begin(),
-                         pairs.end(),
-                         [&](const Eigen::Index a, const Eigen::Index b) {
-                           const auto off = [&](const Eigen::Index k) {
-                             return std::abs(linear.lambda[k].imag() /
-                                               (2. * M_PI) -
-                                             l.frequency);
-                           };
-                           return off(a) < off(b);
-                         }));
+        std::iter_swap(
+          pairs.begin(),
+          std::min_element(pairs.begin(),
+                           pairs.end(),
+                           [&](const Eigen::Index a, const Eigen::Index b) {
+                             const auto off = [&](const Eigen::Index k) {
+                               return std::abs(linear.lambda[k].imag() /
+                                                 (2. * M_PI) -
+                                               l.frequency);
+                             };
+                             return off(a) < off(b);
+                           }));
       if (!l.every_pair)
         pairs.resize(1);
       return pairs;
@@ -89,28 +89,28 @@ namespace squeal
         const std::string text = table.display(0, table.column_index(name));
         return text.empty() ? std::string("-") : text;
       };
-      return {{"limit cycle", cycle_sentence(first)},
-              {"from the pair at",
-               shown("pair_frequency_hz") + " Hz, sigma " +
-                 shown("pair_sigma_per_s") + " 1/s"},
-              {"dominant line", shown("dominant_line_hz") + " Hz"},
-              {"normal force",
-               shown("mean_normal_n") + " N, " + shown("min_normal_n") +
-                 " to " + shown("max_normal_n") + " N"},
-              {"nodes that open, that stick",
-               shown("n_opening") + ", " + shown("n_sticking")},
-              {"Floquet multipliers",
-               "largest " + shown("largest_multiplier") +
-                 ", the trivial one off 1 by " +
-                 shown("trivial_multiplier_error")},
-              {"residual after a period",
-               shown("residual") + ", " + shown("n_iterations") +
-                 " iterations"},
-              {"penetration in the middle of steps",
-               shown("penetration_m") + " m, gaps move by " +
-                 shown("gap_range_m") + " m"},
-              {"share beyond the harmonics", shown("share_beyond_harmonics")},
-              {"imbalance of the ledger", shown("imbalance")}};
+      return {
+        {"limit cycle", cycle_sentence(first)},
+        {"from the pair at",
+         shown("pair_frequency_hz") + " Hz, sigma " +
+           shown("pair_sigma_per_s") + " 1/s"},
+        {"dominant line", shown("dominant_line_hz") + " Hz"},
+        {"normal force",
+         shown("mean_normal_n") + " N, " + shown("min_normal_n") + " to " +
+           shown("max_normal_n") + " N"},
+        {"nodes that open, that stick",
+         shown("n_opening") + ", " + shown("n_sticking")},
+        {"Floquet multipliers",
+         "largest " + shown("largest_multiplier") + " +- " +
+           shown("largest_multiplier_error") + ", the trivial one off 1 by " +
+           shown("trivial_multiplier_error")},
+        {"residual after a period",
+         shown("residual") + ", " + shown("n_iterations") + " iterations"},
+        {"penetration in the middle of steps",
+         shown("penetration_m") + " m, gaps move by " + shown("gap_range_m") +
+           " m"},
+        {"share beyond the harmonics", shown("share_beyond_harmonics")},
+        {"imbalance of the ledger", shown("imbalance")}};
     }
 
     /** Tables and report of @p cycles; the first is the one that was asked
@@ -120,7 +120,7 @@ namespace squeal
     {
       const auto        &p     = context.parameters;
       const CycleResult &first = cycles.front();
-      const Table table = cycle_table({first}, p.limit_cycle.harmonics);
+      const Table        table = cycle_table({first}, p.limit_cycle.harmonics);
       context.write_table("limit_cycle.csv", table);
       const Table all = cycle_table(cycles, p.limit_cycle.harmonics);
       if (p.limit_cycle.every_pair)
@@ -129,9 +129,9 @@ namespace squeal
       context.record.figures = figures_of_run(table, first);
       HtmlReport report("Limit cycle of " + p.scene.name,
                         "periodic motion of the reduced model");
-      report.set_verdict(first.has_converged() && first.multipliers.is_stable() ?
-                           HtmlReport::Verdict::bad :
-                           HtmlReport::Verdict::neutral,
+      report.set_verdict(first.has_converged() && first.multipliers.is_stable()
+                           ? HtmlReport::Verdict::bad
+                           : HtmlReport::Verdict::neutral,
                          cycle_sentence(first),
                          context.record.figures);
       if (first.has_converged())
@@ -166,7 +166,7 @@ namespace squeal
     Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
-    PressedModel pressed(p,
+    PressedModel        pressed(p,
                          *model.discretization(),
                          model.body_matrices(),
                          p.transient.cut_off,
