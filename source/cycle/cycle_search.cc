@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
 
@@ -28,6 +29,26 @@ namespace squeal
       const Eigen::Index    n = steady.coordinates.size();
       const Eigen::VectorXd x = amplitude * linear.right.col(k).real();
       return {steady.coordinates + x.head(n), x.segment(n, n), steady.forces};
+    }
+
+    /** Throws InputError naming @p entry, whose value is @p n steps of a period,
+     * where they are too long. */
+    void
+    require_stable(const ReducedContactModel &model,
+                   const double               period,
+                   const unsigned int         n,
+                   const double               steps_per_entry,
+                   const std::string         &entry)
+    {
+      const double step    = period / n,
+                   largest = largest_stable_step(model, step);
+      if (largest >= step)
+        return;
+      const double fewest = std::ceil(steps_per_entry * period / largest);
+      throw InputError(
+        "Limit cycle/" + entry + ": steps of " + rounded_text(step, 3) +
+        " s are above the largest stable one, " + rounded_text(largest, 3) +
+        " s; at least " + rounded_text(fewest, 6) + " are needed");
     }
 
     /** |a_k| of x = mean + Re sum a_k e^{i k omega t}. */
@@ -217,6 +238,11 @@ namespace squeal
     CycleResult  result;
     const double period = 2. * M_PI / linear.lambda[k].imag();
     result.pair         = linear.lambda[k];
+    require_stable(map.reduced_model(),
+                   period,
+                   settings.run_steps,
+                   1.,
+                   "Run steps per period");
     const std::vector<double> changes =
       change_amplitudes(map, steady, linear, k, settings.run_steps);
     if (changes.empty())
@@ -251,6 +277,8 @@ namespace squeal
         result.coarse.status = CycleStatus::no_period;
         return result;
       }
+    require_stable(
+      map.reduced_model(), guess, settings.steps / 2, 2., "Steps per period");
     ShootingSettings shooting{
       settings.steps / 2, settings.iterations, settings.tolerance};
     result.coarse = shoot(map, start, guess, shooting);
