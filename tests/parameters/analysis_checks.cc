@@ -152,7 +152,7 @@ namespace
     refuse("Transient/Integrator = implicit",
            {"'Transient/Integrator'", "must be reduced"});
     refuse("Limit cycle/Steps per period = 8",
-           {"'Limit cycle/Steps per period' = 8"});
+           {"'Limit cycle/Steps per period' = '8'", "from 32 to"});
   }
 
 
