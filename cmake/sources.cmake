@@ -50,6 +50,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/declare_analysis.cc
     source/parameters/declare_body.cc
     source/parameters/declare_contact.cc
+    source/parameters/declare_limit_cycle.cc
     source/parameters/declare_response.cc
     source/parameters/declare_scene.cc
     source/parameters/declare_sweep.cc
@@ -185,6 +186,12 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/time_step_error.cc
     source/transient/turning_inertia.cc)
 
+set(SQUEAL_SOURCES_CYCLE
+    source/cycle/cycle_search.cc
+    source/cycle/harmonic_balance.cc
+    source/cycle/period_map.cc
+    source/cycle/shooting.cc)
+
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc
     source/results/chart.cc
@@ -260,6 +267,8 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/limit_cycle/limit_cycle_output.cc
+    source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
@@ -306,6 +315,7 @@ set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_EIGEN}
     ${SQUEAL_SOURCES_SWEEP}
     ${SQUEAL_SOURCES_TRANSIENT}
+    ${SQUEAL_SOURCES_CYCLE}
     ${SQUEAL_SOURCES_RESULTS}
     ${SQUEAL_SOURCES_RUN}
     ${SQUEAL_SOURCES_MODEL}

@@ -105,6 +105,43 @@ namespace squeal
           }
       }
 
+      /** Periodic motions are those of the reduced model in the fixed frame
+       * with one coefficient of friction at all slip rates. */
+      void
+      check_limit_cycle(const Parameters &p)
+      {
+        const TransientParameters &t = p.transient;
+        for (const ContactParameters &c : p.scene.contacts)
+          {
+            const std::string section = "Scene/Contact " + c.name;
+            if (c.friction_law != ContactParameters::FrictionLaw::constant)
+              refuse_entry(section,
+                           "Friction law",
+                           "must be constant: limit cycles have one "
+                           "coefficient at all slip rates");
+            if (c.sliding_speed == 0.)
+              refuse_entry(section,
+                           "Sliding speed",
+                           "= 0: limit cycles need pairs that slide; what "
+                           "sticks for ever may stick anywhere");
+          }
+        if (t.integrator != TransientParameters::Integrator::reduced)
+          refuse_entry("Transient",
+                       "Integrator",
+                       "must be reduced: limit cycles are those of the "
+                       "reduced model");
+        if (t.disc_frame != TransientParameters::DiscFrame::eulerian)
+          refuse_entry("Transient",
+                       "Disc frame",
+                       "must be eulerian: a turning mesh has no short period");
+        if (t.cut_off < p.eigen.highest_frequency)
+          refuse_entry("Transient",
+                       "Cut-off",
+                       "must not be below 'Eigenvalues/Highest frequency'");
+        if (!p.sweep.axes.empty())
+          refuse_entry("Sweep", "Axes", "must be empty for limit cycles");
+      }
+
       void
       check_times(const Parameters &p)
       {
@@ -346,8 +383,9 @@ namespace squeal
                            "must be springs: contact states that change over a "
                            "sweep need it");
           }
-      const bool is_pressed =
-        p.analysis == Analysis::preload || p.analysis == Analysis::transient;
+      const bool is_pressed = p.analysis == Analysis::preload ||
+                              p.analysis == Analysis::transient ||
+                              p.analysis == Analysis::limit_cycle;
       if ((is_pressed || has_preload_state) &&
           p.discretization.refinement ==
             DiscretizationParameters::Refinement::eigenvalue_error)
@@ -372,6 +410,8 @@ namespace squeal
         }
       if (p.analysis == Analysis::preload)
         check_stiffness(p);
+      if (p.analysis == Analysis::limit_cycle)
+        check_limit_cycle(p);
       if (p.analysis == Analysis::transient)
         {
           check_times(p);

@@ -15,7 +15,8 @@ namespace squeal
             {"work precision", A::work_precision},
             {"frequency response", A::frequency_response},
             {"updating", A::updating},
-            {"angles", A::angles}};
+            {"angles", A::angles},
+            {"limit cycle", A::limit_cycle}};
   }
 
 

@@ -302,6 +302,7 @@ namespace squeal
       declare_sweep(schema, parameters.sweep);
       declare_preload(schema, parameters.preload);
       declare_transient(schema, parameters.transient);
+      declare_limit_cycle(schema, parameters.limit_cycle);
       declare_work_precision(schema, parameters.work_precision);
       declare_angles(schema, parameters.angles);
       declare_response(schema, parameters);
@@ -320,7 +321,8 @@ namespace squeal
         parameters.analysis,
         "What is computed: undamped modes, complex eigenvalues with "
         "friction, the same over ranges of parameters, steady "
-        "sliding under the loads, motion in time, error against time "
+        "sliding under the loads, motion in time, periodic motions, error "
+        "against time "
         "over a ladder of settings, frequency responses, or numbers of "
         "the scene fitted to measured frequencies.");
       schema.add("Output directory",

@@ -130,6 +130,33 @@ namespace
 
 
 
+  void
+  limit_cycles()
+  {
+    const std::vector<std::string> scene = {
+      "Analysis = limit cycle",
+      "Scene/Contact pad_disc/Formulation = mortar",
+      "Scene/Contact pad_disc/Transverse slip term = true",
+      "Scene/Contact pad_disc/Sliding speed = 0.1"};
+    const auto refuse = [&](const std::string              &change,
+                            const std::vector<std::string> &parts) {
+      std::vector<std::string> all = scene;
+      all.push_back(change);
+      check_change_refused(all, parts);
+    };
+    read_parameters("example.prm", scene).check();
+    refuse("Scene/Contact pad_disc/Friction law = exponential",
+           {"'Scene/Contact pad_disc/Friction law'", "must be constant"});
+    refuse("Scene/Contact pad_disc/Sliding speed = 0",
+           {"'Scene/Contact pad_disc/Sliding speed' = 0", "pairs that slide"});
+    refuse("Transient/Integrator = implicit",
+           {"'Transient/Integrator'", "must be reduced"});
+    refuse("Limit cycle/Steps per period = 8",
+           {"'Limit cycle/Steps per period' = '8'", "from 32 to"});
+  }
+
+
+
   /** Eigenvalues and transient are compared with the same terms only. */
   void
   comparison_with_eigenvalues()
@@ -258,6 +285,7 @@ main()
   disc_frame();
   comparison_with_eigenvalues();
   cut_off_damping();
+  limit_cycles();
   result_checks();
   imported_models();
 }

@@ -328,6 +328,15 @@ namespace squeal
       SQUEAL_DESCRIBE(p, transient.tops);
       SQUEAL_DESCRIBE(p, transient.top_support);
       SQUEAL_DESCRIBE(p, transient.compare_with_cea);
+      SQUEAL_DESCRIBE(p, limit_cycle.frequency);
+      SQUEAL_DESCRIBE(p, limit_cycle.every_pair);
+      SQUEAL_DESCRIBE(p, limit_cycle.start);
+      SQUEAL_DESCRIBE(p, limit_cycle.run_time);
+      SQUEAL_DESCRIBE(p, limit_cycle.run_steps);
+      SQUEAL_DESCRIBE(p, limit_cycle.steps);
+      SQUEAL_DESCRIBE(p, limit_cycle.harmonics);
+      SQUEAL_DESCRIBE(p, limit_cycle.iterations);
+      SQUEAL_DESCRIBE(p, limit_cycle.tolerance);
       SQUEAL_DESCRIBE(p, transient.campaign_table);
       SQUEAL_DESCRIBE(p, transient.threads);
       SQUEAL_DESCRIBE(p, transient.hammer.body);

@@ -23,6 +23,9 @@ namespace squeal
   /** `Analysis = transient`: motion in time, one run or a campaign. */
   void run_transient(RunContext &context);
 
+  /** `Analysis = limit cycle`: periodic motions and their stability. */
+  void run_limit_cycle(RunContext &context);
+
   /** `Analysis = frequency response`: responses between points by
    * superposition of the complex modes. */
   void run_frequency_response(RunContext &context);
@@ -62,6 +65,8 @@ namespace squeal
         return run_updating(context);
       case Parameters::Analysis::angles:
         return run_angles(context);
+      case Parameters::Analysis::limit_cycle:
+        return run_limit_cycle(context);
       }
     unknown_choice("analysis");
   }

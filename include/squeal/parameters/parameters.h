@@ -3,6 +3,7 @@
 #define squeal_parameters_parameters_h
 
 #include <squeal/parameters/analysis_parameters.h>
+#include <squeal/parameters/limit_cycle_parameters.h>
 #include <squeal/parameters/response_parameters.h>
 #include <squeal/parameters/scene_parameters.h>
 #include <squeal/parameters/sweep_parameters.h>
@@ -32,7 +33,8 @@ namespace squeal
       work_precision,
       frequency_response,
       updating,
-      angles
+      angles,
+      limit_cycle
     };
     Analysis                           analysis = Analysis::cea;
     SceneParameters                    scene;
@@ -41,6 +43,7 @@ namespace squeal
     SweepParameters                    sweep;
     PreloadParameters                  preload;
     TransientParameters                transient;
+    LimitCycleParameters               limit_cycle;
     WorkPrecisionParameters            work_precision;
     AnglesParameters                   angles;
     MeasurementParameters              measurement;

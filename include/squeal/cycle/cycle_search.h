@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_cycle_cycle_search_h
+#define squeal_cycle_cycle_search_h
+
+#include <squeal/cycle/shooting.h>
+#include <squeal/parameters/limit_cycle_parameters.h>
+#include <squeal/transient/linearized_motion.h>
+
+#include <string>
+
+namespace squeal
+{
+  /** Resultants of a periodic motion and what they are worth. */
+  struct CycleFigures
+  {
+    double          frequency = 0.; /**< Hz */
+    Eigen::MatrixXd resultants; /**< sums of the nodal forces, N: normal, along
+                                   and across the sliding, x steps */
+    double mean_normal = 0., rms_normal = 0., min_normal = 0., max_normal = 0.;
+    double mean_tangential = 0., rms_tangential = 0.;
+    /** Of the normal and the tangential resultant, N: x = Re sum a_k e^{i k
+     * omega t}, k from 1 to half the steps. */
+    std::vector<double> normal_harmonics, tangential_harmonics;
+    unsigned int        largest_harmonic = 0; /**< of the normal resultant */
+    /** Depth, m, that a node reaches in the middle of a step, and the largest
+     * change of a gap over the period. */
+    double       penetration = 0., gap_range = 0.;
+    unsigned int n_opening = 0, n_sticking = 0; /**< nodes that do so */
+    /** Root of the power of the normal resultant beyond @p n harmonics, over
+     * its rms. */
+    double beyond(const unsigned int n) const;
+  };
+
+  CycleFigures cycle_figures(const PeriodMap      &map,
+                             const PeriodicMotion &motion);
+
+  /** Of one growing pair: the periodic motion that it leads to. */
+  struct CycleResult
+  {
+    std::complex<double> pair; /**< 1/s */
+    /** Of the start: kinetic amplitude as in LinearizedMotion, sqrt(J), at
+     * which the first closed node opens or sticks, and half of them. */
+    double             first_change = 0., half_change = 0.;
+    double             recurrence = 1.; /**< of the run before, see there */
+    PeriodicMotion     coarse, motion;  /**< with half the steps, with all */
+    CycleFigures       coarse_figures, figures;
+    FloquetMultipliers multipliers;
+
+    bool
+    has_converged() const
+    {
+      return motion.status == CycleStatus::converged &&
+             coarse.status == CycleStatus::converged;
+    }
+    /** "stable", "unstable", "at its limit" where the multipliers are too near
+     * to 1 to tell. */
+    std::string stability() const;
+    std::string status() const;
+  };
+
+  /** Amplitudes of pair @p k, sqrt(J), at which the closed nodes one after the
+   * other open or stick if the motion stays linear, ascending: a period of the
+   * exact steps at a small amplitude is scaled up. */
+  std::vector<double> change_amplitudes(const PeriodMap        &map,
+                                        const SteadySliding    &steady,
+                                        const LinearizedMotion &linear,
+                                        const Eigen::Index      k,
+                                        const unsigned int      n_steps);
+
+  /**
+   * From steady sliding with pair @p k at an amplitude, over a run, to the
+   * periodic motion, by shooting with half the steps and with all of them.
+   */
+  CycleResult find_cycle(const PeriodMap            &map,
+                         const SteadySliding        &steady,
+                         const LinearizedMotion     &linear,
+                         const Eigen::Index          k,
+                         const LimitCycleParameters &settings);
+} // namespace squeal
+
+#endif

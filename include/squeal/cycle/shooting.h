@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_cycle_shooting_h
+#define squeal_cycle_shooting_h
+
+#include <squeal/cycle/period_map.h>
+
+namespace squeal
+{
+  enum class CycleStatus
+  {
+    converged,
+    not_converged,  /**< nothing is said about whether there is one */
+    steady_sliding, /**< the iterations have ended there */
+    no_period       /**< the motion before does not come back to where it was */
+  };
+
+  /** A periodic motion, or what the iterations have made of one. */
+  struct PeriodicMotion
+  {
+    CycleStatus         status = CycleStatus::not_converged;
+    double              period = 0.; /**< s */
+    Orbit               orbit;       /**< of one period */
+    double              residual   = 0.;
+    unsigned int        iterations = 0;
+    std::vector<double> history; /**< residuals before every iteration */
+  };
+
+  struct ShootingSettings
+  {
+    unsigned int n_steps    = 128;
+    unsigned int iterations = 30;
+    double       tolerance  = 1e-6;
+  };
+
+  /**
+   * Periodic motions by shooting: the unknowns are the state at the start and
+   * the period T, the equations that it is there again after n equal steps of
+   * T/n, and that it does not move along the motion (phase condition,
+   * orthogonal to the velocity at the start). Newton's method with the exact
+   * derivative of the steps; step lengths are halved where the residual does
+   * not fall.
+   *
+   * The residual is what the state misses in the norm of its energy,
+   * sqrt(|dv|^2 + |omega dq|^2 + dlambda G dlambda), over the largest such norm
+   * of the motion about its mean.
+   */
+  PeriodicMotion shoot(const PeriodMap        &map,
+                       const MotionState      &start,
+                       const double            period,
+                       const ShootingSettings &settings);
+
+  /** The norm of the energy of a difference of two states. */
+  double energy_norm(const ReducedContactModel &model,
+                     const MotionState         &a,
+                     const MotionState         &b);
+
+  /**
+   * The time after which the end of @p orbit was before where it is, of those
+   * between the times @p shortest and @p longest: the shortest at which the
+   * distance has a minimum that is no more than half above the least one.
+   * Returns the time, s, and that distance over the mean one; 0 and 1 where
+   * there is none.
+   */
+  std::pair<double, double> recurrence(const ReducedContactModel &model,
+                                       const Orbit               &orbit,
+                                       const double               shortest,
+                                       const double               longest);
+
+  /** Stability of a periodic motion. */
+  struct FloquetMultipliers
+  {
+    /** Descending in size; of a periodic motion one is 1. */
+    Eigen::VectorXcd values;
+    /** The one nearest to 1. */
+    std::complex<double> trivial;
+    /** Of the others, in size. */
+    double largest = 0.;
+
+    /** What the largest is uncertain by: its difference to half the steps. */
+    double error = 0.;
+
+    /** By more than the error. */
+    bool is_stable() const;
+    bool is_unstable() const;
+  };
+
+  /** Eigenvalues of the derivative of the steps over the period. */
+  FloquetMultipliers floquet_multipliers(const PeriodMap      &map,
+                                         const PeriodicMotion &motion);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/limit_cycle/limit_cycle_output.h>
+
+#include <squeal/analyses/analyses.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/model/pressed_model.h>
+#include <squeal/model/rotor_symmetry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Of the largest force of a node that a step may miss the law by. */
+    constexpr double contact_tolerance = 1e-10;
+
+    /** Growing pairs of the band, the fastest first. */
+    std::vector<Eigen::Index>
+    growing_pairs(const LinearizedMotion &linear, const EigenParameters &band)
+    {
+      std::vector<Eigen::Index> result;
+      for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
+        if (const double f = linear.lambda[k].imag() / (2. * M_PI);
+            linear.lambda[k].real() > 0. && f >= band.lowest_frequency &&
+            f <= band.highest_frequency)
+          result.push_back(k);
+      std::sort(result.begin(),
+                result.end(),
+                [&](const Eigen::Index a, const Eigen::Index b) {
+                  return linear.lambda[a].real() > linear.lambda[b].real();
+                });
+      return result;
+    }
+
+    /** The pairs that cycles are sought from, the one that was asked for
+     * first. */
+    std::vector<Eigen::Index>
+    pairs_to_follow(const LinearizedMotion     &linear,
+                    const EigenParameters      &band,
+                    const LimitCycleParameters &l)
+    {
+      std::vector<Eigen::Index> pairs = growing_pairs(linear, band);
+      if (pairs.empty())
+        return pairs;
+      if (l.frequency > 0.)
+        std::iter_swap(
+          pairs.begin(),
+          std::min_element(pairs.begin(),
+                           pairs.end(),
+                           [&](const Eigen::Index a, const Eigen::Index b) {
+                             const auto off = [&](const Eigen::Index k) {
+                               return std::abs(linear.lambda[k].imag() /
+                                                 (2. * M_PI) -
+                                               l.frequency);
+                             };
+                             return off(a) < off(b);
+                           }));
+      if (!l.every_pair)
+        pairs.resize(1);
+      return pairs;
+    }
+
+    void
+    log_cycles(RunLog &log, const Table &table)
+    {
+      log.heading("Limit cycles");
+      std::ostringstream text;
+      table.print(text,
+                  {"pair_frequency_hz",
+                   "pair_sigma_per_s",
+                   "cycle_status",
+                   "stability",
+                   "frequency_hz",
+                   "dominant_line_hz",
+                   "rms_normal_n",
+                   "largest_multiplier",
+                   "residual",
+                   "n_iterations"});
+      log.info(text.str());
+    }
+
+    std::vector<std::pair<std::string, std::string>>
+    figures_of_run(const Table &table, const CycleResult &first)
+    {
+      const auto shown = [&](const std::string &name) {
+        const std::string text = table.display(0, table.column_index(name));
+        return text.empty() ? std::string("-") : text;
+      };
+      return {
+        {"limit cycle", cycle_sentence(first)},
+        {"from the pair at",
+         shown("pair_frequency_hz") + " Hz, sigma " +
+           shown("pair_sigma_per_s") + " 1/s"},
+        {"dominant line", shown("dominant_line_hz") + " Hz"},
+        {"normal force",
+         shown("mean_normal_n") + " N, " + shown("min_normal_n") + " to " +
+           shown("max_normal_n") + " N"},
+        {"nodes that open, that stick",
+         shown("n_opening") + ", " + shown("n_sticking")},
+        {"Floquet multipliers",
+         "largest " + shown("largest_multiplier") + " +- " +
+           shown("largest_multiplier_error") + ", the trivial one off 1 by " +
+           shown("trivial_multiplier_error")},
+        {"residual after a period",
+         shown("residual") + ", " + shown("n_iterations") + " iterations"},
+        {"penetration in the middle of steps",
+         shown("penetration_m") + " m, gaps move by " + shown("gap_range_m") +
+           " m"},
+        {"share beyond the harmonics", shown("share_beyond_harmonics")},
+        {"imbalance of the ledger", shown("imbalance")}};
+    }
+
+    /** Tables and report of @p cycles; the first is the one that was asked
+     * for. */
+    void
+    report_cycles(RunContext &context, const std::vector<CycleResult> &cycles)
+    {
+      const auto        &p     = context.parameters;
+      const CycleResult &first = cycles.front();
+      const Table        table = cycle_table({first}, p.limit_cycle.harmonics);
+      context.write_table("limit_cycle.csv", table);
+      const Table all = cycle_table(cycles, p.limit_cycle.harmonics);
+      if (p.limit_cycle.every_pair)
+        context.write_table("competition.csv", all);
+      log_cycles(context.log, all);
+      context.record.figures = figures_of_run(table, first);
+      HtmlReport report("Limit cycle of " + p.scene.name,
+                        "periodic motion of the reduced model");
+      report.set_verdict(first.has_converged() && first.multipliers.is_stable()
+                           ? HtmlReport::Verdict::bad
+                           : HtmlReport::Verdict::neutral,
+                         cycle_sentence(first),
+                         context.record.figures);
+      if (first.has_converged())
+        {
+          const Table harmonics =
+            harmonic_table(first, p.limit_cycle.harmonics);
+          const Table multipliers = multiplier_table(first);
+          context.write_table("limit_cycle_period.csv", period_table(first));
+          context.write_table("limit_cycle_harmonics.csv", harmonics);
+          context.write_table("limit_cycle_multipliers.csv", multipliers);
+          if (p.output.plots && context.is_root)
+            draw_cycle(context, first, report);
+          report.section("Harmonics");
+          report.table(harmonics, "Amplitudes of the resultants");
+          report.section("Floquet multipliers");
+          report.table(multipliers, "Multipliers above a thousandth");
+        }
+      report.section("Cycles");
+      report.table(all, "Limit cycles of the growing pairs");
+      context.finish(p.output.report ? &report : nullptr, "");
+    }
+  } // namespace
+
+
+
+  void
+  run_limit_cycle(RunContext &context)
+  {
+    Parameters p = context.parameters;
+    for (auto &contact : p.scene.contacts)
+      contact.state = ContactParameters::State::full;
+    Model model(p, context.timers, {}, Model::Contacts::open);
+    model.print_summary(context.log);
+    warn_of_frozen_rotors(model, context.log);
+    PressedModel        pressed(p,
+                         *model.discretization(),
+                         model.body_matrices(),
+                         p.transient.cut_off,
+                         context.timers,
+                         p.transient.interface_cut_off);
+    const SteadySliding steady =
+      pressed.steady(p.preload.tolerance, context.timers);
+    context.record.n_dofs = model.n_unknowns();
+    LinearizedMotion linear;
+    {
+      Timers::Section section(context.timers, "Solve: linearised motion");
+      linear = linearize(
+        pressed.model(), steady, pressed.sliding_friction(), pressed.speed());
+    }
+    const std::vector<Eigen::Index> pairs =
+      pairs_to_follow(linear, p.eigen, p.limit_cycle);
+    context.log.key_values(
+      {{"modes up to the cut-off", std::to_string(pressed.model().n_modes())},
+       {"contact nodes", std::to_string(pressed.model().n_nodes())},
+       {"closed in steady sliding", std::to_string(steady.n_closed())},
+       {"pairs to follow", std::to_string(pairs.size())}});
+    if (pairs.empty())
+      throw ComputationError(
+        "no pair of the band grows about steady sliding: there is nothing to "
+        "start a limit cycle from");
+    const PeriodMap map(
+      pressed.model(),
+      std::make_shared<const FrictionLaws>(pressed.nodes().laws()),
+      pressed.speed(),
+      steady.resultant()[0] / pressed.model().n_nodes(),
+      contact_tolerance);
+    std::vector<CycleResult> cycles;
+    {
+      Timers::Section section(context.timers, "Solve: limit cycles");
+      Progress        progress(context.log, "growing pairs", pairs.size());
+      for (const Eigen::Index k : pairs)
+        {
+          cycles.push_back(find_cycle(map, steady, linear, k, p.limit_cycle));
+          progress.advance();
+        }
+    }
+    report_cycles(context, cycles);
+  }
+} // namespace squeal

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/parameters/declarations.h>
+
+namespace squeal
+{
+  namespace prm
+  {
+    void
+    declare_limit_cycle(Schema &schema, LimitCycleParameters &l)
+    {
+      schema.enter_section("Limit cycle",
+                           "Periodic motions of the reduced model of "
+                           "'Transient', of 'Analysis = limit cycle'.");
+      schema.add("Pair frequency",
+                 l.frequency,
+                 Allowed::number(0.),
+                 "The cycle is sought from the growing pair nearest to this "
+                 "frequency; 0: from the one that grows fastest.",
+                 "Hz");
+      schema.add("Every growing pair",
+                 l.every_pair,
+                 "One cycle for each growing pair of the band of "
+                 "'Eigenvalues', in competition.csv.");
+      schema.add("Start amplitude",
+                 l.start,
+                 Allowed::positive(1e3),
+                 "Amplitude of the pair at the start, over the one at which "
+                 "half of the closed nodes would open or stick if the motion "
+                 "stayed linear.");
+      schema.add("Run time",
+                 l.run_time,
+                 Allowed::number(0.),
+                 "How long the motion is followed from there before Newton's "
+                 "method looks for the periodic one.",
+                 "s");
+      schema.add("Run steps per period",
+                 l.run_steps,
+                 Allowed::integer(16, 4096),
+                 "Time steps of a period of the pair in that run.");
+      schema.add("Steps per period",
+                 l.steps,
+                 Allowed::integer(32, 8192),
+                 "Time steps of the periodic motion; it is sought with half "
+                 "of them as well, and the difference is the error that is "
+                 "printed.");
+      schema.add("Harmonics",
+                 l.harmonics,
+                 Allowed::integer(1, 1000),
+                 "Harmonics of the forces that are written; the log says what "
+                 "share of them is beyond.");
+      schema.add("Iterations",
+                 l.iterations,
+                 Allowed::integer(1, 1000),
+                 "Newton iterations after which a cycle counts as not "
+                 "converged.");
+      schema.add("Tolerance",
+                 l.tolerance,
+                 Allowed::positive(1e-2),
+                 "What a periodic motion may miss its start by after a "
+                 "period, in the energy of the motion.");
+      schema.leave_section();
+    }
+  } // namespace prm
+} // namespace squeal
