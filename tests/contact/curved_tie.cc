@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A tie between arcs and facets lets every rigid motion pass, so that a free
+// tied body has six zero eigenvalues; a ring of two rings has the frequencies
+// of the whole one as the facets become small; what lies too far apart is
+// refused.
+
+#include "../scene/gmsh_annulus.h"
+#include "scenes.h"
+#include "worst.h"
+
+#include <squeal/base/exceptions.h>
+#include <squeal/contact/mortar.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Eigenvalues>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  BodyParameters
+  ring(const std::string &name,
+       const double       inner,
+       const double       outer,
+       const unsigned int n)
+  {
+    BodyParameters body;
+    body.name         = name;
+    body.shape        = BodyParameters::Shape::annulus;
+    body.inner_radius = inner;
+    body.outer_radius = outer;
+    body.height       = .02;
+    body.cells        = {{n, 1, 1}};
+    return body;
+  }
+
+  /** The same with straight edges, from a file. */
+  BodyParameters
+  facets(BodyParameters body)
+  {
+    const std::string file = body.name + std::to_string(body.cells[0]) + ".msh";
+    AnnulusFile(body, 8).write_2(file);
+    body.shape     = BodyParameters::Shape::gmsh;
+    body.mesh_file = file;
+    body.position  = {{0., 0., 0.}};
+    return body;
+  }
+
+  /** Hub of arcs within a rim of facets. @p hub_leads: the hub is the source.
+   */
+  SceneParameters
+  two_rings(const unsigned int n_hub,
+            const unsigned int n_rim,
+            const bool         hub_leads)
+  {
+    SceneParameters scene;
+    scene.bodies = {ring("hub", .05, .08, n_hub),
+                    facets(ring("rim", .08, .12, n_rim))};
+    TieParameters tie;
+    tie.name = "shrink fit";
+    tie.kind = TieParameters::Kind::mortar;
+    if (hub_leads)
+      {
+        tie.source_body = "hub";
+        tie.source_face = "outer";
+        tie.target_body = "rim";
+        tie.target_face = "inner";
+      }
+    else
+      {
+        tie.source_body = "rim";
+        tie.source_face = "inner";
+        tie.target_body = "hub";
+        tie.target_face = "outer";
+      }
+    scene.ties = {tie};
+    return scene;
+  }
+
+  /** Flat rings whose rims are an arc and a polygon. */
+  SceneParameters
+  stacked(const unsigned int n)
+  {
+    SceneParameters scene;
+    scene.bodies                = {ring("plate", .05, .12, n),
+                                   facets(ring("vane", .05, .12, n))};
+    scene.bodies[1].position[2] = .02;
+    TieParameters tie;
+    tie.name        = "glue";
+    tie.kind        = TieParameters::Kind::mortar;
+    tie.source_body = "plate";
+    tie.source_face = "top";
+    tie.target_body = "vane";
+    tie.target_face = "z_min";
+    scene.ties      = {tie};
+    return scene;
+  }
+
+  /** Rigid motions of the target are those of the source face. */
+  void
+  rigid_motions_pass(const SceneParameters &scene,
+                     const unsigned int     degree,
+                     const std::string     &what)
+  {
+    const Discretization d(scene, {}, degree, MPI_COMM_SELF);
+    const auto           tie = make_tie_coupling(d, PointEvaluator(d), 0);
+    const Block          R   = rigid_motions(d);
+    Worst                worst;
+    for (std::size_t j = 0; j < tie.nodes.size(); ++j)
+      for (unsigned int c = 0; c < 3; ++c)
+        for (Eigen::Index k = 0; k < 6; ++k)
+          {
+            double value = -R(tie.source_rows[j][c], k);
+            for (const auto &[row, weight] : tie.target_rows[j][c])
+              value += weight * R(row, k);
+            worst.add(std::abs(value) / (k < 3 ? 1. : .12));
+          }
+    check_below(worst.largest(), 1e-12, what + ": rigid motions pass");
+    check(tie.distance > 1e-5,
+          what + ": the faces differ by " + number(1e3 * tie.distance) + " mm");
+    check(remarks_on_ties(d).size() == 1 &&
+            remarks_on_ties(d)[0].find(" mm at most") != std::string::npos,
+          what + ": the log says so");
+  }
+
+  /** All eigenvalues of the free assembly, ascending. */
+  Eigen::VectorXd
+  spectrum(const SceneParameters &scene, const unsigned int degree)
+  {
+    const Discretization d(scene, {}, degree, MPI_COMM_SELF);
+    const auto           linearized = linearized_system(d, assemble_bodies(d));
+    const Pencil         pencil(linearized.system, scene);
+    const unsigned int   n   = linearized.system.space->n_global();
+    const Block          one = Block::Identity(n, n);
+    Eigen::MatrixXd      K   = pencil.stiffness().multiply(one),
+                    M        = pencil.mass().multiply(one);
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+             .5 * (K + K.transpose()),
+             .5 * (M + M.transpose()),
+             Eigen::EigenvaluesOnly)
+      .eigenvalues();
+  }
+
+  void
+  free_assembly(const SceneParameters &scene, const std::string &what)
+  {
+    const Eigen::VectorXd values = spectrum(scene, 2);
+    check_below(values.head(6).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
+                  values[values.size() - 1],
+                1e-13,
+                what + ": six eigenvalues are zero, over the largest");
+    check(values[6] > 1e3 * std::abs(values[5]) && values[6] > 1e6,
+          what + ": the seventh is not");
+  }
+
+  void
+  frequencies_converge()
+  {
+    SceneParameters whole;
+    whole.bodies          = {ring("disc", .05, .12, 24)};
+    whole.bodies[0].cells = {{24, 2, 1}};
+    const double exact    = spectrum(whole, 2)[6];
+    double       last     = 0.;
+    for (const unsigned int n : {6, 12, 24})
+      {
+        const double value = spectrum(two_rings(24, n, false), 2)[6];
+        const double error = std::abs(std::sqrt(value / exact) - 1.);
+        std::cout << "        " << n << " facets: " << error << std::endl;
+        if (last > 0.)
+          check_below(error, .4 * last, "twice the facets, less error");
+        last = error;
+      }
+    check_below(last, .01, "24 facets");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
+  for (const unsigned int degree : {1, 2, 3})
+    {
+      const std::string p = ", p = " + std::to_string(degree);
+      rigid_motions_pass(two_rings(16, 12, false), degree, "facets lead" + p);
+      rigid_motions_pass(two_rings(16, 12, true), degree, "arcs lead" + p);
+      if (degree > 1)
+        rigid_motions_pass(stacked(24), degree, "flat faces" + p);
+    }
+  free_assembly(two_rings(12, 9, false), "facets lead");
+  free_assembly(two_rings(9, 12, true), "arcs lead");
+  frequencies_converge();
+  SceneParameters apart        = two_rings(16, 12, false);
+  apart.bodies[0].outer_radius = .07;
+  check_throws<InputError>(
+    [&]() {
+      const Discretization d(apart, {}, 2, MPI_COMM_SELF);
+      make_tie_coupling(d, PointEvaluator(d), 0);
+    },
+    "has no target opposite",
+    "refused: faces 10 mm apart");
+}
