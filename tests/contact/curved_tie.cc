@@ -119,8 +119,9 @@ namespace
             worst.add(std::abs(value) / (k < 3 ? 1. : .12));
           }
     check_below(worst.largest(), 1e-12, what + ": rigid motions pass");
-    check(tie.distance > 1e-5,
-          what + ": the faces differ by " + number(1e3 * tie.distance) + " mm");
+    check(tie.distance > 1e-5 || tie.beside > 1e-4,
+          what + ": the faces differ by " + number(1e3 * tie.distance) +
+            " mm, or beside each other by " + number(100. * tie.beside) + " %");
     check(remarks_on_ties(d).size() == 1 &&
             remarks_on_ties(d)[0].find(" mm at most") != std::string::npos,
           what + ": the log says so");
@@ -130,13 +131,13 @@ namespace
   Eigen::VectorXd
   spectrum(const SceneParameters &scene, const unsigned int degree)
   {
-    const Discretization d(scene, {}, degree, MPI_COMM_SELF);
-    const auto           linearized = linearized_system(d, assemble_bodies(d));
-    const Pencil         pencil(linearized.system, scene);
-    const unsigned int   n   = linearized.system.space->n_global();
-    const Block          one = Block::Identity(n, n);
-    Eigen::MatrixXd      K   = pencil.stiffness().multiply(one),
-                    M        = pencil.mass().multiply(one);
+    const Discretization  d(scene, {}, degree, MPI_COMM_SELF);
+    const auto            linearized = linearized_system(d, assemble_bodies(d));
+    const Pencil          pencil(linearized.system, scene);
+    const unsigned int    n   = linearized.system.space->n_global();
+    const Block           one = Block::Identity(n, n);
+    const Eigen::MatrixXd K   = pencil.multiply_undamped_stiffness(one),
+                          M   = pencil.multiply_mass(one);
     return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
              .5 * (K + K.transpose()),
              .5 * (M + M.transpose()),
@@ -156,24 +157,40 @@ namespace
           what + ": the seventh is not");
   }
 
+  /** Those below 5 kHz, Hz; the first six are of rigid motions. */
+  Eigen::VectorXd
+  frequencies(const SceneParameters &scene)
+  {
+    const Model         model(scene, 2, 5e3);
+    const UndampedModes modes = undamped_modes(model.pencil, model.inverse);
+    return modes.omega_squared.head(modes.n_certified).cwiseAbs().cwiseSqrt() /
+           (2. * M_PI);
+  }
+
   void
   frequencies_converge()
   {
     SceneParameters whole;
-    whole.bodies          = {ring("disc", .05, .12, 24)};
-    whole.bodies[0].cells = {{24, 2, 1}};
-    const double exact    = spectrum(whole, 2)[6];
-    double       last     = 0.;
-    for (const unsigned int n : {6, 12, 24})
+    whole.bodies                = {ring("disc", .05, .12, 16)};
+    whole.bodies[0].cells       = {{16, 2, 1}};
+    const Eigen::VectorXd exact = frequencies(whole);
+    double                last  = 0.;
+    for (const unsigned int n : {16, 32})
       {
-        const double value = spectrum(two_rings(24, n, false), 2)[6];
-        const double error = std::abs(std::sqrt(value / exact) - 1.);
+        const Eigen::VectorXd found = frequencies(two_rings(16, n, false));
+        check(found.size() == exact.size() && exact.size() > 8,
+              "as many modes as the whole ring: " + std::to_string(n));
+        const double error = (found.tail(found.size() - 6).array() /
+                                exact.tail(found.size() - 6).array() -
+                              1.)
+                               .abs()
+                               .maxCoeff<Eigen::PropagateNaN>();
         std::cout << "        " << n << " facets: " << error << std::endl;
         if (last > 0.)
           check_below(error, .4 * last, "twice the facets, less error");
         last = error;
       }
-    check_below(last, .01, "24 facets");
+    check_below(last, .01, "32 facets");
   }
 } // namespace
 
@@ -186,15 +203,15 @@ main(int argc, char **argv)
   for (const unsigned int degree : {1, 2, 3})
     {
       const std::string p = ", p = " + std::to_string(degree);
-      rigid_motions_pass(two_rings(16, 12, false), degree, "facets lead" + p);
-      rigid_motions_pass(two_rings(16, 12, true), degree, "arcs lead" + p);
+      rigid_motions_pass(two_rings(16, 20, false), degree, "facets lead" + p);
+      rigid_motions_pass(two_rings(16, 20, true), degree, "arcs lead" + p);
       if (degree > 1)
         rigid_motions_pass(stacked(24), degree, "flat faces" + p);
     }
-  free_assembly(two_rings(12, 9, false), "facets lead");
-  free_assembly(two_rings(9, 12, true), "arcs lead");
+  free_assembly(two_rings(12, 16, false), "facets lead");
+  free_assembly(two_rings(12, 16, true), "arcs lead");
   frequencies_converge();
-  SceneParameters apart        = two_rings(16, 12, false);
+  SceneParameters apart        = two_rings(16, 20, false);
   apart.bodies[0].outer_radius = .07;
   check_throws<InputError>(
     [&]() {
