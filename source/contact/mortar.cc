@@ -132,8 +132,9 @@ namespace squeal
     /** What two meshes of a tied surface may differ by. */
     constexpr MeetingLimits limits_of_ties{.05, .02};
 
-    /** Of the target nodes of a source node: weights |int psi phi|, moments of
-     * their places with these weights, and the place that int psi phi takes. */
+    /** Of the target nodes that the source faces round a source node meet:
+     * their weights, moments of their places with these weights, and the place
+     * that int psi phi takes. */
     struct Moments
     {
       double          weight = 0.;
@@ -157,7 +158,9 @@ namespace squeal
       return result;
     }
 
-    /** The shares int psi_j phi_b of this rank's target nodes, one by one. */
+    /** The shares int psi_j phi_b of this rank's target nodes, one by one, and
+     * the weights sum_a |int phi_a phi_b|, the same for all nodes of a source
+     * face: where nodes match, a single share is not 0. */
     class TargetShares
     {
     public:
@@ -172,7 +175,8 @@ namespace squeal
       {
       }
 
-      /** Calls @p visit(source node, share, place, degrees of freedom). */
+      /** Calls @p visit(source node, share, weight, place, degrees of freedom).
+       */
       template <typename Visit>
       void
       visit(const Visit &visit) const
@@ -182,12 +186,15 @@ namespace squeal
             const DualMap dual(integrals[e]);
             for (const auto &shared : integrals[e].shared)
               {
-                const Eigen::MatrixXd M      = dual(shared);
-                const TargetFace     &target = targets[shared.target];
+                const Eigen::MatrixXd M = dual(shared);
+                const Eigen::VectorXd weights =
+                  shared.products.cwiseAbs().colwise().sum();
+                const TargetFace &target = targets[shared.target];
                 for (Eigen::Index b = 0; b < M.cols(); ++b)
                   for (Eigen::Index a = 0; a < M.rows(); ++a)
                     visit(nodes[e][a],
                           M(a, b),
+                          weights[b],
                           vector(target.geometry.nodes()[b]),
                           target.dofs[b]);
               }
@@ -202,10 +209,10 @@ namespace squeal
         std::vector<double> sums(n * n_nodes, 0.);
         visit([&](const unsigned int     j,
                   const double           share,
+                  const double           w,
                   const Eigen::Vector3d &x,
                   const auto &) {
-          double      *s = &sums[n * j];
-          const double w = std::abs(share);
+          double *s = &sums[n * j];
           s[0] += w;
           Eigen::Map<Eigen::Vector3d>(s + 1) += w * x;
           Eigen::Map<Eigen::Vector3d>(s + 4) += share * x;
@@ -267,14 +274,14 @@ namespace squeal
             spread.trace() * Eigen::Matrix3d::Identity() - spread;
           factor[j] = -m.weights[j] / t.weight * cross(arm) * inertia.inverse();
         }
-      shares.visit([&](const unsigned int     j,
-                       const double           share,
+      shares.visit([&](const unsigned int j,
+                       const double,
+                       const double           w,
                        const Eigen::Vector3d &x,
                        const auto            &dofs) {
         if (!is_carried[j])
           return;
-        const Eigen::Matrix3d C =
-          std::abs(share) * factor[j] * cross(x - centre[j]);
+        const Eigen::Matrix3d C = w * factor[j] * cross(x - centre[j]);
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int k = 0; k < 3; ++k)
             for (const auto &[row, weight] : shares.expansion(dofs[k]))

@@ -157,11 +157,11 @@ namespace
           what + ": the seventh is not");
   }
 
-  /** Those below 5 kHz, Hz; the first six are of rigid motions. */
+  /** Those below 4.5 kHz, Hz; the first six are of rigid motions. */
   Eigen::VectorXd
   frequencies(const SceneParameters &scene)
   {
-    const Model         model(scene, 2, 5e3);
+    const Model         model(scene, 2, 4.5e3);
     const UndampedModes modes = undamped_modes(model.pencil, model.inverse);
     return modes.omega_squared.head(modes.n_certified).cwiseAbs().cwiseSqrt() /
            (2. * M_PI);

@@ -51,10 +51,10 @@ namespace squeal
    * differ as arcs and facets do: across by 5 % of the larger face, beside each
    * other by 2 % of a source face. A source node at x follows the place X =
    * D^-1 M x_target that its row takes, and is carried along by the rotation
-   * that fits the target nodes of the row best (by least squares, with weights
-   * |int psi phi|): u = D^-1 M u_target + omega x (x - X). Every rigid motion
-   * of the target is then one of the source face, forces pass with their
-   * moments, and where x = X nothing is added. Throws as above.
+   * that fits the target nodes round it best, by least squares, each with what
+   * it shares with the source faces there: u = D^-1 M u_target + omega x (x -
+   * X). Every rigid motion of the target is then one of the source face, forces
+   * pass with their moments, and where x = X nothing is added. Throws as above.
    */
   MortarCoupling make_tie_coupling(const Discretization &discretization,
                                    const PointEvaluator &evaluator,
