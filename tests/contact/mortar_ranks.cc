@@ -74,12 +74,15 @@ namespace
     for (const auto &cell : d.dof_handler().active_cell_iterators())
       owned += cell->is_locally_owned() && cell->material_id() == 0;
     check(owned > 0, "every rank has a part of the disc");
+    const PointEvaluator evaluator(d);
     const MortarCoupling m =
-      make_mortar_coupling(d,
-                           PointEvaluator(d),
-                           face_id(d.coarse_mesh(), scene, "ring", face),
-                           0,
-                           "test");
+      scene.ties.empty()
+        ? make_mortar_coupling(d,
+                               evaluator,
+                               face_id(d.coarse_mesh(), scene, "ring", face),
+                               0,
+                               "test")
+        : make_tie_coupling(d, evaluator, 0);
     const Eigen::VectorXd u =
       everywhere(d, [](const dealii::Point<3> &x, const unsigned int c) {
         return std::sin(300. * x[0] + c) * std::cos(200. * x[1] - c);
@@ -144,13 +147,14 @@ namespace
   }
 
   SceneParameters
-  imported(SceneParameters scene)
+  imported(SceneParameters scene, const unsigned int n_nodes = 27)
   {
     for (auto &body : scene.bodies)
       {
-        const std::string file = "ranks_" + body.name + ".msh";
+        const std::string file =
+          "ranks_" + body.name + std::to_string(n_nodes) + ".msh";
         if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          AnnulusFile(body, 27).write_2(file);
+          AnnulusFile(body, n_nodes).write_2(file);
         body.shape     = BodyParameters::Shape::gmsh;
         body.mesh_file = file;
       }
@@ -172,6 +176,16 @@ namespace
                      std::string("imported rings, one and two ranks") +
                        (refines ? ", hanging nodes" : "") + p);
       }
+    // a hub of facets tied to a rim of arcs
+    SceneParameters tied    = own;
+    tied.bodies[1].cells[0] = 22;
+    tied.bodies[1]          = imported(tied, 8).bodies[1];
+    tied.ties               = {
+                    make_tie("ring", "outer", "disc", "inner", TieParameters::Kind::mortar)};
+    check_same(transfer(tied, "", true, 2, MPI_COMM_SELF),
+               transfer(tied, "", true, 2, MPI_COMM_WORLD),
+               22 * 2 * 3,
+               "tied facets, one and two ranks");
     check_same(transfer(own, "outer", false, 2, MPI_COMM_WORLD),
                transfer(files, "outer", false, 2, MPI_COMM_WORLD),
                11 * 2 * 3,
