@@ -145,10 +145,64 @@ namespace
       .eigenvalues();
   }
 
-  void
-  free_assembly(const SceneParameters &scene, const std::string &what)
+  /** A rotor of two plates with 21 vanes between them that share no nodes: one
+   * body of 21 parts. */
+  SceneParameters
+  ventilated_rotor()
   {
-    const Eigen::VectorXd values = spectrum(scene, 2);
+    const unsigned int n = 21;
+    std::ofstream      out("vanes.msh");
+    out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n"
+           "2 1 \"below\"\n2 2 \"above\"\n3 3 \"vanes\"\n"
+           "$EndPhysicalNames\n$Nodes\n"
+        << 8 * n << "\n"
+        << std::setprecision(17);
+    for (unsigned int v = 0; v < n; ++v)
+      for (unsigned int k = 0; k < 8; ++k)
+        {
+          const bool   is_outer = k % 4 == 1 || k % 4 == 2;
+          const double x = is_outer ? .1 : .07, y = k % 4 < 2 ? -.004 : .004,
+                       turn = 2. * M_PI * (v + .3) / n;
+          out << 8 * v + k + 1 << ' ' << x * std::cos(turn) - y * std::sin(turn)
+              << ' ' << x * std::sin(turn) + y * std::cos(turn) << ' '
+              << (k < 4 ? .02 : .035) << "\n";
+        }
+    out << "$EndNodes\n$Elements\n" << 3 * n << "\n";
+    for (unsigned int v = 0; v < n; ++v)
+      {
+        const auto nodes = [&](const std::vector<unsigned int> &corners) {
+          for (const unsigned int c : corners)
+            out << ' ' << 8 * v + c;
+          out << "\n";
+        };
+        out << 3 * v + 1 << " 5 2 3 1";
+        nodes({1, 2, 3, 4, 5, 6, 7, 8});
+        out << 3 * v + 2 << " 3 2 1 1";
+        nodes({1, 2, 3, 4});
+        out << 3 * v + 3 << " 3 2 2 1";
+        nodes({5, 6, 7, 8});
+      }
+    out << "$EndElements\n";
+
+    SceneParameters scene;
+    scene.bodies                = {ring("lower", .05, .12, n),
+                                   ring("upper", .05, .12, n),
+                                   ring("vanes", 0., 0., n)};
+    scene.bodies[1].position[2] = .035;
+    scene.bodies[2].shape       = BodyParameters::Shape::gmsh;
+    scene.bodies[2].mesh_file   = "vanes.msh";
+    using Kind                  = TieParameters::Kind;
+    scene.ties = {make_tie("vanes", "below", "lower", "top", Kind::mortar),
+                  make_tie("vanes", "above", "upper", "bottom", Kind::mortar)};
+    return scene;
+  }
+
+  void
+  free_assembly(const SceneParameters &scene,
+                const std::string     &what,
+                const unsigned int     degree = 2)
+  {
+    const Eigen::VectorXd values = spectrum(scene, degree);
     check_below(values.head(6).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
                   values[values.size() - 1],
                 1e-13,
@@ -210,6 +264,7 @@ main(int argc, char **argv)
     }
   free_assembly(two_rings(12, 16, false), "facets lead");
   free_assembly(two_rings(12, 16, true), "arcs lead");
+  free_assembly(ventilated_rotor(), "21 vanes between two plates", 1);
   frequencies_converge();
   SceneParameters apart        = two_rings(16, 20, false);
   apart.bodies[0].outer_radius = .07;
