@@ -8,6 +8,7 @@
 #include <squeal/scene/mesh_cell.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace squeal
@@ -795,6 +796,12 @@ namespace squeal
           text.name() + " is truncated or holds no mesh: it has no " +
           (model.points.empty() ? "nodes" : "elements") +
           (parts.empty() ? "" : "; its parts need an *ASSEMBLY of instances"));
+      // Sums of large numbers and axes of rotation of almost no length.
+      for (const auto &x : model.points)
+        if (!std::isfinite(x.norm_square()))
+          throw InputError(text.name() +
+                           ": an instance is moved or turned to places that "
+                           "are no numbers");
       for (const auto &section : model.sections)
         if (section.is_oriented)
           {
