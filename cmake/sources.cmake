@@ -71,14 +71,14 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/unknown_names.cc)
 
 set(SQUEAL_SOURCES_SCENE
+    source/scene/abaqus_mesh.cc
+    source/scene/abaqus_part.cc
     source/scene/body_mesh.cc
+    source/scene/bulk_data.cc
     source/scene/check_meshes.cc
     source/scene/coarse_mesh.cc
     source/scene/curved_cell.cc
-    source/scene/gmsh_cell.cc
     source/scene/gmsh_file.cc
-    source/scene/gmsh_mesh.cc
-    source/scene/gmsh_selection.cc
     source/scene/import_contact.cc
     source/scene/import_numbering.cc
     source/scene/import_tables.cc
@@ -89,7 +89,13 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/matrix_import.cc
     source/scene/matrix_import_abaqus.cc
     source/scene/matrix_import_market.cc
-    source/scene/matrix_import_nastran.cc)
+    source/scene/matrix_import_nastran.cc
+    source/scene/mesh_cell.cc
+    source/scene/mesh_file.cc
+    source/scene/mesh_from_file.cc
+    source/scene/mesh_materials.cc
+    source/scene/mesh_selection.cc
+    source/scene/nastran_mesh.cc)
 
 set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/affine_system.cc

@@ -6,6 +6,7 @@
 #include <squeal/results/compare.h>
 #include <squeal/run/command_line.h>
 #include <squeal/scene/check_meshes.h>
+#include <squeal/scene/mesh_materials.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -37,8 +38,9 @@ namespace
            const std::vector<std::string> &overrides,
            const bool                      is_root)
   {
-    const Parameters parameters = read_parameters(file, overrides);
+    Parameters parameters = read_parameters(file, overrides);
     parameters.check();
+    take_mesh_materials(parameters.scene);
     RunContext context(parameters, is_root);
     run_analysis(context);
   }
@@ -79,8 +81,9 @@ namespace
           throw InputError("--validate needs a parameter file");
         for (const auto &file : line.files)
           {
-            const Parameters parameters = read_parameters(file, line.overrides);
+            Parameters parameters = read_parameters(file, line.overrides);
             parameters.check();
+            take_mesh_materials(parameters.scene);
             check_meshes(parameters.scene);
             if (is_root)
               std::cout << file << ": valid\n";

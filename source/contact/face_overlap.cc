@@ -249,12 +249,15 @@ namespace squeal
   std::vector<OverlapPoint>
   face_overlap(const SurfaceFace &source,
                const SurfaceFace &target,
-               const unsigned int degree)
+               const unsigned int degree,
+               const double       reach)
   {
     const auto &normal = source.normal();
     if (normal * target.normal() > -.5)
       return {};
-    const double       limit = allowed_distance(source, target);
+    const double limit =
+      std::max(allowed_distance(source, target),
+               reach * std::max(source.diameter(), target.diameter()));
     const unsigned int n_points =
       n_gauss_points(degree, source.is_affine() && target.is_affine());
     std::vector<OverlapPoint> result;

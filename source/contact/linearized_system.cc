@@ -237,16 +237,8 @@ namespace squeal
       for (unsigned int i = 0; i < scene.ties.size(); ++i)
         if (!d.coarse_mesh().tie_is_conforming[i])
           {
-            const auto &tie = scene.ties[i];
-            append_tie(make_mortar_coupling(d,
-                                            evaluator,
-                                            face_id(d.coarse_mesh(),
-                                                    scene,
-                                                    tie.source_body,
-                                                    tie.source_face),
-                                            body_index(scene, tie.target_body),
-                                            "Scene/Tie " + tie.name),
-                       "tie " + tie.name,
+            append_tie(make_tie_coupling(d, evaluator, i),
+                       "tie " + scene.ties[i].name,
                        dependent);
           }
       return dependent;

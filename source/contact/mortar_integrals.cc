@@ -10,10 +10,6 @@ namespace squeal
 {
   namespace
   {
-    /** Share of a source face that may lie beside the target: meshes of one
-     * curved edge that differ leave slivers. */
-    constexpr double allowed_gap = 1e-4;
-
     /** int phi_a phi_b over points of a source face, phi_b taken at the source
      * or at the target coordinates. */
     Eigen::MatrixXd
@@ -38,14 +34,15 @@ namespace squeal
   integrals_of_segments(const FaceBasis                &basis,
                         const SurfaceFace              &source,
                         const std::vector<TargetFace>  &targets,
-                        const std::vector<std::size_t> &near)
+                        const std::vector<std::size_t> &near,
+                        const MeetingLimits            &limits)
   {
     SourceIntegrals sum;
     sum.mass = Eigen::MatrixXd::Zero(basis.n_nodes(), basis.n_nodes());
     for (const std::size_t t : near)
       {
-        const auto points =
-          face_overlap(source, targets[t].geometry, basis.degree());
+        const auto points = face_overlap(
+          source, targets[t].geometry, basis.degree(), limits.reach);
         if (points.empty())
           continue;
         for (const auto &point : points)
@@ -78,7 +75,8 @@ namespace squeal
   void
   check_covered(const std::vector<SourceFace>      &sources,
                 const std::vector<SourceIntegrals> &integrals,
-                const std::string                  &where)
+                const std::string                  &where,
+                const MeetingLimits                &limits)
   {
     std::size_t worst = 0;
     for (std::size_t e = 0; e < sources.size(); ++e)
@@ -86,7 +84,7 @@ namespace squeal
           std::abs(integrals[worst].covered - 1.))
         worst = e;
     const double missing = 1. - integrals[worst].covered;
-    if (std::abs(missing) <= allowed_gap)
+    if (std::abs(missing) <= limits.beside)
       return;
     const auto x = sources[worst].geometry.point({.5, .5});
     char       text[200];

@@ -5,6 +5,47 @@
 
 namespace squeal
 {
+  namespace
+  {
+    /** The axes 1, 2, 3 of an orthotropic material, one a column; exactly the
+     * unit matrix where they are x, y, z. */
+    Eigen::Matrix3d
+    material_axes(const BodyParameters &body)
+    {
+      const Eigen::Vector3d first =
+        Eigen::Vector3d(body.material_axis_1.data()).normalized();
+      const Eigen::Vector3d third =
+        first.cross(Eigen::Vector3d(body.material_axis_2.data())).normalized();
+      Eigen::Matrix3d axes;
+      axes << first, third.cross(first), third;
+      return axes;
+    }
+
+    /** Components along x, y, z of a tensor given along @p axes. */
+    ElasticTensor
+    turned(const ElasticTensor &C, const Eigen::Matrix3d &axes)
+    {
+      if (axes == Eigen::Matrix3d::Identity())
+        return C;
+      // Both index pairs turn as the Kronecker product of the axes does.
+      Eigen::Matrix<double, 9, 9> Q, tensor;
+      for (unsigned int i = 0; i < 9; ++i)
+        for (unsigned int j = 0; j < 9; ++j)
+          {
+            Q(i, j)      = axes(i / 3, j / 3) * axes(i % 3, j % 3);
+            tensor(i, j) = C[i][j];
+          }
+      tensor = (Q * tensor * Q.transpose()).eval();
+      ElasticTensor result;
+      for (unsigned int i = 0; i < 9; ++i)
+        for (unsigned int j = 0; j < 9; ++j)
+          result[i][j] = .5 * (tensor(i, j) + tensor(j, i));
+      return result;
+    }
+  } // namespace
+
+
+
   ElasticTensor
   elastic_tensor(const BodyParameters &body)
   {
@@ -39,7 +80,9 @@ namespace squeal
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int l = 0; l < 3; ++l)
             C[3 * i + j][3 * k + l] = D(voigt(i, j), voigt(k, l));
-    return C;
+    return body.material_model == BodyParameters::MaterialModel::isotropic
+             ? C
+             : turned(C, material_axes(body));
   }
 
 

@@ -253,7 +253,7 @@ namespace squeal
     const bool slender =
       size[axis] >= 2. * std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
     const unsigned int n    = slender ? n_slices_slender : n_slices_compact;
-    const bool         free = parameters.shape == Shape::gmsh;
+    const bool         free = parameters.has_mesh_file();
     const Slices       slices =
       free ? cell_slices(d, body, box, axis, n) : regular_slices(box, axis, n);
     n_slices        = slices.size();

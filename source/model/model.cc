@@ -3,6 +3,7 @@
 #include <squeal/base/sum_operator.h>
 #include <squeal/base/timers.h>
 #include <squeal/contact/contact_faces.h>
+#include <squeal/contact/mortar.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/model/model.h>
 #include <squeal/model/pressed_model.h>
@@ -27,7 +28,7 @@ namespace squeal
     {
       const auto             &body = space.scene().bodies[b];
       std::optional<prm::Box> box  = prm::box_of(body);
-      if (body.shape == BodyParameters::Shape::gmsh)
+      if (body.has_mesh_file())
         {
           box = prm::Box{{{1e300, 1e300, 1e300}}, {{-1e300, -1e300, -1e300}}};
           for (const auto &cell : space.coarse_mesh().cells)
@@ -395,6 +396,10 @@ namespace squeal
     std::ostringstream text;
     table.print(text);
     log.info(text.str());
+    for (const auto &remark : space->coarse_mesh().remarks)
+      log.warning(remark);
+    for (const auto &remark : remarks_on_ties(*space))
+      log.warning(remark);
     RunLog::Lines lines;
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {

@@ -216,10 +216,15 @@ namespace squeal
       };
       for (unsigned int i = 0; i < scene.ties.size(); ++i)
         if (!d.coarse_mesh().tie_is_conforming[i])
-          add(scene.ties[i].source_body,
-              scene.ties[i].source_face,
-              scene.ties[i].target_body,
-              "Scene/Tie " + scene.ties[i].name);
+          {
+            const auto          &tie      = scene.ties[i];
+            const MortarCoupling coupling = make_tie_coupling(d, evaluator, i);
+            result.push_back({tie.source_body,
+                              tie.source_face,
+                              tie.target_body,
+                              coupling.source_rows,
+                              coupling.weights});
+          }
       for (const auto &contact : scene.contacts)
         if (contact.formulation != Formulation::springs)
           add(contact.source_body,

@@ -74,6 +74,8 @@ namespace squeal
             require_positive(body.size, section, "Size");
             break;
           case Shape::gmsh:
+          case Shape::abaqus:
+          case Shape::nastran:
             require_file(body.mesh_file, section, "Mesh file", true);
             break;
           case Shape::rigid:
@@ -109,6 +111,39 @@ namespace squeal
                        "Rotation speed",
                        "= " + format_number(body.rotation_speed) +
                          " rad/s is for bodies of revolution; a block needs 0");
+      }
+
+
+
+      void
+      check_mesh_file_entries(const BodyParameters &body,
+                              const std::string    &section)
+      {
+        require_positive(body.mesh_length_unit, section, "Mesh length unit");
+        require_positive(body.mesh_mass_unit, section, "Mesh mass unit");
+        if (body.material_from_mesh_file && body.shape != Shape::abaqus &&
+            body.shape != Shape::nastran)
+          refuse_entry(section,
+                       "Material from mesh file",
+                       "= true is for bodies of 'Shape = abaqus' and "
+                       "'nastran', whose files hold materials");
+      }
+
+
+
+      void
+      check_material_axes(const BodyParameters &body,
+                          const std::string    &section)
+      {
+        const auto [a, b, c] = body.material_axis_1;
+        const auto [u, v, w] = body.material_axis_2;
+        const double across =
+          std::hypot(b * w - c * v, c * u - a * w, a * v - b * u);
+        if (!(across > 1e-6 * std::hypot(a, b, c) * std::hypot(u, v, w)))
+          refuse_entry(section,
+                       "Material axis 2",
+                       "must not lie along 'Material axis 1', and neither may "
+                       "be 0, 0, 0");
       }
 
 
@@ -160,12 +195,14 @@ namespace squeal
                      "may not contain 'ground', which is the fixed "
                      "surroundings");
       check_shape(body, section);
+      check_mesh_file_entries(body, section);
       if (body.shape == Shape::rigid)
         return;
       require_positive(body.density, section, "Density");
       if (body.material_model == BodyParameters::MaterialModel::orthotropic)
         {
           check_orthotropic(body, section);
+          check_material_axes(body, section);
           return;
         }
       require_positive(body.young_modulus, section, "Young modulus");

@@ -67,13 +67,13 @@ namespace squeal
           return;
         }
       const std::vector<std::string> faces = faces_of(body.shape);
-      if (body.shape == BodyParameters::Shape::gmsh && face.empty())
+      if (body.has_mesh_file() && face.empty())
         refuse_entry(section,
                      entry,
-                     "is empty: give a physical surface of the mesh file of "
+                     "is empty: give a surface of the mesh file of "
                      "body " +
                        in_quotes(body.name));
-      if (body.shape == BodyParameters::Shape::gmsh ||
+      if (body.has_mesh_file() ||
           std::find(faces.begin(), faces.end(), face) != faces.end())
         return;
       refuse_entry(section,

@@ -165,7 +165,7 @@ namespace squeal
                              "basis");
             if (ladder == Ladder::cells)
               for (const BodyParameters &body : parameters.scene.bodies)
-                if (body.shape == BodyParameters::Shape::gmsh)
+                if (body.has_mesh_file())
                   refuse_entry(section,
                                "Ladders",
                                "contains 'cells', but body " +

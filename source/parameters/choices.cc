@@ -38,6 +38,8 @@ namespace squeal
             {"block", S::block},
             {"cylinder", S::cylinder},
             {"gmsh", S::gmsh},
+            {"abaqus", S::abaqus},
+            {"nastran", S::nastran},
             {"rigid", S::rigid}};
   }
 

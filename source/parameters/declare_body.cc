@@ -14,14 +14,14 @@ namespace squeal
                    b.shape,
                    "What the body is. Faces: annulus inner, outer, bottom, "
                    "top; block x_min, x_max, y_min, y_max, z_min, z_max; "
-                   "cylinder side, bottom, top; gmsh: the physical surfaces "
-                   "of the file; rigid: none.");
+                   "cylinder side, bottom, top; gmsh, abaqus, nastran: the "
+                   "surfaces of the mesh file; rigid: none.");
         schema.add("Position",
                    b.position,
                    Allowed::vector(),
                    "Centre of the bottom face (annulus, block, cylinder), "
                    "centre of gravity (rigid), or offset added to the mesh "
-                   "file (gmsh).",
+                   "file's coordinates.",
                    "m");
         schema.add("Size",
                    b.size,
@@ -53,13 +53,32 @@ namespace squeal
         schema.add("Mesh file",
                    b.mesh_file,
                    Allowed::file(),
-                   "Gmsh file with hexahedra of a gmsh body, relative to the "
-                   "parameter file; lengths in metres.");
+                   "File with hexahedra of a gmsh (.msh), abaqus (.inp) or "
+                   "nastran (.bdf) body, relative to the parameter file.");
         schema.add("Physical volume",
                    b.physical_volume,
                    Allowed::text(),
-                   "Physical volume of the mesh file that is the body; empty: "
-                   "all cells.");
+                   "What of the mesh file is the body: a physical volume "
+                   "(gmsh), an element set or instance (abaqus), the number of "
+                   "a property, or 'set' and that of a set of elements "
+                   "(nastran); empty: all cells.");
+        schema.add("Mesh faces",
+                   b.mesh_faces,
+                   Allowed::list(Allowed::text(), 0, 64),
+                   "Surfaces of the mesh file that are faces of the body, and "
+                   "of abaqus and nastran files also node sets: a face has all "
+                   "its corners in the set. Empty: all surfaces.");
+        schema.add("Mesh length unit",
+                   b.mesh_length_unit,
+                   Allowed::positive(),
+                   "Unit of lengths in the mesh file: 0.001 for millimetres.",
+                   "m");
+        schema.add("Mesh mass unit",
+                   b.mesh_mass_unit,
+                   Allowed::positive(),
+                   "Unit of masses in the mesh file's materials: 1000 for "
+                   "models in mm, tonne, s. Times are in s.",
+                   "kg");
       }
 
 
@@ -94,8 +113,8 @@ namespace squeal
         schema.add("Young moduli",
                    b.young_moduli,
                    three_positive,
-                   "E1, E2, E3 of an orthotropic material; axes 1, 2, 3 are "
-                   "x, y, z.",
+                   "E1, E2, E3 of an orthotropic material along its axes 1, 2 "
+                   "and 3.",
                    "Pa");
         schema.add("Shear moduli",
                    b.shear_moduli,
@@ -107,6 +126,23 @@ namespace squeal
                    Allowed::list(Allowed::number(-10., 10.), 3, 3),
                    "nu23, nu13, nu12 of an orthotropic material; nu12 is the "
                    "contraction along 2 under tension along 1.");
+        schema.add("Material axis 1",
+                   b.material_axis_1,
+                   Allowed::vector(),
+                   "Direction, of any length, of the axis 1 of an orthotropic "
+                   "material. It does not turn with 'Angle'.");
+        schema.add("Material axis 2",
+                   b.material_axis_2,
+                   Allowed::vector(),
+                   "A direction in the plane of the axes 1 and 2 of an "
+                   "orthotropic material; its part across axis 1 is the axis "
+                   "2, and axis 3 is across both, right-handed.");
+        schema.add("Material from mesh file",
+                   b.material_from_mesh_file,
+                   "The elastic constants and the density of the body are "
+                   "those that an abaqus or nastran file gives its cells, not "
+                   "the entries here. If false and they differ, the log says "
+                   "so.");
         schema.add(
           "Mass", b.mass, Allowed::positive(), "Mass of a rigid body.", "kg");
         schema.add("Inertia",

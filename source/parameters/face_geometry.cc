@@ -89,6 +89,8 @@ namespace squeal
         case Shape::cylinder:
           return {"side", "bottom", "top"};
         case Shape::gmsh:
+        case Shape::abaqus:
+        case Shape::nastran:
         case Shape::rigid:
           return {};
         }
@@ -109,7 +111,7 @@ namespace squeal
     std::optional<Box>
     box_of(const BodyParameters &body)
     {
-      if (body.shape == Shape::gmsh || body.shape == Shape::rigid ||
+      if (body.has_mesh_file() || body.shape == Shape::rigid ||
           (body.shape == Shape::block && body.angle != 0.))
         return {};
       const Vector3 extent =

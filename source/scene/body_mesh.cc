@@ -191,7 +191,9 @@ namespace squeal
           mesh = cylinder_mesh(body);
           break;
         case BodyParameters::Shape::gmsh:
-          return read_gmsh_body(body);
+        case BodyParameters::Shape::abaqus:
+        case BodyParameters::Shape::nastran:
+          return read_mesh_body(body);
         case BodyParameters::Shape::rigid:
           return mesh;
         }

@@ -4,6 +4,7 @@
 #include <squeal/scene/loose_parts.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -137,6 +138,41 @@ namespace squeal
                            "': glue them by a tie, let them touch by a "
                            "contact, or duplicate the nodes between them");
     }
+    /** A tie of a mesh file must be one of the scene, or a contact: without it
+     * the parts would come apart. */
+    void
+    check_file_tie(const SceneParameters            &scene,
+                   const BodyParameters             &body,
+                   const std::array<std::string, 3> &tie)
+    {
+      const auto is = [&](const std::string &name,
+                          const std::string &face,
+                          const std::string &surface) {
+        for (const BodyParameters &other : scene.bodies)
+          if (other.name == name && other.mesh_file == body.mesh_file)
+            return std::equal(face.begin(),
+                              face.end(),
+                              surface.begin(),
+                              surface.end(),
+                              [](const char a, const char b) {
+                                return std::toupper(a) == std::toupper(b);
+                              });
+        return false;
+      };
+      const auto joins = [&](const auto &pair) {
+        return (is(pair.source_body, pair.source_face, tie[1]) &&
+                is(pair.target_body, pair.target_face, tie[2])) ||
+               (is(pair.source_body, pair.source_face, tie[2]) &&
+                is(pair.target_body, pair.target_face, tie[1]));
+      };
+      if (std::none_of(scene.ties.begin(), scene.ties.end(), joins) &&
+          std::none_of(scene.contacts.begin(), scene.contacts.end(), joins))
+        throw InputError("mesh file '" + body.mesh_file + "' ties '" + tie[1] +
+                         "' to '" + tie[2] + "'" +
+                         (tie[0].empty() ? "" : " (" + tie[0] + ")") +
+                         ", the scene does not: add a tie or a contact of "
+                         "these faces");
+    }
   } // namespace
 
 
@@ -214,6 +250,11 @@ namespace squeal
       {
         const BodyMesh body = make_body_mesh(scene.bodies[b]);
         check_shared_nodes(scene, scene.bodies[b], body);
+        for (const auto &tie : body.file_ties)
+          check_file_tie(scene, scene.bodies[b], tie);
+        for (const auto &remark : body.remarks)
+          if (std::count(mesh.remarks.begin(), mesh.remarks.end(), remark) == 0)
+            mesh.remarks.push_back(remark);
         const unsigned int first = mesh.vertices.size();
         for (const auto &[cell, nodes] : body.curved)
           mesh.curved[mesh.cells.size() + cell] = nodes;

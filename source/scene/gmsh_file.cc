@@ -4,8 +4,8 @@
 
 #include <squeal/parameters/text.h>
 
-#include <squeal/scene/gmsh_file.h>
 #include <squeal/scene/import_text.h>
+#include <squeal/scene/mesh_file.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,7 +17,7 @@ namespace squeal
 {
   namespace
   {
-    using Kind = GmshFile::Kind;
+    using Kind = MeshFile::Kind;
 
     /** The kind of Gmsh's element types. */
     Kind
@@ -65,7 +65,7 @@ namespace squeal
       {
       }
 
-      GmshFile read();
+      MeshFile read();
 
     private:
       /** The next line that is not blank, to be taken apart by next_...(). */
@@ -95,7 +95,7 @@ namespace squeal
       import::TextFile text;
       std::size_t      file_size;
       std::string_view rest; /**< of the current line */
-      GmshFile         file;
+      MeshFile         file;
       bool version_4 = false, has_nodes = false, has_elements = false;
       std::unordered_map<long, unsigned int>            index_of_node;
       std::map<std::vector<int>, unsigned int>          known_groups;
@@ -104,7 +104,7 @@ namespace squeal
 
 
 
-    GmshFile
+    MeshFile
     GmshReader::read()
     {
       bool has_format = false;
@@ -337,7 +337,7 @@ namespace squeal
                             const long         type,
                             const unsigned int group)
     {
-      GmshFile::Element element{tag, kind_of(type), group, {}};
+      MeshFile::Element element{tag, kind_of(type), group, {}};
       if (element.kind == Kind::low_dimensional)
         return;
       for (unsigned int v = 0; v < n_nodes_read(type); ++v)
@@ -433,7 +433,7 @@ namespace squeal
 
 
 
-  GmshFile
+  MeshFile
   read_gmsh_file(const std::string &name)
   {
     require_input_file(name);

@@ -3,6 +3,7 @@
 
 #include <squeal/parameters/text.h>
 
+#include <squeal/scene/bulk_data.h>
 #include <squeal/scene/matrix_formats.h>
 
 #include <algorithm>
@@ -14,95 +15,6 @@ namespace squeal
   {
     namespace
     {
-      /**
-       * One line of a bulk data file cut into its fields, whichever of the
-       * three field formats it uses.
-       */
-      struct BulkLine
-      {
-        /** Name of the entry that starts here, in capitals; empty on a
-         * continuation line. */
-        std::string entry;
-        /** Fields 2 to 9, or in large format the four of half an entry. */
-        std::array<std::string_view, 8> data;
-        unsigned int                    n_data = 8;
-        /** What the fields look into. */
-        std::string text;
-      };
-
-      /** Cuts off a comment and puts blanks for tabs. */
-      std::string
-      plain_text(const std::string_view line)
-      {
-        std::string text;
-        for (const char c : line.substr(0, line.find('$')))
-          if (c == '\t')
-            text.resize(text.size() / 8 * 8 + 8, ' ');
-          else
-            text += c;
-        return text;
-      }
-
-      void
-      split_free_fields(const TextFile &file, BulkLine &line)
-      {
-        std::string_view rest   = line.text;
-        std::string_view marker = rest.substr(0, rest.find(','));
-        rest.remove_prefix(marker.size());
-        marker      = trimmed(marker);
-        line.n_data = marker.find('*') == std::string_view::npos ? 8 : 4;
-        line.entry  = upper_case(marker);
-        for (unsigned int i = 0; !rest.empty(); ++i)
-          {
-            rest.remove_prefix(1);
-            const std::string_view field = rest.substr(0, rest.find(','));
-            rest.remove_prefix(field.size());
-            if (i < line.n_data)
-              line.data[i] = trimmed(field);
-            // One more is the mark that the continuation line repeats.
-            else if (i > line.n_data)
-              file.fail("too many fields; a free-field line has " +
-                        std::to_string(line.n_data) + " after the first");
-          }
-      }
-
-      void
-      split_fixed_fields(BulkLine &line)
-      {
-        const std::string_view text  = line.text;
-        const std::string_view first = text.substr(0, 8);
-        line.n_data = first.find('*') == std::string_view::npos ? 8 : 4;
-        line.entry  = upper_case(trimmed(first));
-        const unsigned int width = 64 / line.n_data;
-        for (unsigned int i = 0; i < line.n_data; ++i)
-          if (8 + i * width < text.size())
-            line.data[i] = trimmed(text.substr(8 + i * width, width));
-      }
-
-      /** Moves to the next line that is not empty; false at the end. */
-      bool
-      next_bulk_line(TextFile &file, BulkLine &line)
-      {
-        while (file.next())
-          {
-            line.text = plain_text(file.line());
-            if (trimmed(line.text).empty())
-              continue;
-            line.data.fill({});
-            if (line.text.find(',') != std::string::npos)
-              split_free_fields(file, line);
-            else
-              split_fixed_fields(line);
-            if (!line.entry.empty() && line.entry.back() == '*')
-              line.entry.pop_back();
-            if (!line.entry.empty() &&
-                (line.entry[0] == '+' || line.entry[0] == '*'))
-              line.entry.clear();
-            return true;
-          }
-        return false;
-      }
-
       /** The header entry of a DMIG matrix. */
       struct Header
       {

@@ -8,8 +8,8 @@
 
 #include <squeal/parameters/prm_tree.h>
 
-#include <squeal/scene/gmsh_file.h>
 #include <squeal/scene/matrix_import.h>
+#include <squeal/scene/mesh_file.h>
 #include <squeal/sweep/reduced_model.h>
 
 #include <squeal/results/contact_history.h>

@@ -65,6 +65,10 @@ namespace squeal
       SQUEAL_DESCRIBE(body, cells);
       SQUEAL_DESCRIBE(body, mesh_file);
       SQUEAL_DESCRIBE(body, physical_volume);
+      SQUEAL_DESCRIBE(body, mesh_faces);
+      SQUEAL_DESCRIBE(body, mesh_length_unit);
+      SQUEAL_DESCRIBE(body, mesh_mass_unit);
+      SQUEAL_DESCRIBE(body, material_from_mesh_file);
       SQUEAL_DESCRIBE(body, material_model);
       SQUEAL_DESCRIBE(body, young_modulus);
       SQUEAL_DESCRIBE(body, poisson_ratio);
@@ -72,6 +76,8 @@ namespace squeal
       SQUEAL_DESCRIBE(body, young_moduli);
       SQUEAL_DESCRIBE(body, shear_moduli);
       SQUEAL_DESCRIBE(body, poisson_ratios);
+      SQUEAL_DESCRIBE(body, material_axis_1);
+      SQUEAL_DESCRIBE(body, material_axis_2);
       SQUEAL_DESCRIBE(body, mass);
       SQUEAL_DESCRIBE(body, inertia);
       SQUEAL_DESCRIBE(body, mass_damping);

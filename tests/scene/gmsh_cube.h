@@ -184,7 +184,7 @@ namespace squeal
       body.mesh_file       = "mesh.msh";
       body.physical_volume = volume;
       body.position        = {{10., 20., 30.}};
-      return read_gmsh_body(body);
+      return read_mesh_body(body);
     }
 
     inline std::string

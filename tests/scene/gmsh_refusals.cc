@@ -51,7 +51,7 @@ namespace
                                   const std::string &what) {
       body.mesh_file = file;
       check_throws<InputError>(
-        [&]() { read_gmsh_body(body); }, part, "refused: " + what);
+        [&]() { read_mesh_body(body); }, part, "refused: " + what);
     };
     refuses_file("", "Scene/Body pad/Mesh file", "no file named");
     refuses_file("nowhere.msh", "nowhere.msh", "a missing file");

@@ -31,7 +31,7 @@ namespace
     BodyParameters body = ring();
     body.shape          = BodyParameters::Shape::gmsh;
     body.mesh_file      = "ring.msh";
-    return read_gmsh_body(body);
+    return read_mesh_body(body);
   }
 
   void

@@ -23,11 +23,12 @@ namespace squeal
    * unless they are straight. All weights of a source face that is covered add
    * up to 1. Empty where the faces do not meet: they must face each other and
    * be no further apart than 1e-4 of the larger one, or than curved faces
-   * bulge.
+   * bulge, or than @p reach of the larger one.
    */
   std::vector<OverlapPoint> face_overlap(const SurfaceFace &source,
                                          const SurfaceFace &target,
-                                         const unsigned int degree);
+                                         const unsigned int degree,
+                                         const double       reach = 0.);
 
   /** The same for the whole source face; the target coordinates mean nothing.
    */

@@ -27,6 +27,10 @@ namespace squeal
     std::vector<std::array<unsigned int, 3>> source_rows;
     /** D_j^-1 M_j for the three components; empty on the ground. */
     std::vector<std::array<Functionals::Row, 3>> target_rows;
+    /** The largest distance of a source node from the place that its row takes
+     * on the target, m, and the largest share of a source face that lies beside
+     * the target. */
+    double distance = 0., beside = 0.;
   };
 
   /**
@@ -41,6 +45,25 @@ namespace squeal
                                       const unsigned int    source_face_id,
                                       const unsigned int    target_body,
                                       const std::string    &where);
+
+  /**
+   * The same for the tie of a number, on two meshes of one surface that may
+   * differ as arcs and facets do: across by 5 % of the larger face, beside each
+   * other by 2 % of a source face. A source node at x follows the place X =
+   * D^-1 M x_target that its row takes, and is carried along by the rotation
+   * that fits the target nodes round it best, by least squares, each with what
+   * it shares with the source faces there: u = D^-1 M u_target + omega x (x -
+   * X). Every rigid motion of the target is then one of the source face, forces
+   * pass with their moments, and where x = X nothing is added. Throws as above.
+   */
+  MortarCoupling make_tie_coupling(const Discretization &discretization,
+                                   const PointEvaluator &evaluator,
+                                   const unsigned int    tie);
+
+  /** A sentence for the log on each tie whose faces differ by more than 1e-6 of
+   * a face, with the distance. Collective. */
+  std::vector<std::string> remarks_on_ties(
+    const Discretization &discretization);
 
   /**
    * Node to surface: every source node follows the target where it stands,

@@ -26,12 +26,20 @@ namespace squeal
     std::vector<SharedIntegrals> shared;
   };
 
+  /** What target faces may be away from source faces: across, over the larger
+   * face's size, and as a share of a source face that lies beside them. */
+  struct MeetingLimits
+  {
+    double reach = 0., beside = 1e-4;
+  };
+
   /** A source face with the target faces of the numbers @p near, segment by
    * segment. */
   SourceIntegrals integrals_of_segments(const FaceBasis                &basis,
                                         const SurfaceFace              &source,
                                         const std::vector<TargetFace>  &targets,
-                                        const std::vector<std::size_t> &near);
+                                        const std::vector<std::size_t> &near,
+                                        const MeetingLimits &limits = {});
 
   /** The masses alone. */
   std::vector<SourceIntegrals> integrals_of_whole_faces(
@@ -42,7 +50,8 @@ namespace squeal
    * source face has no target opposite. */
   void check_covered(const std::vector<SourceFace>      &sources,
                      const std::vector<SourceIntegrals> &integrals,
-                     const std::string                  &where);
+                     const std::string                  &where,
+                     const MeetingLimits                &limits = {});
 
   /** From products with the shape functions phi of a source face to those with
    * its dual functions psi = D_e M_e^-1 phi. */

@@ -23,7 +23,7 @@ namespace squeal
   using ElasticTensor = std::array<std::array<double, 9>, 9>;
 
   /** Hooke's law with Young modulus 1 Pa (isotropic), or in full
-   * (orthotropic, axes along x, y, z). */
+   * (orthotropic, along its own axes). */
   ElasticTensor elastic_tensor(const BodyParameters &body);
 
   /**

@@ -14,11 +14,12 @@ namespace squeal
   namespace prm
   {
     /** Names of the faces of a shape, in the order of their numbers in the
-     * mesh; none for rigid bodies, and none for gmsh
-     * bodies, whose names are in the mesh file. */
+     * mesh; none for rigid bodies and those of mesh
+     * files, which hold the names. */
     std::vector<std::string> faces_of(BodyParameters::Shape shape);
 
-    /** The box around a body; nothing for gmsh and rigid bodies. m */
+    /** The box around a body; nothing for rigid ones and those of mesh files. m
+     */
     struct Box
     {
       Vector3 lower, upper;
@@ -44,8 +45,8 @@ namespace squeal
       double                body_size; /**< longest edge of the body's box */
     };
 
-    /** The face of this name, or nothing if it is curved or the body is a gmsh
-     * or rigid one. */
+    /** The face of this name, or nothing if it is curved or the body is
+     * rigid or of a mesh file. */
     std::optional<FlatFace> flat_face(const BodyParameters &body,
                                       const std::string    &face);
 

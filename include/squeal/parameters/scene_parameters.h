@@ -22,7 +22,9 @@ namespace squeal
       annulus,
       block,
       cylinder,
-      gmsh,
+      gmsh,    /**< mesh from a file of Gmsh */
+      abaqus,  /**< of an Abaqus input file */
+      nastran, /**< of Nastran bulk data */
       rigid
     };
     /** Elastic law of a meshed solid. */
@@ -35,7 +37,7 @@ namespace squeal
     std::string name;
     Shape       shape = Shape::block;
     /** Centre of the bottom face (annulus, block, cylinder), centre of
-     * gravity (rigid), offset added to the mesh file's coordinates (gmsh). m */
+     * gravity (rigid), offset added to the mesh file's coordinates. m */
     Vector3 position{{0., 0., 0.}};
     /** Edge lengths along x, y, z of a block. m */
     Vector3 size{{1., 1., 1.}};
@@ -47,9 +49,17 @@ namespace squeal
     /** Cells of the coarse mesh: block x, y, z; annulus and cylinder
      * circumference, radius, height. */
     std::array<unsigned int, 3> cells{{4, 4, 4}};
-    /** Mesh file and physical volume of a Gmsh body. */
+    /** Mesh file and what of it is the body: physical volume (gmsh), element
+     * set (abaqus), property or element set (nastran). */
     std::string mesh_file;
     std::string physical_volume;
+    /** Surfaces and node sets of the file that are faces of the body; empty:
+     * all its surfaces. */
+    std::vector<std::string> mesh_faces;
+    double                   mesh_length_unit = 1.; /**< of the mesh file, m */
+    double mesh_mass_unit = 1.; /**< of the mesh file's materials, kg */
+    /** The material of the mesh file takes the place of the numbers below. */
+    bool material_from_mesh_file = false;
 
     MaterialModel material_model = MaterialModel::isotropic;
     double        young_modulus  = 210e9;              /**< Pa, isotropic */
@@ -58,6 +68,9 @@ namespace squeal
     Vector3       young_moduli{{210e9, 210e9, 210e9}}; /**< E1, E2, E3, Pa */
     Vector3       shear_moduli{{80e9, 80e9, 80e9}};    /**< G23, G13, G12, Pa */
     Vector3       poisson_ratios{{0.3, 0.3, 0.3}};     /**< nu23, nu13, nu12 */
+    /** Directions, of any length, of the axis 1 of an orthotropic material and
+     * of one that lies with it in the plane of the axes 1 and 2. */
+    Vector3 material_axis_1{{1., 0., 0.}}, material_axis_2{{0., 1., 0.}};
 
     double  mass = 1.;                   /**< kg, rigid */
     Vector3 inertia{{1e-3, 1e-3, 1e-3}}; /**< Jxx, Jyy, Jzz, kg m^2, rigid */
@@ -75,6 +88,14 @@ namespace squeal
     /** What the body is turned by about that axis from the place that the other
      * numbers describe, degrees. */
     double angle = 0.;
+
+    /** Whether the mesh is in a file. */
+    bool
+    has_mesh_file() const
+    {
+      return shape == Shape::gmsh || shape == Shape::abaqus ||
+             shape == Shape::nastran;
+    }
 
     const Vector3 &
     centre_of_rotation() const

@@ -10,6 +10,7 @@
 
 #include <deal.II/grid/tria_description.h>
 
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -38,6 +39,8 @@ namespace squeal
     std::vector<std::vector<std::string>> face_names;
     /** True for the ties whose face meshes match and were joined. */
     std::vector<bool> tie_is_conforming;
+    /** Sentences for the log about mesh files. */
+    std::vector<std::string> remarks;
   };
 
   /** Faces with names a body can have at most. */
@@ -63,8 +66,8 @@ namespace squeal
   /**
    * Meshes every body and joins conforming ties. Throws InputError where a
    * mesh file is unusable (not hexahedral, inverted cells, unknown physical
-   * name), two bodies share nodes in their file without a tie or a contact
-   * between them, or a conforming tie does not match.
+   * name), two bodies share nodes in their file or are tied there without a tie
+   * or a contact between them here, or a conforming tie does not match.
    */
   CoarseMesh make_coarse_mesh(const SceneParameters &scene);
 
@@ -78,13 +81,18 @@ namespace squeal
     /** As in CoarseMesh; the faces by their numbers. */
     std::map<unsigned int, CellNodes> curved;
     std::set<unsigned int>            round_faces;
-    /** Other physical volumes of the Gmsh file that use nodes of this body. */
+    /** Other volumes of the mesh file that use nodes of this body. */
     std::vector<std::string> touching_volumes;
+    /** Ties of the mesh file: their names and those of their surfaces. */
+    std::vector<std::array<std::string, 3>> file_ties;
+    /** Sentences for the log about what the mesh file says and the body does
+     * not follow. */
+    std::vector<std::string> remarks;
   };
   BodyMesh make_body_mesh(const BodyParameters &body);
 
-  /** Reads a hexahedral Gmsh mesh with physical names. */
-  BodyMesh read_gmsh_body(const BodyParameters &body);
+  /** Reads the hexahedra, surfaces and sets of a body's mesh file. */
+  BodyMesh read_mesh_body(const BodyParameters &body);
 } // namespace squeal
 
 #endif

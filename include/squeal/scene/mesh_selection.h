@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef squeal_scene_gmsh_selection_h
-#define squeal_scene_gmsh_selection_h
+#ifndef squeal_scene_mesh_selection_h
+#define squeal_scene_mesh_selection_h
 
 #include <squeal/parameters/scene_parameters.h>
-#include <squeal/scene/gmsh_file.h>
+#include <squeal/scene/mesh_file.h>
 
 namespace squeal
 {
@@ -11,16 +11,20 @@ namespace squeal
   std::string name_of_group(const std::map<int, std::string> &names,
                             const int                         tag);
 
-  /** The cells of a Gmsh file that make a body: all, or those of its physical
-   * volume. */
-  class GmshSelection
+  /** The cells of a mesh file that make a body: all, or those of its physical
+   * volume, element set or property. */
+  class MeshSelection
   {
   public:
     /** Throws InputError where there are none or where some are no hexahedra of
      * first or second order. Both arguments must live on. */
-    GmshSelection(const GmshFile &file, const BodyParameters &body);
+    MeshSelection(const MeshFile &file, const BodyParameters &body);
 
-    bool holds(const GmshFile::Element &element) const;
+    bool holds(const MeshFile::Element &element) const;
+
+    /** Position of the material that the file gives the cells; -1: none. Throws
+     * InputError where it gives them several. */
+    int material() const;
 
     /** Other physical volumes that use nodes of the body. */
     std::vector<std::string> touching_volumes() const;
@@ -32,7 +36,7 @@ namespace squeal
     void check_physical_volume() const;
     void check_kinds() const;
 
-    const GmshFile       &file;
+    const MeshFile       &file;
     const BodyParameters &body;
   };
 } // namespace squeal

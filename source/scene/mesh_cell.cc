@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/scene/gmsh_cell.h>
+#include <squeal/scene/mesh_cell.h>
 
 #include <algorithm>
 
@@ -82,7 +82,7 @@ namespace squeal
 
 
   CellNodes
-  nodes_of_hexahedron(const GmshFile &file, const GmshFile::Element &element)
+  nodes_of_hexahedron(const MeshFile &file, const MeshFile::Element &element)
   {
     CellNodes nodes;
     for (unsigned int i = 0; i < 27; ++i)
@@ -94,8 +94,89 @@ namespace squeal
 
 
 
+  std::vector<unsigned int>
+  in_gmsh_order(const std::vector<unsigned int> &nodes, const NodeOrder order)
+  {
+    // Edges as pairs of corners 0 to 7: Gmsh 01 03 04 12 15 23 26 37 45 47 56
+    // 67; Abaqus 01 12 23 30, 45 56 67 74, then the four along z; Nastran has
+    // these before 45. Gmsh's faces are z min, y min, x min, x max, y max, z
+    // max, then the centre; Abaqus has the centre first, then S1 to S6.
+    static const std::array<unsigned int, 19> abaqus{{8,
+                                                      11,
+                                                      16,
+                                                      9,
+                                                      17,
+                                                      10,
+                                                      18,
+                                                      19,
+                                                      12,
+                                                      15,
+                                                      13,
+                                                      14, // edges
+                                                      21,
+                                                      23,
+                                                      26,
+                                                      24,
+                                                      25,
+                                                      22,
+                                                      20}},
+      nastran{{8, 11, 12, 9, 13, 10, 14, 15, 16, 19, 17, 18}};
+    const auto &position = order == NodeOrder::abaqus ? abaqus : nastran;
+    std::vector<unsigned int> result(nodes);
+    for (unsigned int i = 8; i < nodes.size(); ++i)
+      result[i] = nodes[position[i - 8]];
+    return result;
+  }
+
+  std::array<unsigned int, 2>
+  ends_of_nastran_edge(const unsigned int position)
+  {
+    const unsigned int i = position - 8, k = i % 4;
+    if (i < 4)
+      return {{k, (k + 1) % 4}};
+    if (i < 8)
+      return {{k, k + 4}};
+    return {{k + 4, (k + 1) % 4 + 4}};
+  }
+
+  const std::array<std::array<unsigned int, 4>, 6> &
+  faces_of_gmsh_cell()
+  {
+    static const std::array<std::array<unsigned int, 4>, 6> faces{
+      {{{0, 1, 2, 3}},
+       {{4, 7, 6, 5}},
+       {{0, 4, 5, 1}},
+       {{1, 5, 6, 2}},
+       {{2, 6, 7, 3}},
+       {{3, 7, 4, 0}}}};
+    return faces;
+  }
+
+  void
+  add_faces_of_nodes(MeshFile                &file,
+                     const std::vector<bool> &holds,
+                     const unsigned int       group)
+  {
+    for (std::size_t e = 0, n = file.elements.size(); e < n; ++e)
+      if (file.elements[e].kind == MeshFile::Kind::hexahedron)
+        for (const auto &corners : faces_of_gmsh_cell())
+          {
+            const MeshFile::Element  &cell = file.elements[e];
+            std::vector<unsigned int> nodes;
+            for (const unsigned int c : corners)
+              nodes.push_back(cell.nodes[c]);
+            if (std::all_of(nodes.begin(),
+                            nodes.end(),
+                            [&](const unsigned int v) { return holds[v]; }))
+              file.elements.push_back(
+                {cell.tag, MeshFile::Kind::quadrilateral, group, nodes, -1});
+          }
+  }
+
+
+
   std::optional<long>
-  SharedPoints::disagrees(const GmshFile::Element &element,
+  SharedPoints::disagrees(const MeshFile::Element &element,
                           const CellNodes         &nodes)
   {
     std::array<unsigned int, 27> vertex{};

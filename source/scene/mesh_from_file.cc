@@ -3,8 +3,9 @@
 #include <squeal/base/number_text.h>
 
 #include <squeal/scene/coarse_mesh.h>
-#include <squeal/scene/gmsh_cell.h>
-#include <squeal/scene/gmsh_selection.h>
+#include <squeal/scene/mesh_cell.h>
+#include <squeal/scene/mesh_materials.h>
+#include <squeal/scene/mesh_selection.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -20,7 +21,7 @@ namespace squeal
   {
     using dealii::Point;
     using dealii::Tensor;
-    using Kind = GmshFile::Kind;
+    using Kind = MeshFile::Kind;
     using Hexahedron =
       std::array<unsigned int, 8>; /**< corners, x fastest, then y, z */
     using Quad = std::array<unsigned int, 4>;
@@ -64,13 +65,13 @@ namespace squeal
 
 
 
-    /** Makes one body of a Gmsh file; see read_gmsh_body(). */
-    class GmshBody
+    /** Makes one body of a mesh file; see read_mesh_body(). */
+    class FileBody
     {
     public:
-      GmshBody(const BodyParameters &body)
+      FileBody(const BodyParameters &body)
         : body(body)
-        , file(read_gmsh_file(body.mesh_file))
+        , file(read_mesh_file(body))
         , selection(file, body)
       {
       }
@@ -79,18 +80,20 @@ namespace squeal
 
     private:
       void         collect_hexahedra();
-      void         add_points(const GmshFile::Element &element);
+      void         add_points(const MeshFile::Element &element);
       void         orient_hexahedra();
       void         find_boundary();
       void         name_boundary();
+      bool         is_wanted(const std::string &name) const;
       void         number_unnamed_faces();
+      void         add_remarks(BodyMesh &mesh) const;
       Tensor<1, 3> offset() const;
       BodyMesh     without_unused_nodes() const;
       void         add_curved_cells(BodyMesh &mesh) const;
 
       const BodyParameters    &body;
-      const GmshFile           file;
-      const GmshSelection      selection;
+      const MeshFile           file;
+      const MeshSelection      selection;
       std::vector<Hexahedron>  hexahedra;
       std::vector<long>        tags;   /**< of the hexahedra */
       std::vector<CellNodes>   points; /**< of the hexahedra */
@@ -104,13 +107,13 @@ namespace squeal
 
 
     void
-    GmshBody::collect_hexahedra()
+    FileBody::collect_hexahedra()
     {
       // Format 2 repeats a cell for each physical group that it is in.
       std::set<Hexahedron> known;
       has_second_order = std::any_of(file.elements.begin(),
                                      file.elements.end(),
-                                     [&](const GmshFile::Element &element) {
+                                     [&](const MeshFile::Element &element) {
                                        return selection.holds(element) &&
                                               element.nodes.size() > 8;
                                      });
@@ -137,7 +140,7 @@ namespace squeal
     }
 
     void
-    GmshBody::add_points(const GmshFile::Element &element)
+    FileBody::add_points(const MeshFile::Element &element)
     {
       points.push_back(nodes_of_hexahedron(file, element));
       if (bulge_of(points.back()) > largest_bulge)
@@ -160,7 +163,7 @@ namespace squeal
 
 
     void
-    GmshBody::orient_hexahedra()
+    FileBody::orient_hexahedra()
     {
       const double      flat = 1e-10;
       std::vector<long> inverted, bad;
@@ -200,7 +203,7 @@ namespace squeal
 
 
     void
-    GmshBody::find_boundary()
+    FileBody::find_boundary()
     {
       std::map<Quad, std::vector<Quad>> faces;
       for (const auto &cell : hexahedra)
@@ -223,7 +226,7 @@ namespace squeal
 
 
     void
-    GmshBody::name_boundary()
+    FileBody::name_boundary()
     {
       for (const auto &[key, quad] : boundary)
         face_of_quad[key] = -1;
@@ -243,6 +246,8 @@ namespace squeal
       for (const auto &[tag, quads] : quads_of_tag)
         {
           const std::string name = name_of_group(file.surface_names, tag);
+          if (!is_wanted(name))
+            continue;
           const auto it = std::find(face_names.begin(), face_names.end(), name);
           const int  number = it - face_names.begin();
           if (it == face_names.end())
@@ -251,13 +256,26 @@ namespace squeal
             {
               int &face = face_of_quad[key];
               if (face >= 0 && face != number)
-                selection.fail(
-                  "gives one cell face to the physical surfaces '" +
-                  face_names[face] + "' and '" + name +
-                  "': a face has one name");
+                selection.fail("gives one cell face to the surfaces '" +
+                               face_names[face] + "' and '" + name +
+                               "': a face has one name; say with 'Mesh faces' "
+                               "which of them are meant");
               face = number;
             }
         }
+      for (const auto &name : body.mesh_faces)
+        if (std::count(face_names.begin(), face_names.end(), name) == 0)
+          selection.fail("has no surface or set '" + name +
+                         "' on the body ('Mesh faces')");
+    }
+
+    /** Surfaces and sets may overlap where some are not asked for. */
+    bool
+    FileBody::is_wanted(const std::string &name) const
+    {
+      const auto &names = body.mesh_faces;
+      return names.empty() ||
+             std::find(names.begin(), names.end(), name) != names.end();
     }
 
 
@@ -265,7 +283,7 @@ namespace squeal
     /** Every face of the surface gets a number: without one it would count as
      * face 0 of body 0. */
     void
-    GmshBody::number_unnamed_faces()
+    FileBody::number_unnamed_faces()
     {
       const bool all_named = std::none_of(face_of_quad.begin(),
                                           face_of_quad.end(),
@@ -290,14 +308,14 @@ namespace squeal
 
 
     Tensor<1, 3>
-    GmshBody::offset() const
+    FileBody::offset() const
     {
       const auto &x = body.position;
       return Point<3>(x[0], x[1], x[2]);
     }
 
     BodyMesh
-    GmshBody::without_unused_nodes() const
+    FileBody::without_unused_nodes() const
     {
       BodyMesh                  mesh;
       std::vector<unsigned int> number(file.nodes.size(), -1u);
@@ -328,7 +346,7 @@ namespace squeal
     }
 
     void
-    GmshBody::add_curved_cells(BodyMesh &mesh) const
+    FileBody::add_curved_cells(BodyMesh &mesh) const
     {
       for (unsigned int i = 0; i < hexahedra.size(); ++i)
         if (has_second_order && is_curved(points[i]))
@@ -347,8 +365,24 @@ namespace squeal
 
 
 
+    void
+    FileBody::add_remarks(BodyMesh &mesh) const
+    {
+      std::string names;
+      for (const auto &name : file.passed_over)
+        names += (names.empty() ? "" : ", ") + name;
+      if (!names.empty())
+        mesh.remarks.push_back("mesh file '" + body.mesh_file +
+                               "': not followed are " + names +
+                               ": what they hold or tie is for the scene");
+      if (const auto remark = material_remark(body, file); !remark.empty())
+        mesh.remarks.push_back(remark);
+    }
+
+
+
     BodyMesh
-    GmshBody::make()
+    FileBody::make()
     {
       collect_hexahedra();
       orient_hexahedra();
@@ -357,6 +391,9 @@ namespace squeal
       number_unnamed_faces();
       BodyMesh mesh         = without_unused_nodes();
       mesh.touching_volumes = selection.touching_volumes();
+      for (const auto &tie : file.ties)
+        mesh.file_ties.push_back({{tie.name, tie.source, tie.target}});
+      add_remarks(mesh);
       dealii::GridTools::consistently_order_cells(mesh.cells);
       return mesh;
     }
@@ -365,11 +402,11 @@ namespace squeal
 
 
   BodyMesh
-  read_gmsh_body(const BodyParameters &body)
+  read_mesh_body(const BodyParameters &body)
   {
     if (body.mesh_file.empty())
       throw InputError("Scene/Body " + body.name +
-                       "/Mesh file: is empty: name the Gmsh file of the body");
-    return GmshBody(body).make();
+                       "/Mesh file: is empty: name the mesh file of the body");
+    return FileBody(body).make();
   }
 } // namespace squeal

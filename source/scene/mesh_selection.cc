@@ -2,22 +2,44 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/unknown_choice.h>
 
-#include <squeal/scene/gmsh_selection.h>
+#include <squeal/scene/mesh_selection.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace squeal
 {
   namespace
   {
-    using Kind = GmshFile::Kind;
+    using Kind = MeshFile::Kind;
 
     bool
     is_volume(const Kind kind)
     {
       return kind != Kind::low_dimensional && kind != Kind::quadrilateral &&
              kind != Kind::other_surface;
+    }
+
+    /** What formats call a group of volumes. */
+    std::string
+    word_for_volume(const BodyParameters &body)
+    {
+      switch (body.shape)
+        {
+        case BodyParameters::Shape::gmsh:
+          return "physical volume";
+        case BodyParameters::Shape::abaqus:
+          return "element set";
+        case BodyParameters::Shape::nastran:
+          return "property or set";
+        case BodyParameters::Shape::annulus:
+        case BodyParameters::Shape::block:
+        case BodyParameters::Shape::cylinder:
+        case BodyParameters::Shape::rigid:
+          break;
+        }
+      unknown_choice("shape with a mesh file");
     }
 
     std::string
@@ -55,7 +77,7 @@ namespace squeal
     return it == names.end() ? std::to_string(tag) : it->second;
   }
 
-  GmshSelection::GmshSelection(const GmshFile &file, const BodyParameters &body)
+  MeshSelection::MeshSelection(const MeshFile &file, const BodyParameters &body)
     : file(file)
     , body(body)
   {
@@ -64,14 +86,14 @@ namespace squeal
   }
 
   void
-  GmshSelection::fail(const std::string &text) const
+  MeshSelection::fail(const std::string &text) const
   {
     throw InputError("body '" + body.name + "': mesh file '" + body.mesh_file +
                      "' " + text);
   }
 
   bool
-  GmshSelection::holds(const GmshFile::Element &element) const
+  MeshSelection::holds(const MeshFile::Element &element) const
   {
     if (!is_volume(element.kind))
       return false;
@@ -86,7 +108,7 @@ namespace squeal
 
 
   void
-  GmshSelection::check_physical_volume() const
+  MeshSelection::check_physical_volume() const
   {
     if (body.physical_volume.empty())
       return;
@@ -102,26 +124,29 @@ namespace squeal
     std::string list;
     for (const auto &name : names)
       list += (list.empty() ? "" : ", ") + name;
-    fail("has no physical volume '" + body.physical_volume +
+    fail("has no " + word_for_volume(body) + " '" + body.physical_volume +
          "'; there are: " + (list.empty() ? "none" : list));
   }
 
 
 
   void
-  GmshSelection::check_kinds() const
+  MeshSelection::check_kinds() const
   {
     std::map<Kind, unsigned int> count;
     for (const auto &element : file.elements)
       if (holds(element))
         ++count[element.kind];
     if (count.empty())
-      fail((body.physical_volume.empty()
-              ? "holds no volume cells"
-              : "holds no cells of physical volume '" + body.physical_volume +
-                  "'") +
-           std::string(": mesh it in three dimensions and give the volume a "
-                       "physical group"));
+      fail(
+        (body.physical_volume.empty()
+           ? "holds no volume cells"
+           : "holds no cells of " + word_for_volume(body) + " '" +
+               body.physical_volume + "'") +
+        std::string(body.shape == BodyParameters::Shape::gmsh
+                      ? ": mesh it in three dimensions and give the volume a "
+                        "physical group"
+                      : ": hexahedra are needed"));
     std::string others;
     for (const auto &[kind, n] : count)
       if (kind != Kind::hexahedron)
@@ -132,16 +157,35 @@ namespace squeal
     if (!others.empty())
       fail("holds " + others +
            ", but only hexahedra with 8, 20 or 27 nodes are used: " +
-           (only_order ? "save it with Mesh.ElementOrder = 2 (the degree is "
-                         "set in Discretization)"
-                       : "use transfinite or extruded meshes with Recombine, "
-                         "or Mesh.SubdivisionAlgorithm = 2"));
+           (body.shape != BodyParameters::Shape::gmsh
+              ? "mesh the part with hexahedra (swept, or by partitions)"
+            : only_order ? "save it with Mesh.ElementOrder = 2 (the degree is "
+                           "set in Discretization)"
+                         : "use transfinite or extruded meshes with Recombine, "
+                           "or Mesh.SubdivisionAlgorithm = 2"));
+  }
+
+
+
+  int
+  MeshSelection::material() const
+  {
+    std::optional<int> found;
+    for (const auto &element : file.elements)
+      if (holds(element))
+        {
+          if (found && *found != element.material)
+            fail("gives the cells of the body several materials: make a body "
+                 "of each, joined by ties");
+          found = element.material;
+        }
+    return found.value_or(-1);
   }
 
 
 
   std::vector<std::string>
-  GmshSelection::touching_volumes() const
+  MeshSelection::touching_volumes() const
   {
     std::vector<bool> own(file.nodes.size(), false);
     for (const auto &element : file.elements)

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/unknown_choice.h>
+
+#include <squeal/scene/mesh_file.h>
+
+namespace squeal
+{
+  namespace
+  {
+    MeshFile
+    read_in_units_of_file(const BodyParameters &body)
+    {
+      switch (body.shape)
+        {
+        case BodyParameters::Shape::gmsh:
+          return read_gmsh_file(body.mesh_file);
+        case BodyParameters::Shape::abaqus:
+          return read_abaqus_mesh(body.mesh_file, body.mesh_faces);
+        case BodyParameters::Shape::nastran:
+          return read_nastran_mesh(body.mesh_file, body.mesh_faces);
+        case BodyParameters::Shape::annulus:
+        case BodyParameters::Shape::block:
+        case BodyParameters::Shape::cylinder:
+        case BodyParameters::Shape::rigid:
+          break;
+        }
+      unknown_choice("shape with a mesh file");
+    }
+  } // namespace
+
+
+
+  MeshFile
+  read_mesh_file(const BodyParameters &body)
+  {
+    MeshFile file = read_in_units_of_file(body);
+    if (body.mesh_length_unit != 1.)
+      for (auto &x : file.nodes)
+        x *= body.mesh_length_unit;
+    return file;
+  }
+} // namespace squeal

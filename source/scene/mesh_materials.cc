@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+
+#include <squeal/scene/mesh_materials.h>
+#include <squeal/scene/mesh_selection.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** The material with SI units. */
+    MeshFile::Material
+    in_si(MeshFile::Material material, const BodyParameters &body)
+    {
+      const double length = body.mesh_length_unit, mass = body.mesh_mass_unit;
+      material.young_modulus *= mass / length;
+      material.density *= mass / (length * length * length);
+      return material;
+    }
+
+    std::string
+    values(const double E, const double nu, const double rho)
+    {
+      return "E " + rounded_text(E, 6) + " Pa, nu " + rounded_text(nu, 6) +
+             ", rho " + rounded_text(rho, 6) + " kg/m^3";
+    }
+
+    bool
+    agree(const double a, const double b)
+    {
+      return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
+    }
+  } // namespace
+
+
+
+  void
+  take_mesh_materials(SceneParameters &scene)
+  {
+    for (BodyParameters &body : scene.bodies)
+      {
+        if (!body.material_from_mesh_file)
+          continue;
+        const MeshFile      file = read_mesh_file(body);
+        const MeshSelection selection(file, body);
+        const int           position = selection.material();
+        if (position < 0)
+          selection.fail("gives the cells of the body no material");
+        const auto m = in_si(file.materials[position], body);
+        if (!m.fault.empty())
+          selection.fail("has a material that cannot be taken: '" + m.name +
+                         "' " + m.fault + ": give it in the parameter file");
+        if (!(m.young_modulus > 0. && m.density > 0. && m.poisson_ratio >= 0. &&
+              m.poisson_ratio <= .4999))
+          selection.fail("has a material that cannot be taken: '" + m.name +
+                         "' has " +
+                         values(m.young_modulus, m.poisson_ratio, m.density));
+        body.material_model = BodyParameters::MaterialModel::isotropic;
+        body.young_modulus  = m.young_modulus;
+        body.poisson_ratio  = m.poisson_ratio;
+        body.density        = m.density;
+      }
+  }
+
+
+
+  std::string
+  material_remark(const BodyParameters &body, const MeshFile &file)
+  {
+    const MeshSelection selection(file, body);
+    std::set<int>       positions;
+    for (const auto &element : file.elements)
+      if (selection.holds(element) && element.material >= 0)
+        positions.insert(element.material);
+    std::string others;
+    for (const int position : positions)
+      {
+        const auto m = in_si(file.materials[position], body);
+        if (m.fault.empty() &&
+            body.material_model == BodyParameters::MaterialModel::isotropic &&
+            agree(m.young_modulus, body.young_modulus) &&
+            agree(m.poisson_ratio, body.poisson_ratio) &&
+            agree(m.density, body.density))
+          continue;
+        others +=
+          (others.empty() ? "'" : ", '") + m.name + "', which " +
+          (m.fault.empty()
+             ? "has " + values(m.young_modulus, m.poisson_ratio, m.density)
+             : m.fault);
+      }
+    if (others.empty())
+      return "";
+    return "body '" + body.name + "' has " +
+           (body.material_model == BodyParameters::MaterialModel::isotropic
+              ? values(body.young_modulus, body.poisson_ratio, body.density)
+              : "an orthotropic material") +
+           "; mesh file '" + body.mesh_file +
+           "' gives its cells the material " + others;
+  }
+} // namespace squeal
