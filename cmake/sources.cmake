@@ -71,8 +71,11 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/unknown_names.cc)
 
 set(SQUEAL_SOURCES_SCENE
+    source/scene/abaqus_elements.cc
+    source/scene/abaqus_lines.cc
     source/scene/abaqus_mesh.cc
     source/scene/abaqus_part.cc
+    source/scene/abaqus_sets.cc
     source/scene/body_mesh.cc
     source/scene/bulk_data.cc
     source/scene/check_meshes.cc
@@ -95,6 +98,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/mesh_from_file.cc
     source/scene/mesh_materials.cc
     source/scene/mesh_selection.cc
+    source/scene/nastran_groups.cc
     source/scene/nastran_mesh.cc)
 
 set(SQUEAL_SOURCES_DISCRETIZATION
@@ -195,6 +199,7 @@ set(SQUEAL_SOURCES_TRANSIENT
 set(SQUEAL_SOURCES_CYCLE
     source/cycle/cycle_search.cc
     source/cycle/harmonic_balance.cc
+    source/cycle/harmonic_balance_newton.cc
     source/cycle/period_map.cc
     source/cycle/shooting.cc)
 
