@@ -166,15 +166,16 @@ namespace squeal
     Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
-    PressedModel        pressed(p,
-                         *model.discretization(),
-                         model.body_matrices(),
-                         p.transient.cut_off,
-                         context.timers,
-                         p.transient.interface_cut_off);
-    const SteadySliding steady =
-      pressed.steady(p.preload.tolerance, context.timers);
-    context.record.n_dofs = model.n_unknowns();
+    const SteadyModel about = PressedModel(p,
+                                           *model.discretization(),
+                                           model.body_matrices(),
+                                           p.transient.cut_off,
+                                           context.timers,
+                                           p.transient.interface_cut_off)
+                                .steady(p.preload.tolerance, context.timers);
+    const PressedModel  &pressed = about.pressed;
+    const SteadySliding &steady  = about.sliding;
+    context.record.n_dofs        = model.n_unknowns();
     LinearizedMotion linear;
     {
       Timers::Section section(context.timers, "Solve: linearised motion");
