@@ -292,13 +292,19 @@ namespace squeal
   bool
   FloquetMultipliers::is_stable() const
   {
-    return largest + error < 1.;
+    return largest + uncertainty() < 1.;
   }
 
   bool
   FloquetMultipliers::is_unstable() const
   {
-    return largest - error > 1.;
+    return largest - uncertainty() > 1.;
+  }
+
+  double
+  FloquetMultipliers::uncertainty() const
+  {
+    return std::max(error, std::abs(trivial - 1.));
   }
 
   FloquetMultipliers

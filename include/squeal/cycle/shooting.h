@@ -79,7 +79,11 @@ namespace squeal
     /** What the largest is uncertain by: its difference to half the steps. */
     double error = 0.;
 
-    /** By more than the error. */
+    /** The larger of that and of what the trivial one misses 1 by: a derivative
+     * that does not know the motion along the cycle better than this cannot be
+     * trusted further elsewhere. */
+    double uncertainty() const;
+    /** By more than the uncertainty. */
     bool is_stable() const;
     bool is_unstable() const;
   };
