@@ -58,7 +58,8 @@ namespace
     check_body_refused("Cells = 1, 2, 2.5", {"whole number"});
     check_body_refused(
       "Shape = blok",
-      {"annulus, block, cylinder, gmsh, rigid", "did you mean 'block'?"});
+      {"annulus, block, cylinder, gmsh, abaqus, nastran, rigid",
+       "did you mean 'block'?"});
     check_text_refused("\nset Overwrite = maybe\n",
                        {"test.prm:2: ", "true or false"},
                        "no flag");
