@@ -59,7 +59,7 @@ namespace squeal
       PairErrors result;
       result.lambda    = Eigen::VectorXcd::Constant(pairs.size(), std::nan(""));
       result.at_points = result.lambda;
-      for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t i = 0; i < n; ++i)
         {
           result.lambda[order[i]]    = some.lambda[i];
           result.at_points[order[i]] = some.at_points[i];
@@ -68,13 +68,29 @@ namespace squeal
     }
 
     /** Puts better errors of growth rates in the place of those of the cells,
-     * where they are known. */
+     * where they are known, and says where they are not: there the cells know
+     * little. */
     void
-    take_growth_errors(const Eigen::VectorXd &better, PairErrors &errors)
+    take_growth_errors(const Eigen::VectorXd &better,
+                       const ComplexPairs    &pairs,
+                       PairErrors            &errors,
+                       RunLog                &log)
     {
+      unsigned int n_growing = 0, n_better = 0;
       for (Eigen::Index k = 0; k < better.size(); ++k)
-        if (!std::isnan(better[k]))
+        {
+          n_growing += pairs.sigma(k) > 0.;
+          if (std::isnan(better[k]))
+            continue;
+          ++n_better;
           errors.lambda[k].real(better[k]);
+        }
+      if (n_better < n_growing)
+        log.info("  mesh errors of growth rates: of " +
+                 std::to_string(n_growing - n_better) + " of " +
+                 std::to_string(n_growing) +
+                 " growing pairs estimated cell by cell, to first order: not "
+                 "found again with one degree less");
     }
 
     /** How far the pairs are from what is asked of the mesh. */
@@ -223,7 +239,9 @@ namespace squeal
                 : errors_of_loudest(model, *result.modes.pencil, pairs);
             take_growth_errors(growth_errors_by_lower_degree(
                                  model, pairs, result.errors, timers),
-                               result.errors);
+                               pairs,
+                               result.errors,
+                               log);
           }
         else
           result.errors.lambda =

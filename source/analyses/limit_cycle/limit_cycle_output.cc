@@ -57,7 +57,9 @@ namespace squeal
         {"largest_multiplier_error",
          Type::real,
          "",
-         "difference to half the steps",
+         "the larger of its difference to half the steps and of what the "
+         "trivial "
+         "one is off",
          3},
         {"trivial_multiplier_error",
          Type::real,
@@ -150,7 +152,7 @@ namespace squeal
            found ? Cell(f.n_opening) : Cell(),
            found ? Cell(f.n_sticking) : Cell(),
            value(c.multipliers.largest),
-           value(c.multipliers.error),
+           value(found ? c.multipliers.uncertainty() : not_known),
            value(std::abs(c.multipliers.trivial - 1.)),
            or_missing(last_residual(c)),
            c.coarse.iterations + c.motion.iterations,

@@ -58,17 +58,18 @@ namespace squeal
   {
     if (f.verdict == "unstable")
       return f.verdict;
-    if (!f.growing_outside.empty())
-      return f.verdict + " in the band; " + f.growing_outside;
-    const std::string about = f.verdict + " about steady sliding; ";
+    const std::string about =
+      (f.growing_outside.empty()
+         ? f.verdict + " about steady sliding"
+         : f.verdict + " in the band; " + f.growing_outside);
     if (trigger.text == "squeal after the trigger")
       return about +
-             "squeals after the trigger: a limit cycle stands beside it";
+             "; squeals after the trigger: a limit cycle stands beside it";
     if (trigger.text == "squeal by itself")
-      return about + "squeals before the trigger already";
+      return about + "; squeals before the trigger already";
     if (f.has_limit_cycle)
-      return about + "a limit cycle stands beside it";
-    return f.verdict;
+      return about + "; a limit cycle stands beside it";
+    return f.growing_outside.empty() ? f.verdict : about;
   }
 
 
