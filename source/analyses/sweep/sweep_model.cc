@@ -182,14 +182,6 @@ namespace squeal
     while (!is_within(own, 1.) && enlarge(point));
     if (!is_within(own, 1.))
       {
-        // Beside a coalescence the basis of a cell may leave out what the
-        // common one has.
-        pairs = solve_in_common_basis(point);
-        own   = {};
-        add_to_worst(pairs, point, own);
-      }
-    if (!is_within(own, 1.))
-      {
         std::ostringstream text;
         text << "the basis of the sweep does not reach its tolerance at "
              << text_of(sweep_grid, point) << ": error " << own.frequency
@@ -200,16 +192,6 @@ namespace squeal
       }
     add_to_worst(pairs, point, worst);
     return pairs;
-  }
-
-  ComplexPairs
-  SweepModel::solve_in_common_basis(const SweepPoint &point) const
-  {
-    // Its last tenth, what the last round added, judges the rest.
-    const unsigned int n = small.n_total();
-    return solve_point(LocalModel{small.parts, n - std::max(1u, n / 10)},
-                       parts.coefficients(point),
-                       band());
   }
 
   ComplexPairs

@@ -59,9 +59,8 @@ namespace squeal
                        const bool        with_estimates = true) const;
 
     /** With estimates within the tolerances: enlarges the small basis where
-     * they are not, takes the common one where that does not help, and throws
-     * ComputationError where neither does. The largest estimates are entered in
-     * @p worst. */
+     * they are not, throws ComputationError where that does not help. The
+     * largest estimates are entered in @p worst. */
     ComplexPairs solve_certified(const SweepPoint &point, WorstError &worst);
 
     /** Whether the estimates of pairs of solve() are within the tolerances. */
@@ -111,8 +110,6 @@ namespace squeal
     bool is_within(const WorstError &worst, const double factor) const;
     /** Enlarges the small basis at @p point; false when it holds all. */
     bool enlarge(const SweepPoint &point);
-    /** With estimates; vectors are coordinates in the common basis. */
-    ComplexPairs solve_in_common_basis(const SweepPoint &point) const;
 
     const Parameters          &parameters;
     SweepGrid                  sweep_grid;
