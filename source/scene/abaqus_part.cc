@@ -24,46 +24,6 @@ namespace squeal
 
 
 
-    /** Gives physical tags to names and makes groups of tags. */
-    class Groups
-    {
-    public:
-      explicit Groups(MeshFile &file)
-        : file(file)
-      {
-      }
-
-      int
-      surface(const std::string &name)
-      {
-        file.surface_names[++last] = name;
-        return last;
-      }
-
-      int
-      volume(const std::string &name)
-      {
-        file.volume_names[++last] = name;
-        return last;
-      }
-
-      unsigned int
-      of(const std::vector<int> &tags)
-      {
-        const auto [it, is_new] = known.emplace(tags, file.groups.size());
-        if (is_new)
-          file.groups.push_back(tags);
-        return it->second;
-      }
-
-    private:
-      MeshFile                                &file;
-      int                                      last = 0;
-      std::map<std::vector<int>, unsigned int> known;
-    };
-
-
-
     /** The name under which a set or surface is asked for; empty: it is not. */
     std::string
     asked_name(const std::vector<std::string> &wanted, const std::string &name)
@@ -182,7 +142,7 @@ namespace squeal
   {
     file.nodes    = model.points;
     file.elements = model.elements;
-    Groups                        groups(file);
+    MeshGroups                    groups(file);
     std::vector<std::vector<int>> tags(file.elements.size());
     for (const auto &[key, set] : model.element_sets)
       {

@@ -31,6 +31,38 @@ namespace squeal
 
 
 
+  MeshGroups::MeshGroups(MeshFile &f)
+    : file(f)
+  {
+  }
+
+  int
+  MeshGroups::surface(const std::string &name)
+  {
+    const int tag = surfaces.emplace(name, 1 + surfaces.size()).first->second;
+    file.surface_names[tag] = name;
+    return tag;
+  }
+
+  int
+  MeshGroups::volume(const std::string &name)
+  {
+    const int tag = volumes.emplace(name, 1 + volumes.size()).first->second;
+    file.volume_names[tag] = name;
+    return tag;
+  }
+
+  unsigned int
+  MeshGroups::of(const std::vector<int> &tags)
+  {
+    const auto [it, is_new] = known.emplace(tags, file.groups.size());
+    if (is_new)
+      file.groups.push_back(tags);
+    return it->second;
+  }
+
+
+
   MeshFile
   read_mesh_file(const BodyParameters &body)
   {

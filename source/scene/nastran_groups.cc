@@ -16,34 +16,6 @@ namespace squeal
 {
   using Kind = MeshFile::Kind;
 
-  int
-  NastranReader::tag_of_surface(const std::string &name)
-  {
-    const auto [it, is_new] =
-      surface_tags.emplace(name, 1 + surface_tags.size());
-    file.surface_names[it->second] = name;
-    return it->second;
-  }
-
-  int
-  NastranReader::tag_of_volume(const std::string &name)
-  {
-    const auto [it, is_new] = volume_tags.emplace(name, 1 + volume_tags.size());
-    file.volume_names[it->second] = name;
-    return it->second;
-  }
-
-  unsigned int
-  NastranReader::group_of(const std::vector<int> &tags)
-  {
-    const auto [it, is_new] = known_groups.emplace(tags, file.groups.size());
-    if (is_new)
-      file.groups.push_back(tags);
-    return it->second;
-  }
-
-
-
   void
   NastranReader::place_hexahedron(const Cell &cell)
   {
@@ -91,7 +63,7 @@ namespace squeal
               return r[0] <= cell.tag && cell.tag <= r[1];
             }))
           sets_of_element[cell.tag].push_back(
-            tag_of_volume("set " + std::to_string(number)));
+            groups.volume("set " + std::to_string(number)));
     for (const Cell &cell : cells)
       {
         auto      &element  = file.elements[cell.position];
@@ -104,11 +76,11 @@ namespace squeal
           }
         std::vector<int> tags;
         if (element.kind == Kind::quadrilateral)
-          tags = {tag_of_surface(property)};
+          tags = {groups.surface(property)};
         else if (element.kind != Kind::other_surface)
           {
             tags = sets_of_element[element.tag];
-            tags.push_back(tag_of_volume(property));
+            tags.push_back(groups.volume(property));
             const auto section = sections.find(cell.property);
             if (section != sections.end())
               {
@@ -117,7 +89,7 @@ namespace squeal
                   element.material = material->second;
               }
           }
-        element.group = group_of(tags);
+        element.group = groups.of(tags);
       }
   }
 
@@ -149,7 +121,7 @@ namespace squeal
           {
             file.elements.push_back({load.element,
                                      Kind::quadrilateral,
-                                     group_of({tag_of_surface(load.name)}),
+                                     groups.of({groups.surface(load.name)}),
                                      nodes,
                                      -1});
             return;
@@ -175,7 +147,7 @@ namespace squeal
           for (const auto &range : ranges)
             if (range[0] <= point_number && point_number <= range[1])
               holds[index] = true;
-        add_faces_of_nodes(file, holds, group_of({tag_of_surface(name)}));
+        add_faces_of_nodes(file, holds, groups.of({groups.surface(name)}));
       }
   }
 

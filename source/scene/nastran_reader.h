@@ -61,9 +61,6 @@ namespace squeal
     void add_face_of(const Load &load);
     void add_point_sets();
     void group_cells();
-    int  tag_of_surface(const std::string &name);
-    int  tag_of_volume(const std::string &name);
-    unsigned int group_of(const std::vector<int> &tags);
 
     long         integer(const import::BulkEntry &entry,
                          const std::size_t        i,
@@ -88,8 +85,7 @@ namespace squeal
     std::map<long, Section>                          sections;
     std::map<long, int>                              materials;
     std::map<long, std::vector<std::array<long, 2>>> point_sets, cell_sets;
-    std::map<std::string, int>                       surface_tags, volume_tags;
-    std::map<std::vector<int>, unsigned int>         known_groups;
+    MeshGroups                                       groups{file};
   };
 } // namespace squeal
 

@@ -9,8 +9,8 @@
 
 #include <complex>
 
-#include "../scene/mesh_texts.h"
-#include "program.h"
+#include "analyses/ventilated_brake_mesh.h"
+#include "scene/mesh_texts.h"
 #include "scenes.h"
 #include "worst.h"
 
@@ -139,22 +139,8 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check(argc == 3, "usage: mesh_formats PYTHON FOLDER_OF_THE_SCENE");
-  scene_folder                         = argv[2];
-  const std::vector<std::string> words = {argv[1],
-                                          scene_folder + "/make_mesh.py",
-                                          "--output",
-                                          "brake.msh",
-                                          "--rings",
-                                          "1,1",
-                                          "--hat",
-                                          "1,1",
-                                          "--flange",
-                                          "1,1,1",
-                                          "--hole",
-                                          "5,3,1",
-                                          "--pads",
-                                          "6,1,1"};
-  check(run_program(words).code == 0, "made a coarse mesh");
+  scene_folder = argv[2];
+  make_coarse_brake(argv[1], scene_folder);
   const MeshFile file = read_gmsh_file("brake.msh");
   std::ofstream("brake.4.msh") << gmsh_4_text(file);
   std::ofstream("brake.inp") << abaqus_text(file);

@@ -14,7 +14,7 @@
 #include <complex>
 #include <sstream>
 
-#include "program.h"
+#include "analyses/ventilated_brake_mesh.h"
 #include "worst.h"
 
 using namespace squeal;
@@ -23,27 +23,6 @@ using namespace squeal::testing;
 namespace
 {
   std::string scene_folder;
-
-  /** The scene's generator with as few cells as it can do with. */
-  void
-  make_mesh(const std::string &python)
-  {
-    const std::vector<std::string> words = {python,
-                                            scene_folder + "/make_mesh.py",
-                                            "--output",
-                                            "brake.msh",
-                                            "--rings",
-                                            "1,1",
-                                            "--hat",
-                                            "1,1",
-                                            "--flange",
-                                            "1,1,1",
-                                            "--hole",
-                                            "5,3,1",
-                                            "--pads",
-                                            "6,1,1"};
-    check(run_program(words).code == 0, "made a coarse mesh");
-  }
 
   /** Writes the mesh with every node x at R x. */
   void
@@ -134,7 +113,7 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check(argc == 3, "usage: ventilated_brake PYTHON FOLDER_OF_THE_SCENE");
   scene_folder = argv[2];
-  make_mesh(argv[1]);
+  make_coarse_brake(argv[1], scene_folder);
   const Eigen::VectorXcd as_it_is = spectrum({});
   check(as_it_is.size() > 15, "a spectrum");
   check((as_it_is.real().array() > 1.).any(), "friction makes a pair grow");

@@ -68,6 +68,26 @@ namespace squeal
     std::set<std::string> passed_over;
   };
 
+  /** Gives physical tags to the names of a mesh that has names only, and groups
+   * to lists of tags. */
+  class MeshGroups
+  {
+  public:
+    /** Fills the names and groups of @p file, which is kept. */
+    explicit MeshGroups(MeshFile &file);
+
+    /** The tag of a name, the same for each call. */
+    int surface(const std::string &name);
+    int volume(const std::string &name);
+    /** The group of elements with these tags. */
+    unsigned int of(const std::vector<int> &tags);
+
+  private:
+    MeshFile                                &file;
+    std::map<std::string, int>               surfaces, volumes;
+    std::map<std::vector<int>, unsigned int> known;
+  };
+
   /** Reads the mesh file of a body, whichever format its shape says; lengths in
    * m. Throws InputError. */
   MeshFile read_mesh_file(const BodyParameters &body);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Amplitude of the limit cycles of a campaign over growth rate and sliding
-// speed, and the friction that is measured from outside.
+// speed, the friction that is measured from outside, and ladders.
 
 #include <squeal/analyses/transient/campaign_table.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/column_title.h>
 #include <squeal/run/run_context.h>
@@ -30,6 +31,14 @@ namespace squeal
             entry.substr(entry.size() - end.size()) != end)
           return false;
       return !axis.entries.empty();
+    }
+
+    /** Whether it says how finely the runs compute. */
+    bool
+    is_ladder(const SweepAxisParameters &axis)
+    {
+      return std::all_of(
+        axis.entries.begin(), axis.entries.end(), &is_resolution_entry);
     }
 
     /** The values of all axes but @p left_out and the top: what tells one
@@ -101,6 +110,44 @@ namespace squeal
                            path);
       report.figure(path + ".png", caption, true);
     }
+
+    /** Growth rate and amplitude over how finely the runs compute. */
+    void
+    draw_ladder(RunContext                &context,
+                const Table               &table,
+                const SweepAxisParameters &axis,
+                HtmlReport                &report)
+    {
+      const auto name = [&](const std::size_t i) {
+        return curve_name(table, i, context.parameters.sweep.axes, axis.name);
+      };
+      const auto all = [](const std::size_t) { return true; };
+      Chart      growth, amplitude;
+      growth.title      = "Growth rate over " + axis.entries.front();
+      growth.y.label    = "growth rate in 1/s";
+      amplitude.title   = "Vibration over " + axis.entries.front();
+      amplitude.y.label = "rms of the normal force in N";
+      for (Chart *chart : {&growth, &amplitude})
+        {
+          chart->x.label =
+            ColumnTitle(table.columns()[table.column_index(axis.name)])
+              .of_axis();
+        }
+      const std::size_t n =
+        fill(growth, table, axis.name, "growth_rate_per_s", all, name);
+      fill(amplitude, table, axis.name, "rms_normal_n", all, name);
+      for (Chart *chart : {&growth, &amplitude})
+        for (auto &s : chart->series)
+          s.style = ChartSeries::Style::lines_points;
+      amplitude.legend = Chart::Legend::none;
+      if (n > 1)
+        draw(context,
+             "over_" + axis.name,
+             {growth, amplitude},
+             "Growth rate, and vibration in the second half of each run, over "
+             "how finely the runs compute",
+             report);
+    }
   } // namespace
 
 
@@ -122,7 +169,9 @@ namespace squeal
     over_sigma.y.lower = 0.;
     over_sigma.lines   = {{true, 0., "", Ink::grey, true}};
     report.section("Limit cycles");
-    if (fill(over_sigma,
+    // Rungs of a ladder have one growth rate but for their errors.
+    if (std::none_of(axes.begin(), axes.end(), &is_ladder) &&
+        fill(over_sigma,
              table,
              "sigma_cea_per_s",
              "rms_normal_n",
@@ -139,6 +188,8 @@ namespace squeal
            report);
     for (const auto &axis : axes)
       {
+        if (is_ladder(axis))
+          draw_ladder(context, table, axis, report);
         if (!is_speed(axis))
           continue;
         const auto name = [&](const std::size_t i) {
