@@ -46,7 +46,15 @@ find_library(NLOPT_LIBRARY nlopt)
 if(NOT NLOPT_INCLUDE_DIR OR NOT NLOPT_LIBRARY)
   message(FATAL_ERROR "NLopt was not found: apt-get install libnlopt-dev")
 endif()
-mark_as_advanced(NLOPT_INCLUDE_DIR NLOPT_LIBRARY MUMPS_INCLUDE_DIR DMUMPS_LIBRARY ZMUMPS_LIBRARY
+# Read at run time; reports show still pictures without it.
+find_file(SQUEAL_THREE_JS three.min.js
+          PATHS /usr/share/javascript/three /usr/share/nodejs/three/build)
+if(NOT SQUEAL_THREE_JS)
+  message(WARNING "three.js was not found, reports will not move: "
+                  "apt-get install libjs-three")
+  set(SQUEAL_THREE_JS "")
+endif()
+mark_as_advanced(SQUEAL_THREE_JS NLOPT_INCLUDE_DIR NLOPT_LIBRARY MUMPS_INCLUDE_DIR DMUMPS_LIBRARY ZMUMPS_LIBRARY
                  MUMPS_COMMON_LIBRARY ARPACK_INCLUDE_DIR ARPACK_LIBRARY
                  PARPACK_LIBRARY)
 

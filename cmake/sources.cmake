@@ -222,6 +222,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/label_layout.cc
     source/results/matrix_market.cc
     source/results/measured_shapes.cc
+    source/results/motion_view.cc
     source/results/motion_writer.cc
     source/results/planar_cells.cc
     source/results/plots.cc
@@ -269,6 +270,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/contact_output.cc
     source/output/headline_error.cc
     source/output/matrix_output.cc
+    source/output/moving_pictures.cc
     source/output/pair_table.cc
     source/output/shape_output.cc)
 

@@ -3,7 +3,8 @@
 """Writes the meshes of prm/ventilated_brake: a ventilated disc and two pads.
 
     make_mesh.py --output brake.msh                    # the shipped mesh
-    make_mesh.py --output fine.msh --rings 2,2 --vane-layers 2 --grading 4,1
+    make_mesh.py --output graded.msh --coarsening 3 --rings 2,2 --vane-layers 2 \\
+        --hole 3,3,2 --hat 1,3 --grading 3,3,6,3               # that of cea.prm
 
 Only Python's own library is needed. The disc (hat, flange with five bolt holes,
 connecting ring, two friction rings, 21 straight vanes) is one conforming mesh
@@ -18,6 +19,8 @@ In the friction rings the lines of the mesh follow the straight sides of the
 vanes: there are 21 (vane + gap) cells round. In hat and flange the same lines
 are spread over five sectors of 72 degrees, one for each bolt, each with evenly
 spaced lines; between the two, the connecting ring leads from one to the other.
+With `--coarsening 3` hat and flange have a third of the rings' lines: the layer
+of the connecting ring next to the rings joins three cells to one.
 
 `--turn DEGREES` turns the disc under the pads. The cells have straight edges:
 with the default numbers round this moves frequencies by less than 0.1 %.
@@ -49,6 +52,10 @@ def graded(first, last, cells, ratio, both_ends=False):
     sizes = [ratio ** -p for p in places]
     return [first + (last - first) * sum(sizes[:i]) / sum(sizes)
             for i in range(cells)] + [last]
+
+
+def between(first, last, share):
+    return tuple(a + (b - a) * share for a, b in zip(first, last))
 
 
 def joined(*parts):
@@ -112,9 +119,15 @@ class Plan:
         self.options = options
         self.per_pitch = self.vane + self.gap
         self.round = VANES * self.per_pitch
-        self.borders = [round((i - 0.5) * self.round / HOLES + self.vane / 2)
+        self.ratio = options.coarsening     # cells of the rings to one of the hat
+        if self.round % self.ratio:
+            raise SystemExit(f"--coarsening: {self.round} cells round the rings "
+                             f"are no multiple of {self.ratio}")
+        self.hat_round = self.round // self.ratio
+        self.borders = [round((i - 0.5) * self.hat_round / HOLES +
+                              self.vane / (2 * self.ratio))
                         for i in range(HOLES)]     # lines between the sectors
-        self.borders.append(self.borders[0] + self.round)
+        self.borders.append(self.borders[0] + self.hat_round)
         self.turn = math.radians(options.turn)
         self.make_rings()
         self.make_flange()
@@ -125,7 +138,7 @@ class Plan:
     def even_angle(self, k):
         """Of line k in hat and flange. The middle of the first sector is at
         +y, where that of the first vane is, all but a third of a degree."""
-        turns, k = divmod(k - self.borders[0], self.round)
+        turns, k = divmod(k - self.borders[0], self.hat_round)
         k += self.borders[0]
         sector = max(i for i in range(HOLES) if self.borders[i] <= k)
         first, last = self.borders[sector:sector + 2]
@@ -149,23 +162,38 @@ class Plan:
 
     def make_rings(self):
         o = self.options
-        lines, connection, hat = [], [], []
-        for k in range(self.round + 1):
-            lines.append([self.point(r, self.ring_angle(k, r))
-                          for r in even(RING_INNER, RING_OUTER, o.rings[0])])
-            near = self.point(CONNECTION_INNER, self.even_angle(k))
-            connection.append(
-                [(near[0] + (lines[-1][0][0] - near[0]) * s,
-                  near[1] + (lines[-1][0][1] - near[1]) * s)
-                 for s in even(0., 1., o.connection)])
-            hat.append([self.point(r, self.even_angle(k))
-                        for r in even(HAT_INNER, CONNECTION_INNER, o.hat[0])])
+        lines = [[self.point(r, self.ring_angle(k, r))
+                  for r in even(RING_INNER, RING_OUTER, o.rings[0])]
+                 for k in range(self.round + 1)]
         self.rings = quads_between(lines)
-        self.connection = quads_between(connection)
-        self.hat = quads_between(hat)
         self.vanes = [quad for k in range(self.round)
                       if k % self.per_pitch < self.vane
                       for quad in quads_between(lines[k:k + 2])]
+        self.hat = quads_between(
+            [[self.point(r, self.even_angle(k))
+              for r in even(HAT_INNER, CONNECTION_INNER, o.hat[0])]
+             for k in range(self.hat_round + 1)])
+        self.make_connection([line[0] for line in lines])
+
+    def make_connection(self, outer):
+        """From the hat's lines to those of the rings. @p outer: the points of
+        the rings' lines at their inner radius."""
+        steps = even(0., 1., self.options.connection)
+        lines = [[between(self.point(CONNECTION_INNER, self.even_angle(k)),
+                          outer[self.ratio * k], s) for s in steps]
+                 for k in range(self.hat_round + 1)]
+        if self.ratio == 1:
+            self.connection = quads_between(lines)
+            return
+        self.connection = quads_between([line[:-1] for line in lines])
+        for k in range(self.hat_round):
+            a, b = lines[k][-2], lines[k + 1][-2]
+            fine = outer[3 * k:3 * k + 4]
+            left, right = (between(between(a, b, s), point, 0.5)
+                           for s, point in zip((1 / 3, 2 / 3), fine[1:3]))
+            self.connection += [(b, right, left, a), (left, fine[1], fine[0], a),
+                                (right, fine[2], fine[1], left),
+                                (b, fine[3], fine[2], right)]
 
     def make_flange(self):
         """Five sectors, each of three by three blocks; the one in the middle is
@@ -173,7 +201,7 @@ class Plan:
         o = self.options
         radii = joined(even(BORE, SQUARE[0], o.flange[0]),
                        even(*SQUARE, o.hole[1]),
-                       even(SQUARE[1], HAT_INNER, o.flange[1]))
+                       graded(SQUARE[1], HAT_INNER, o.flange[1], o.grading[3]))
         self.flange, self.bore, self.holes = [], [], []
         for sector in range(HOLES):
             first, last = self.borders[sector:sector + 2]
@@ -217,7 +245,8 @@ class Plan:
             inner = centre[0] + offset[0], centre[1] + offset[1]
             rays.append([(inner[0] + (outer[0] - inner[0]) * s,
                           inner[1] + (outer[1] - inner[1]) * s)
-                         for s in even(0., 1., self.options.hole[2])])
+                         for s in graded(1., 0., self.options.hole[2],
+                                         self.options.grading[3])[::-1]])
         rays.append(rays[0])
         self.flange += quads_between(rays)
         self.holes += [(a[0], b[0]) for a, b in zip(rays, rays[1:])]
@@ -229,11 +258,13 @@ def add_disc(mesh, options):
     ratio = options.grading[0]
     lower = graded(*LOWER, ring, ratio)
     upper = graded(*UPPER[::-1], ring, ratio)[::-1]
-    between = graded(LOWER[1], UPPER[0], vane, ratio, True)
+    gap = graded(LOWER[1], UPPER[0], vane, ratio, True)
     top = even(FLANGE_BOTTOM, HAT_HEIGHT, flange)
-    hat = joined(lower, even(LOWER[1], FLANGE_BOTTOM, options.hat[1]), top)
+    wall = graded(LOWER[1], FLANGE_BOTTOM, options.hat[1], options.grading[2],
+                  True)
+    hat = joined(lower, wall, top)
     for quads, levels in ((plan.rings, lower), (plan.rings, upper),
-                          (plan.vanes, between),
+                          (plan.vanes, gap),
                           (plan.connection, lower), (plan.hat, hat),
                           (plan.flange, top)):
         mesh.draw_up(quads, levels, "disc")
@@ -284,6 +315,11 @@ def numbers(count, kind=int):
     return read
 
 
+def grading(text):
+    parts = text.split(",")
+    return numbers(4, float)(",".join(parts + ["1"] * (4 - len(parts))))
+
+
 def make(arguments=None):
     parser = argparse.ArgumentParser(
         description="Mesh of the ventilated brake, in numbers of cells.")
@@ -293,10 +329,14 @@ def make(arguments=None):
     add("--vane", type=numbers(2), default=(3, 2),
         help="round, of a vane and of a gap")
     add("--vane-layers", type=int, default=1)
-    add("--grading", type=numbers(2, float), default=(1., 1.),
+    add("--grading", type=grading, default=(1., 1., 1., 1.),
         help="largest over smallest cell: of the layers of rings and vanes, "
-        "round in the vanes; small where vanes and rings meet")
+        "round in the vanes, along the height of the hat, of the flange outside "
+        "the bolts and inside the squares; small where walls meet and at "
+        "the bolts; numbers left out at the end are 1")
     add("--connection", type=int, default=1, help="radial")
+    add("--coarsening", type=int, choices=(1, 3), default=1,
+        help="cells round the rings to one round the hat")
     add("--hat", type=numbers(2), default=(1, 2), help="wall,height")
     add("--flange", type=numbers(3), default=(1, 1, 1),
         help="radial inside and outside the bolts,layers")

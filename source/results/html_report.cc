@@ -256,6 +256,16 @@ table.pairs td { overflow-wrap: anywhere; }
 
 
   void
+  HtmlReport::interactive(const std::string &markup, const std::string &more)
+  {
+    body += markup;
+    if (std::find(scripts.begin(), scripts.end(), more) == scripts.end())
+      scripts.push_back(more);
+  }
+
+
+
+  void
   HtmlReport::pairs(const RunRecord::Pairs &list, const std::string &caption)
   {
     body += "<table class=\"pairs\">\n<caption>" + escaped(caption) +
@@ -371,7 +381,10 @@ table.pairs td { overflow-wrap: anywhere; }
       for (std::size_t i = 0; i < section_titles.size(); ++i)
         out << "<a href=\"#" << anchor(i) << "\">" << escaped(section_titles[i])
             << "</a> ";
-      out << "</nav>\n" << body << "</main>\n</body>\n</html>\n";
+      out << "</nav>\n" << body << "</main>\n";
+      for (const std::string &script : scripts)
+        out << script;
+      out << "</body>\n</html>\n";
     });
   }
 } // namespace squeal

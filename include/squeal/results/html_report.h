@@ -53,6 +53,10 @@ namespace squeal
                 const std::string &caption,
                 bool               narrow = false);
 
+    /** Markup that moves, and the scripts behind it, which the page gets once
+     * however often they are asked for. */
+    void interactive(const std::string &markup, const std::string &scripts);
+
     /** Names and values in two columns. */
     void pairs(const RunRecord::Pairs &pairs, const std::string &caption);
 
@@ -77,6 +81,7 @@ namespace squeal
     std::string              subtitle;
     std::string              verdict_box;
     std::string              body;
+    std::vector<std::string> scripts;
     std::vector<std::string> section_titles;
   };
 } // namespace squeal

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/output/matrix_output.h>
+#include <squeal/output/moving_pictures.h>
 #include <squeal/output/shape_output.h>
 
 #include <squeal/analyses/analyses.h>
@@ -260,8 +261,8 @@ namespace squeal
         model.discretization() && model.discretization()->has_mesh())
       {
         Timers::Section section(context.timers, "Write: shapes");
-        if (unstable.number)
-          report.section("Unstable shapes");
+        report.section(unstable.number ? "Unstable shapes" : "Shapes");
+        show_pairs(context, model, pairs, quantities, report);
         open_this =
           write_pair_shapes(context, model, pairs, quantities, report);
       }

@@ -6,6 +6,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/model/doublets.h>
 #include <squeal/output/headline_error.h>
+#include <squeal/output/moving_pictures.h>
 #include <squeal/results/plots.h>
 
 #include <sstream>
@@ -85,6 +86,8 @@ namespace squeal
         model.discretization() && model.discretization()->has_mesh())
       {
         Timers::Section section(context.timers, "Write: shapes");
+        report.section("Shapes");
+        show_modes(context, model, solution, report);
         open_this = write_mode_shapes(context, model, solution);
       }
     context.finish(p.output.report ? &report : nullptr, open_this);

@@ -112,13 +112,13 @@ namespace squeal
   write_animation(RunContext              &context,
                   const Model             &model,
                   const PreparedTransient &prepared,
-                  const TransientRecord   &record)
+                  const TransientRecord   &record,
+                  const Block             &u)
   {
     if (record.frames.empty())
       return "";
     Timers::Section     section(context.timers, "Write: animation");
     const auto         &p = context.parameters;
-    const Block         u = motion_of_frames(prepared, record, p);
     std::vector<double> times;
     for (const MotionFrame &frame : record.frames)
       times.push_back(frame.time);

@@ -9,6 +9,7 @@
 #include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/output/moving_pictures.h>
 #include <squeal/results/wav_file.h>
 #include <squeal/run/checkpoints.h>
 
@@ -285,8 +286,10 @@ namespace squeal
       const Table speeds     = speed_table(prepared, record, p);
       if (has_ramp)
         context.write_table("speeds.csv", speeds);
+      const Block motion =
+        record.frames.empty() ? Block() : motion_of_frames(prepared, record, p);
       const std::string animation =
-        write_animation(context, model, prepared, record);
+        write_animation(context, model, prepared, record, motion);
       log_pairs(context.log, tables.branches);
       if (!left_out.empty())
         context.log.info("  " + left_out);
@@ -310,6 +313,15 @@ namespace squeal
           draw_phases(context, {{"", tables.phases}}, report);
           if (has_ramp)
             draw_speeds(context, speeds, report);
+        }
+      if (motion.cols() > 1)
+        {
+          report.section("Motion");
+          show_frames(context,
+                      model,
+                      motion,
+                      "The last " + std::to_string(motion.cols()) + " samples",
+                      report);
         }
       report.section("Pairs");
       if (!left_out.empty())

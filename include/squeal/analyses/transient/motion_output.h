@@ -15,12 +15,14 @@ namespace squeal
                          const TransientRecord   &record,
                          const Parameters        &parameters);
 
-  /** Writes motion.pvd and contact.pvd of the record's frames; returns the
-   * name of the first, "" where there are no frames. Collective. */
+  /** Writes motion.pvd and contact.pvd of the record's frames, whose @p motion
+   * is that of motion_of_frames(); returns the name of the first, "" where there
+   * are no frames. Collective. */
   std::string write_animation(RunContext              &context,
                               const Model             &model,
                               const PreparedTransient &prepared,
-                              const TransientRecord   &record);
+                              const TransientRecord   &record,
+                              const Block             &motion);
 } // namespace squeal
 
 #endif
