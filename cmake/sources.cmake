@@ -210,6 +210,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/column_title.cc
     source/results/compare.cc
     source/results/contact_map.cc
+    source/results/map_style.cc
     source/results/cost_at_error.cc
     source/results/csv_dialect.cc
     source/results/display_mesh.cc

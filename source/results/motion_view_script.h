@@ -195,7 +195,7 @@ figure.motion .key span { width: 9rem; height: .8rem; }
             e = this.elevation * Math.PI / 180,
             eye = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a),
                    Math.sin(e)],
-            half = 0.75 * this.data.reach / this.zoom;
+            half = 1.0 * this.data.reach / this.zoom;
       if (width !== this.width) {
         this.width = width;
         this.renderer.setPixelRatio(window.devicePixelRatio);

@@ -156,21 +156,19 @@ namespace squeal
         {
           Timers::Section section(context.timers, "Write: charts");
           for (double &value : pressure)
-            value *= 1e-6;
+            value = pressure_on_map(value);
           const std::string name = "plots/pressure" + suffix;
           context.output.file(name + ".png");
           const std::string path = context.output.path() + "/" + name;
-          map.plot(
-            context.plotter,
-            {{"Contact pressure", "MPa", pressure, 0., 0., {}, {}},
-             {"0 open, 1 stick, 2 slip", "status", status, 0., 2., {}, {}}},
-            path);
+          map.plot(context.plotter,
+                   {{"Contact pressure", "MPa", pressure, 0., 0., {}, {}, {}},
+                    {"Status", "", status, 0., 0., status_names(), {}, {}}},
+                   path);
           report.section(is_one_of_several ? "Pressure of " + pair.name()
                                            : "Pressure");
           report.figure(path + ".png",
-                        "Pressure and status of the contact nodes; the "
-                        "target's surface moves " +
-                          sliding_text_on_map(g));
+                        "Pressure and status of the contact nodes; grey: "
+                        "open");
         }
       return open_this;
     }
