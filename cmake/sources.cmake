@@ -210,7 +210,6 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/column_title.cc
     source/results/compare.cc
     source/results/contact_map.cc
-    source/results/map_style.cc
     source/results/cost_at_error.cc
     source/results/csv_dialect.cc
     source/results/display_mesh.cc
@@ -221,6 +220,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/html_report.cc
     source/results/json_file.cc
     source/results/label_layout.cc
+    source/results/map_style.cc
     source/results/matrix_market.cc
     source/results/measured_shapes.cc
     source/results/motion_view.cc
@@ -231,6 +231,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/read_csv.cc
     source/results/result_checks.cc
     source/results/run_record.cc
+    source/results/shape_picture.cc
     source/results/shape_plot.cc
     source/results/shape_view.cc
     source/results/shape_writer.cc

@@ -41,13 +41,17 @@ namespace squeal
     {
       if (!context.is_root)
         return "";
-      const SceneParameters &scene = context.parameters.scene;
-      const unsigned int     disc  = disc_body(scene);
-      ShapePicture           picture =
+      const SceneParameters   &scene = context.parameters.scene;
+      const unsigned int       disc  = disc_body(scene);
+      std::vector<std::string> names;
+      for (const auto &body : scene.bodies)
+        names.push_back(body.name);
+      ShapePicture picture =
         make_shape_picture(quads,
                            disc,
                            context.parameters.output.slip_display_scale * size,
-                           contact_face_looks_down(scene, disc));
+                           contact_face_looks_down(scene, disc),
+                           names);
       picture.title    = title;
       picture.subtitle = subtitle;
       context.output.file("plots/" + file + ".png");
