@@ -56,6 +56,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/declare_sweep.cc
     source/parameters/declare_transient.cc
     source/parameters/entry_traits.cc
+    source/parameters/drop_included.cc
     source/parameters/face_geometry.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
@@ -209,6 +210,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/chart_layout.cc
     source/results/column_title.cc
     source/results/compare.cc
+    source/results/compare_summary.cc
     source/results/contact_map.cc
     source/results/cost_at_error.cc
     source/results/csv_dialect.cc
@@ -247,7 +249,8 @@ set(SQUEAL_SOURCES_RUN
     source/run/fingerprint.cc
     source/run/finished_runs.cc
     source/run/run_context.cc
-    source/run/run_session.cc)
+    source/run/run_session.cc
+    source/run/settings.cc)
 
 set(SQUEAL_SOURCES_MODEL
     source/model/adaptive_cea.cc
@@ -271,6 +274,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/cea_quantities.cc
     source/output/contact_output.cc
     source/output/headline_error.cc
+    source/output/headlines.cc
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
     source/output/pair_table.cc

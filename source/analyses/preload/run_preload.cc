@@ -5,6 +5,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/contact_output.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 
 #include <cmath>
@@ -95,9 +96,10 @@ namespace squeal
     {
       Chart chart;
       chart.title   = "Secant stiffness of pad and contact";
-      chart.x.label = "value of " + context.parameters.preload.stiffness_entry;
+      chart.x.label = axis_title({context.parameters.preload.stiffness_entry},
+                                 context.parameters.scene);
       chart.x.scale = AxisSettings::Scale::logarithmic;
-      chart.y.label = "N/m";
+      chart.y.label = "secant stiffness in N/m";
       chart.y.scale = AxisSettings::Scale::logarithmic;
       const auto     &contacts = context.parameters.scene.contacts;
       const LoadSteps columns(contacts);
