@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/results/axis.h>
 #include <squeal/results/label_layout.h>
 #include <squeal/results/shape_plot.h>
