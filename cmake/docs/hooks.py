@@ -92,6 +92,6 @@ def on_page_markdown(markdown, page, config, files):
     if page.file.src_uri == "development.md":
         # Made by Doxygen after this site, so that no file is there to link to.
         markdown = markdown.replace(
-            "`api/index.html`", '<a href="api/index.html">classes and functions</a>')
+            "`api/annotated.html`", '<a href="api/annotated.html">classes and functions</a>')
     parts = FENCE.split(markdown)
     return "".join(p if p.startswith("```") else LINK.sub(follow, p) for p in parts)
