@@ -304,7 +304,7 @@ namespace squeal
   {
     if (!available)
       return false;
-    const bool png = draw_as(drawing, png_terminal, path + ".png");
+    const bool  png  = draw_as(drawing, png_terminal, path + ".png");
     std::size_t size = 0;
     for (const auto &[name, content] : drawing.data)
       size += content.size();
