@@ -346,7 +346,8 @@ namespace squeal
         p.scene.name,
       "pressure under the loads, compression positive");
     report.set_verdict(HtmlReport::Verdict::neutral,
-                       full_load_text(steps, pressed.nodes().n_nodes()),
+                       full_load_text(steps, pressed.nodes().n_nodes()) +
+                         "; mesh error not estimated",
                        context.record.figures);
     std::string open_this;
     if (context.is_root)
