@@ -197,11 +197,16 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/turning_inertia.cc)
 
 set(SQUEAL_SOURCES_CYCLE
+    source/cycle/active_contact.cc
     source/cycle/cycle_search.cc
     source/cycle/harmonic_balance.cc
     source/cycle/harmonic_balance_newton.cc
+    source/cycle/located_transient.cc
+    source/cycle/orbit.cc
+    source/cycle/period_derivative.cc
     source/cycle/period_map.cc
-    source/cycle/shooting.cc)
+    source/cycle/shooting.cc
+    source/cycle/slip_origin.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc

@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
+#include <squeal/transient/modal_step.h>
 
 #include <algorithm>
 #include <cmath>

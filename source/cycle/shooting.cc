@@ -127,8 +127,7 @@ namespace squeal
                 const std::vector<int> &rows)
     {
       const Orbit          &orbit = m.orbit;
-      const Eigen::MatrixXd D     = scaled.derivative(
-        map.derivative(orbit, rows, PeriodMap::Changes::at_steps));
+      const Eigen::MatrixXd D = scaled.derivative(map.derivative(orbit, rows));
       const MotionState    &start = orbit.states.front(), &end = orbit.end();
       const MotionState    &before = orbit.states[orbit.n_steps() - 1];
       const Eigen::VectorXd end_rate =
@@ -158,11 +157,12 @@ namespace squeal
               const MotionState &start,
               const double       period,
               const unsigned int n_steps,
+              const ContactPast &past,
               PeriodicMotion    &m)
     {
       try
         {
-          m.orbit = map.run(start, period, n_steps);
+          m.orbit = map.run(start, period, n_steps, past);
         }
       catch (const ComputationError &)
         {
@@ -239,7 +239,7 @@ namespace squeal
         const ShootingSettings &settings)
   {
     PeriodicMotion m;
-    if (!try_orbit(map, start, period, settings.n_steps, m))
+    if (!try_orbit(map, start, period, settings.n_steps, {}, m))
       return m;
     for (;; ++m.iterations)
       {
@@ -261,9 +261,11 @@ namespace squeal
         const Eigen::VectorXd  change = newton_step(map, m, scaled, rows);
         if (!change.allFinite())
           return m;
-        const double   turn = std::abs(change[change.size() - 1]);
-        double         step = std::min(1., largest_change / turn);
-        PeriodicMotion best;
+        const double turn = std::abs(change[change.size() - 1]);
+        double       step = std::min(1., largest_change / turn);
+        // In a periodic motion the start's past is that of the end.
+        const ContactPast past = m.orbit.past_of(settings.n_steps);
+        PeriodicMotion    best;
         best.residual = std::numeric_limits<double>::max();
         for (; step >= shortest_step; step *= .5)
           {
@@ -273,6 +275,7 @@ namespace squeal
                                        step * change.head(change.size() - 1)),
                           m.period * (1. + step * change[change.size() - 1]),
                           settings.n_steps,
+                          past,
                           next) &&
                 next.residual < best.residual)
               best = std::move(next);
@@ -313,9 +316,7 @@ namespace squeal
     const std::vector<int> rows = map.closed_rows(motion.orbit);
     const Scaled           scaled(map.reduced_model(), rows, motion.period);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-      scaled.derivative(
-        map.derivative(motion.orbit, rows, PeriodMap::Changes::located)),
-      false);
+      scaled.derivative(map.derivative(motion.orbit, rows)), false);
     if (solver.info() != Eigen::Success)
       throw ComputationError("the multipliers of a periodic motion do not "
                              "converge");
