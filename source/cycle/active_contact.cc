@@ -61,17 +61,38 @@ namespace squeal
 
   void
   ActiveContact::locate(const ChangesInStep              &changes,
-                        const std::vector<ContactStatus> &status)
+                        const std::vector<ContactStatus> &status,
+                        const Eigen::MatrixXd            &flexibility)
   {
+    std::vector<std::pair<unsigned int, double>> changed;
     for (unsigned int j = 0; j < status.size(); ++j)
       if (const auto share = changes.share(j, status[j]))
         {
-          weight_before[j] = 2. * *share;
-          weight_after[j]  = 2. * (1. - *share);
+          changed.emplace_back(j, *share);
           if (const double at = changes.origin(j).share;
               at > 0. && status[j] != ContactStatus::open)
             origins.push_back({j, at, changes.slip_over_gap(j)});
         }
+    if (changed.empty())
+      return;
+    for (unsigned int j = 0; j < status.size(); ++j)
+      {
+        // Where several nodes change, each share counts by how much its node
+        // moves this one.
+        double sum = 0., weight = 0.;
+        for (const auto &[k, share] : changed)
+          {
+            const double w =
+              k == j ? 1e6
+                     : flexibility.block<3, 3>(3 * j, 3 * k).squaredNorm() /
+                         flexibility.block<3, 3>(3 * k, 3 * k).squaredNorm();
+            sum += w * share;
+            weight += w;
+          }
+        const double share = weight > 0. ? sum / weight : .5;
+        weight_before[j]   = 2. * share;
+        weight_after[j]    = 2. * (1. - share);
+      }
   }
 
 

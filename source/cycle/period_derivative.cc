@@ -200,6 +200,23 @@ namespace squeal
             }
       return result;
     }
+
+    /** Of step @p i; a node that slips in no other step than that in which it
+     * closes sticks from there: so small a slip is what the place of the
+     * closing is off. */
+    std::vector<ContactStatus>
+    settled_status(const Orbit       &orbit,
+                   const unsigned int i,
+                   const ContactPast &past)
+    {
+      std::vector<ContactStatus> result = orbit.status[i];
+      const auto                &next = orbit.status[(i + 1) % orbit.n_steps()];
+      for (std::size_t j = 0; past.is_known() && j < result.size(); ++j)
+        if (past.status[j] == ContactStatus::open &&
+            result[j] == ContactStatus::slip && next[j] == ContactStatus::stick)
+          result[j] = ContactStatus::stick;
+      return result;
+    }
   } // namespace
 
 
@@ -209,7 +226,8 @@ namespace squeal
                     const Eigen::VectorXd     &friction,
                     const double               speed,
                     const Orbit               &orbit,
-                    const std::vector<int>    &rows)
+                    const std::vector<int>    &rows,
+                    const StatusChanges        kind)
   {
     Variation   x = start_of(model, orbit.step, rows);
     const Steps steps(model, orbit.step);
@@ -227,11 +245,16 @@ namespace squeal
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
             slip[3 * j + 1] += orbit.step * speed * model.speed_ratio[j];
-            slip.segment<2>(3 * j + 1) -= changes.origin(j).slip;
+            slip.segment<2>(3 * j + 1) -=
+              orbit.corrections.slip[i].segment<2>(2 * j);
           }
+        const std::vector<ContactStatus> status =
+          kind == StatusChanges::located ? settled_status(orbit, i, past)
+                                         : orbit.status[i];
         ActiveContact contact(
-          orbit.status[i], orbit.states[i + 1].forces, slip, friction);
-        contact.locate(changes, orbit.status[i]);
+          status, orbit.states[i + 1].forces, slip, friction);
+        if (kind == StatusChanges::located)
+          contact.locate(changes, status, model.flexibility);
         steps.advance(contact, nodes_that_count(orbit, i + 1), x);
       }
     Eigen::MatrixXd result(2 * model.n_modes() + rows.size(), x.q.cols());

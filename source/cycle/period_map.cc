@@ -52,10 +52,11 @@ namespace squeal
 
 
   Orbit
-  PeriodMap::run(const MotionState &start,
-                 const double       time,
-                 const unsigned int n_steps,
-                 const ContactPast &past) const
+  PeriodMap::run(const MotionState     &start,
+                 const double           time,
+                 const unsigned int     n_steps,
+                 const ContactPast     &past,
+                 const StepCorrections *held) const
   {
     Orbit orbit;
     orbit.step = time / n_steps;
@@ -64,6 +65,8 @@ namespace squeal
       model, orbit.step, drive, friction, speed, nodal_force, tolerance);
     motion.start(start.coordinates, start.velocities, start.forces);
     motion.set_past(past);
+    if (held)
+      motion.hold(*held);
     orbit.states.push_back(start);
     orbit.motions.push_back(motion.motion());
     for (unsigned int i = 0; i < n_steps; ++i)
@@ -74,7 +77,8 @@ namespace squeal
         orbit.motions.push_back(motion.motion());
         orbit.status.push_back(motion.status());
       }
-    orbit.ledger = motion.ledger();
+    orbit.corrections = motion.corrections();
+    orbit.ledger      = motion.ledger();
     return orbit;
   }
 
@@ -95,9 +99,11 @@ namespace squeal
 
 
   Eigen::MatrixXd
-  PeriodMap::derivative(const Orbit &orbit, const std::vector<int> &rows) const
+  PeriodMap::derivative(const Orbit            &orbit,
+                        const std::vector<int> &rows,
+                        const StatusChanges     changes) const
   {
-    return period_derivative(model, friction, speed, orbit, rows);
+    return period_derivative(model, friction, speed, orbit, rows, changes);
   }
 
 

@@ -90,15 +90,27 @@ namespace squeal
     return result;
   }
 
-  ChangesInStep::Origin
+  ChangesInStep::Closing
   ChangesInStep::closing(const unsigned int j) const
   {
-    Origin result;
-    result.share = share_of_fall(gap(j), -gap_change(j)).value_or(1.);
-    result.slip  = result.share * last_slip(j);
-    if (past.status_before[j] == ContactStatus::open)
-      result.slip += .5 * result.share * (1. + result.share) *
-                     (last_slip(j) - slip_before(j));
+    // Gap and slip go on with their second differences, of a free motion.
+    const bool was_free        = past.status_before[j] == ContactStatus::open;
+    const Eigen::Vector2d slip = last_slip(j),
+                          bend = was_free
+                                   ? Eigen::Vector2d(slip - slip_before(j))
+                                   : Eigen::Vector2d(0., 0.);
+    const double gap_bend =
+      was_free ? past.motion_change_before[3 * j] - past.motion_change[3 * j]
+               : 0.;
+    const double rate = gap_change(j) + .5 * gap_bend,
+                 root = rate * rate - 2. * gap_bend * gap(j);
+    Closing result;
+    if (root >= 0. && std::sqrt(root) > rate)
+      result.share = std::min(1., 2. * gap(j) / (std::sqrt(root) - rate));
+    const double share = result.share;
+    result.slip        = share * slip + .5 * share * (1. + share) * bend;
+    result.slip_rate   = slip + (share + .5) * bend;
+    result.gap_rate    = rate + share * gap_bend;
     return result;
   }
 
@@ -108,7 +120,10 @@ namespace squeal
     if (!past.is_known())
       return {};
     if (past.status[j] == ContactStatus::open)
-      return closing(j);
+      {
+        const Closing c = closing(j);
+        return {c.share, c.slip};
+      }
     if (past.status[j] == ContactStatus::slip &&
         past.status_before[j] == ContactStatus::slip)
       return stop(j);
@@ -120,10 +135,11 @@ namespace squeal
   Eigen::Vector2d
   ChangesInStep::slip_over_gap(const unsigned int j) const
   {
-    if (!past.is_known() || past.status[j] != ContactStatus::open ||
-        !(gap_change(j) < 0.))
+    if (!past.is_known() || past.status[j] != ContactStatus::open)
       return Eigen::Vector2d::Zero();
-    return last_slip(j) / gap_change(j);
+    const Closing c = closing(j);
+    return c.gap_rate < 0. ? Eigen::Vector2d(c.slip_rate / c.gap_rate)
+                           : Eigen::Vector2d(0., 0.);
   }
 
   std::optional<double>

@@ -5,8 +5,8 @@
 // the steps against difference quotients, multipliers against what small
 // disturbances do.
 
+#include "cycle/two_modes.h"
 #include "scenes.h"
-#include "transient/hand_made.h"
 #include "worst.h"
 
 #include <squeal/cycle/harmonic_balance.h>
@@ -24,68 +24,6 @@ namespace
 {
   constexpr double friction = .5;
 
-  /** 1 kg that moves along and normal to the belt, on springs that couple both;
-   * the contact gives way like 1 N/m. */
-  ReducedContactModel
-  two_modes()
-  {
-    ReducedContactModel m = empty_model(1, 3);
-    Eigen::Matrix2d     K;
-    K << 1.5, -.3, -.3, .5;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(K);
-    m.omega_squared << modes.eigenvalues(), 2.;
-    m.damping = Eigen::Vector3d::Constant(.05);
-    for (unsigned int k = 0; k < 2; ++k)
-      {
-        m.participation(0, k) = -modes.eigenvectors()(1, k);
-        m.participation(1, k) = -modes.eigenvectors()(0, k);
-        m.load[k]             = -modes.eigenvectors()(1, k);
-      }
-    m.participation(2, 2) = -1.;
-    m.flexibility         = Eigen::Vector3d(1., .05, .05).asDiagonal();
-    return m;
-  }
-
-  struct Figures
-  {
-    double frequency = 0., mean = 0., rms = 0.;
-  };
-
-  Figures
-  figures_of(const Orbit &orbit)
-  {
-    Figures f;
-    double  square = 0.;
-    for (unsigned int i = 1; i <= orbit.n_steps(); ++i)
-      {
-        f.mean += orbit.states[i].forces[0] / orbit.n_steps();
-        square += std::pow(orbit.states[i].forces[0], 2) / orbit.n_steps();
-      }
-    f.rms       = std::sqrt(square - f.mean * f.mean);
-    f.frequency = 1. / (orbit.step * orbit.n_steps());
-    return f;
-  }
-
-  MotionState
-  disturbed(const SteadySliding &steady)
-  {
-    MotionState s{steady.coordinates,
-                  Eigen::VectorXd::Zero(steady.coordinates.size()),
-                  steady.forces};
-    s.velocities[0] += .02;
-    return s;
-  }
-
-  /** The state after @p time in steps of @p step. */
-  MotionState
-  later(const PeriodMap &map,
-        MotionState      s,
-        const double     time,
-        const double     step)
-  {
-    return map.run(s, time, std::lround(time / step)).end();
-  }
-
   /** Largest difference, column by column, of the derivative over 4 s to
    * difference quotients. */
   double
@@ -95,9 +33,10 @@ namespace
   {
     const Orbit            orbit = map.run(start, 4., n_steps);
     const std::vector<int> rows{0, 1, 2};
-    const Eigen::MatrixXd  D = map.derivative(orbit, rows);
-    const Eigen::Index     n = map.reduced_model().n_modes();
-    Worst                  worst;
+    const Eigen::MatrixXd  D =
+      map.derivative(orbit, rows, StatusChanges::located);
+    const Eigen::Index n = map.reduced_model().n_modes();
+    Worst              worst;
     for (Eigen::Index k = 0; k < D.cols(); ++k)
       {
         const auto moved = [&](const double h) {

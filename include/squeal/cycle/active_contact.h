@@ -43,11 +43,13 @@ namespace squeal
                   const Eigen::VectorXd            &slip,
                   const Eigen::VectorXd            &friction);
 
-    /** A node that changes its status within the step: what a disturbance does
-     * to its force jumps there, where a straight line over the step has half
-     * of it before and half behind. */
+    /** Where a node changes its status, what a disturbance does to the forces
+     * jumps, to its own and by the @p flexibility to those of others: a
+     * straight line over the step would have half of it before and half
+     * behind. */
     void locate(const ChangesInStep              &changes,
-                const std::vector<ContactStatus> &status);
+                const std::vector<ContactStatus> &status,
+                const Eigen::MatrixXd            &flexibility);
 
     Eigen::Index
     size() const

@@ -28,15 +28,24 @@ namespace squeal
 
     /** After start(). */
     void set_past(ContactPast past);
+    /** Takes these, which must live on, instead of locating changes. */
+    void hold(const StepCorrections &corrections);
+
+    /** Of all steps so far. */
+    const StepCorrections &corrections() const;
 
   private:
     void prepare_step(ContactStep &step) override;
     void finish_step(Eigen::VectorXd &velocity) override;
+    /** What the bends of forces in the step add to the velocities. */
+    Eigen::VectorXd bends() const;
 
     const ReducedContactModel &model;
     const Eigen::VectorXd     &friction;
     const double               speed, dt;
     ContactPast                past;
+    const StepCorrections     *held = nullptr;
+    StepCorrections            used;
     Eigen::VectorXd            force_at_start, motion_at_start; // of the step
   };
 } // namespace squeal

@@ -34,11 +34,21 @@ namespace squeal
     }
   };
 
+  /** What located changes of status add to the steps of a motion. */
+  struct StepCorrections
+  {
+    /** Of every step and node, m, two a node: motion before slip counts. */
+    std::vector<Eigen::VectorXd> slip;
+    /** Of every step, of the modes' velocities at its end. */
+    std::vector<Eigen::VectorXd> velocity;
+  };
+
   /** A motion of equal steps from time 0 on. */
   struct Orbit
   {
-    double      step = 0.; /**< s */
-    ContactPast past;      /**< of the start, as the steps have used it */
+    double          step = 0.; /**< s */
+    ContactPast     past;      /**< of the start, as the steps have used it */
+    StepCorrections corrections;
     /** At the start and after every step. */
     std::vector<MotionState>     states;
     std::vector<Eigen::VectorXd> motions; /**< B u, m, three a node */

@@ -6,6 +6,14 @@
 
 namespace squeal
 {
+  /** What a derivative takes changes of status within a step for. */
+  enum class StatusChanges
+  {
+    located, /**< they move with the motion */
+    held     /**< the corrections of the steps stay as they are: the exact
+                derivative of such steps */
+  };
+
   /**
    * d (q, v, lambda at @p rows) at the end of @p orbit over the same at its
    * start, by the linearised steps between the changes of status: open nodes
@@ -24,7 +32,8 @@ namespace squeal
                                     const Eigen::VectorXd     &friction,
                                     const double               speed,
                                     const Orbit               &orbit,
-                                    const std::vector<int>    &rows);
+                                    const std::vector<int>    &rows,
+                                    const StatusChanges        changes);
 } // namespace squeal
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef squeal_cycle_period_map_h
 #define squeal_cycle_period_map_h
 
-#include <squeal/cycle/orbit.h>
+#include <squeal/cycle/period_derivative.h>
 
 #include <memory>
 
@@ -32,20 +32,23 @@ namespace squeal
               const double                        tolerance = 1e-10);
 
     /** @p past: of the start; changes of status in the first steps are located
-     * where it is known. Throws ComputationError where a step has no solution,
+     * where it is known, or are those of @p held. Throws ComputationError where a step has no solution,
      * InputError for steps that are too long. */
-    Orbit run(const MotionState &start,
-              const double       time,
-              const unsigned int n_steps,
-              const ContactPast &past = {}) const;
+    Orbit run(const MotionState     &start,
+              const double           time,
+              const unsigned int     n_steps,
+              const ContactPast     &past = {},
+              const StepCorrections *held = nullptr) const;
 
     /** Rows of the forces that count at the start and the end of @p orbit:
      * those of nodes closed at one of them. */
     std::vector<int> closed_rows(const Orbit &orbit) const;
 
     /** See period_derivative(). */
-    Eigen::MatrixXd derivative(const Orbit            &orbit,
-                               const std::vector<int> &rows) const;
+    Eigen::MatrixXd derivative(
+      const Orbit            &orbit,
+      const std::vector<int> &rows,
+      const StatusChanges     changes = StatusChanges::located) const;
 
     /** d (q, v)/dt at a state, rows as there. */
     Eigen::VectorXd acceleration(const MotionState &state) const;

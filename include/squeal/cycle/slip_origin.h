@@ -43,9 +43,9 @@ namespace squeal
     std::optional<double> share(const unsigned int  node,
                                 const ContactStatus now) const;
 
-    /** Slip of a closing node in the last step, m, over the change of its gap,
-     * m: what its origin moves by when it closes later. Zero if it is not a
-     * node that closes within the step. */
+    /** Slip rate of a closing node over the rate of its gap, where it closes:
+     * what its origin moves by with its motion along the normal. Zero for
+     * nodes that do not close. */
     Eigen::Vector2d slip_over_gap(const unsigned int node) const;
 
   private:
@@ -54,7 +54,13 @@ namespace squeal
     double          gap(const unsigned int node) const;
     double          gap_change(const unsigned int node) const;
     Origin          stop(const unsigned int node) const;
-    Origin          closing(const unsigned int node) const;
+    /** Rates are per step. */
+    struct Closing
+    {
+      double          share = 1., gap_rate = 0.;
+      Eigen::Vector2d slip, slip_rate;
+    };
+    Closing closing(const unsigned int node) const;
     /** Of forces, what is left of Coulomb's limit. */
     double reserve(const unsigned int node, const Eigen::Vector3d &f) const;
 
