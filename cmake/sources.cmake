@@ -198,11 +198,19 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/turning_inertia.cc)
 
 set(SQUEAL_SOURCES_CYCLE
+    source/cycle/active_contact.cc
+    source/cycle/branch_step.cc
+    source/cycle/cycle_branch.cc
     source/cycle/cycle_search.cc
     source/cycle/harmonic_balance.cc
     source/cycle/harmonic_balance_newton.cc
+    source/cycle/located_transient.cc
+    source/cycle/orbit.cc
+    source/cycle/period_derivative.cc
+    source/cycle/period_equations.cc
     source/cycle/period_map.cc
-    source/cycle/shooting.cc)
+    source/cycle/shooting.cc
+    source/cycle/slip_origin.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc
@@ -286,6 +294,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/limit_cycle/branch_output.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc
