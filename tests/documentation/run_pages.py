@@ -10,7 +10,8 @@ prm/ and doc/ and a link to the launcher, so that its commands are those that a 
 
 A page's commands are its code blocks whose first line begins with one of COMMANDS, and the blocks
 marked "python"; the others show files. The block "prints" behind a Python block is
-compared with its output. A line that asks the network is passed over and named.
+compared with its output. A line that asks the network is passed over and named, and so is a
+scene of the gallery that reads the results of one that has not run.
 
 figures.csv has the other figures, one a row:
 
@@ -125,10 +126,26 @@ class Page:
                 continue
             self.execute(["bash", "-c", line], re.sub(r"\s+", " ", line))
 
+    def missing(self, body):
+        """A result of another scene that the scene of the gallery reads and that no run has
+        written, or None."""
+        scene = os.path.join(self.directory, body.split()[-1])
+        with open(scene, encoding="utf-8") as file:
+            read = re.findall(r"^\s*set [^=\n]*=\s*(\S*output/\S*\.(?:h5|csv))", file.read(),
+                              re.MULTILINE)
+        for name in read:
+            path = os.path.normpath(os.path.join(os.path.dirname(scene), name))
+            if not os.path.exists(path):
+                return os.path.relpath(path, self.directory)
+        return None
+
     def run(self):
         print(self.page, flush=True)
         for kind, body, printed in self.blocks:
-            if kind == "shell":
+            if self.page == GALLERY and self.missing(body):
+                print("  passed over, as %s is not there: %s"
+                      % (self.missing(body), body.strip()))
+            elif kind == "shell":
                 self.shell(body)
             elif kind == "python":
                 shown = body.strip().splitlines()[0]
