@@ -7,6 +7,7 @@
 #include <squeal/run/command_line.h>
 #include <squeal/scene/check_meshes.h>
 #include <squeal/scene/mesh_materials.h>
+#include <squeal/scene/modulus_table.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -41,6 +42,7 @@ namespace
     Parameters parameters = read_parameters(file, overrides);
     parameters.check();
     take_mesh_materials(parameters.scene);
+    take_modulus_tables(parameters);
     RunContext context(parameters, is_root);
     run_analysis(context);
   }
@@ -84,6 +86,7 @@ namespace
             Parameters parameters = read_parameters(file, line.overrides);
             parameters.check();
             take_mesh_materials(parameters.scene);
+            take_modulus_tables(parameters);
             check_meshes(parameters.scene);
             if (is_root)
               std::cout << file << ": valid\n";
