@@ -40,6 +40,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/allowed.cc
     source/parameters/check_body.cc
     source/parameters/check_contacts.cc
+    source/parameters/check_layers.cc
     source/parameters/check_means.cc
     source/parameters/check_parameters.cc
     source/parameters/check_response.cc
@@ -88,6 +89,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/import_tables.cc
     source/scene/import_text.cc
     source/scene/imported_model.cc
+    source/scene/layer_mesh.cc
     source/scene/loose_parts.cc
     source/scene/matrix_formats.cc
     source/scene/matrix_import.cc
@@ -99,6 +101,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/mesh_from_file.cc
     source/scene/mesh_materials.cc
     source/scene/mesh_selection.cc
+    source/scene/modulus_table.cc
     source/scene/nastran_groups.cc
     source/scene/nastran_mesh.cc)
 
@@ -144,8 +147,10 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/arpack_modes.cc
     source/eigen/certified_solver.cc
     source/eigen/complex_pairs.cc
+    source/eigen/consistent_frequencies.cc
     source/eigen/dense_quadratic.cc
     source/eigen/direct_solver.cc
+    source/eigen/frequency_dependence.cc
     source/eigen/mass_basis.cc
     source/eigen/modal_response.cc
     source/eigen/mode_naming.cc
@@ -266,6 +271,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/contact_states.cc
     source/model/doublets.cc
     source/model/finer_modes.cc
+    source/model/frequency_pencil.cc
     source/model/growth_errors.cc
     source/model/measured_points.cc
     source/model/mode_solution.cc
@@ -298,6 +304,8 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc
+    source/analyses/operating_matrix/operating_chart.cc
+    source/analyses/operating_matrix/run_operating_matrix.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
     source/analyses/sweep/run_sweep.cc

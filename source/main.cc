@@ -7,6 +7,7 @@
 #include <squeal/run/command_line.h>
 #include <squeal/scene/check_meshes.h>
 #include <squeal/scene/mesh_materials.h>
+#include <squeal/scene/modulus_table.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -39,6 +40,7 @@ namespace
     Parameters parameters = read_parameters(line.files[0], line.overrides);
     parameters.check();
     take_mesh_materials(parameters.scene);
+    take_modulus_tables(parameters);
     RunContext context(parameters, is_root, {line.overrides, line.is_quiet});
     run_analysis(context);
   }
@@ -82,6 +84,7 @@ namespace
             Parameters parameters = read_parameters(file, line.overrides);
             parameters.check();
             take_mesh_materials(parameters.scene);
+            take_modulus_tables(parameters);
             check_meshes(parameters.scene);
             if (is_root)
               std::cout << file << ": valid\n";

@@ -33,15 +33,7 @@ namespace squeal
         system.terms.push_back({"stiffness of " + body.name,
                                 matrices.stiffness,
                                 [b](const SceneParameters &s) {
-                                  const auto &p = s.bodies[b];
-                                  return elastic_coefficients(
-                                    s,
-                                    p.material_model ==
-                                        BodyParameters::MaterialModel::isotropic
-                                      ? p.young_modulus
-                                      : 1.,
-                                    p.stiffness_damping,
-                                    p.structural_damping);
+                                  return elastic_coefficients(s, s.bodies[b]);
                                 }});
       if (matrices.gyroscopic)
         {
@@ -256,6 +248,21 @@ namespace squeal
   }
 
 
+
+  TermCoefficients
+  elastic_coefficients(const SceneParameters &scene, const BodyParameters &body)
+  {
+    const double modulus =
+      body.material_model == BodyParameters::MaterialModel::isotropic
+        ? body.young_modulus
+        : 1.;
+    TermCoefficients c = elastic_coefficients(
+      scene, modulus, body.stiffness_damping, body.structural_damping);
+    // What is measured of a material is there whatever the damping model is.
+    if (body.has_modulus_table())
+      c.stiffness += std::complex<double>(0., body.table_loss_factor * modulus);
+    return c;
+  }
 
   TermCoefficients
   elastic_coefficients(const SceneParameters &scene,

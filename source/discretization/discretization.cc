@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/discretization/discretization.h>
+#include <squeal/scene/layer_mesh.h>
 
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/distributed/tria.h>
@@ -9,6 +10,9 @@
 #include <deal.II/fe/mapping_q.h>
 
 #include <deal.II/grid/manifold_lib.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace squeal
 {
@@ -90,7 +94,44 @@ namespace squeal
                                                           body.position[1],
                                                           body.position[2])));
       }
+    attach_manifolds_of_layers();
     attach_charts();
+  }
+
+
+
+  void
+  Discretization::attach_manifolds_of_layers()
+  {
+    for (unsigned int b = 0; b < scene_parameters->bodies.size(); ++b)
+      {
+        const auto &body = scene_parameters->bodies[b];
+        if (body.shape != BodyParameters::Shape::layer)
+          continue;
+        const auto &bottom = bottom_body(*scene_parameters, body);
+        const dealii::types::manifold_id id =
+          1 + body_index(*scene_parameters, bottom.name);
+        // Of a cylinder only what lies on its side or outside of it is round.
+        const auto is_round = [&](const auto &face) {
+          std::array<double, 4> r;
+          for (unsigned int v = 0; v < 4; ++v)
+            r[v] = std::hypot(face->vertex(v)[0] - bottom.position[0],
+                              face->vertex(v)[1] - bottom.position[1]);
+          const auto [low, high] = std::minmax_element(r.begin(), r.end());
+          return *low > (1. - 1e-9) * bottom.outer_radius &&
+                 *high < (1. + 1e-9) * *low;
+        };
+        for (const auto &cell : mesh->cell_iterators_on_level(0))
+          if (cell->material_id() == b)
+            {
+              if (bottom.shape == BodyParameters::Shape::annulus)
+                cell->set_all_manifold_ids(id);
+              else if (bottom.shape == BodyParameters::Shape::cylinder)
+                for (const unsigned int f : cell->face_indices())
+                  if (is_round(cell->face(f)))
+                    cell->face(f)->set_all_manifold_ids(id);
+            }
+      }
   }
 
 

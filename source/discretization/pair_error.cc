@@ -16,9 +16,11 @@ namespace squeal
                    const unsigned int     body,
                    const Complex          lambda)
   {
-    const auto            &b = scene.bodies[body];
-    const TermCoefficients c = elastic_coefficients(
+    const auto      &b = scene.bodies[body];
+    TermCoefficients c = elastic_coefficients(
       scene, 1., b.stiffness_damping, b.structural_damping);
+    if (b.has_modulus_table())
+      c.stiffness += Complex(0., b.table_loss_factor);
     return c.stiffness + lambda * c.damping;
   }
 

@@ -126,9 +126,11 @@ namespace squeal
 
   CertifiedSolver::CertifiedSolver(const Pencil         &p,
                                    const ShiftedInverse &s,
-                                   const UndampedModes  &modes)
+                                   const UndampedModes  &modes,
+                                   PairFinder           *f)
     : pencil(p)
     , inverse(p, s)
+    , finder(f)
     , reduced(p)
   {
     const Block        start = side_by_side(modes.shapes, modes.supplement);
@@ -148,6 +150,33 @@ namespace squeal
   CertifiedSolver::basis() const
   {
     return reduced;
+  }
+
+
+
+  void
+  CertifiedSolver::extend(const Block &directions)
+  {
+    reduced.extend(directions);
+  }
+
+  DensePairs
+  CertifiedSolver::solve_reduced()
+  {
+    return finder ? finder->solve(reduced.parts()) : reduced.solve();
+  }
+
+  std::vector<std::vector<TermCoefficients>>
+  CertifiedSolver::coefficients(const Eigen::VectorXcd &lambda) const
+  {
+    std::vector<std::vector<TermCoefficients>> result(lambda.size());
+    for (Eigen::Index k = 0; k < lambda.size(); ++k)
+      if (finder)
+        result[k] = finder->coefficients(lambda[k]);
+      else
+        for (const auto &part : reduced.parts())
+          result[k].push_back(part.coefficients);
+    return result;
   }
 
 
@@ -185,12 +214,15 @@ namespace squeal
       }
     // Basis coordinates are mass-orthonormal: their 2-norm is the mass norm.
     Eigen::MatrixXcd Mx = Eigen::MatrixXcd::Zero(right.rows(), n), Cx = Mx;
-    for (const auto &part : reduced.parts())
+    const auto       of_pairs = coefficients(pairs.lambda);
+    for (std::size_t i = 0; n > 0 && i < reduced.parts().size(); ++i)
       {
-        if (part.coefficients.mass != 0.)
-          Mx += part.coefficients.mass * (part.matrix * right);
-        if (part.coefficients.damping != 0.)
-          Cx += part.coefficients.damping * (part.matrix * right);
+        const Eigen::MatrixXcd product = reduced.parts()[i].matrix * right;
+        for (Eigen::Index k = 0; k < n; ++k)
+          {
+            Mx.col(k) += of_pairs[k][i].mass * product.col(k);
+            Cx.col(k) += of_pairs[k][i].damping * product.col(k);
+          }
       }
     for (Eigen::Index k = 0; k < n; ++k)
       {
@@ -211,7 +243,8 @@ namespace squeal
     ComplexPairs      &pairs = c.pairs;
     const Eigen::Index n     = pairs.size();
     Residuals          result;
-    result.right   = reduced.residuals(pairs.lambda, c.right, false);
+    const auto         of_pairs = coefficients(pairs.lambda);
+    result.right   = reduced.residuals(of_pairs, pairs.lambda, c.right, false);
     pairs.residual = result.right.relative;
     if (rounding_sizes.size() != n)
       rounding_sizes = pencil.stiffness_rounding_size(reduced.lift(c.right));
@@ -223,7 +256,7 @@ namespace squeal
                    .all();
     if (left_met && !result.met)
       return result;
-    result.left         = reduced.residuals(pairs.lambda, c.left, true);
+    result.left = reduced.residuals(of_pairs, pairs.lambda, c.left, true);
     pairs.left_residual = result.left.relative;
     left_met =
       worst_of(pairs.left_residual) <= std::sqrt(options.residual_tolerance);
@@ -344,7 +377,7 @@ namespace squeal
     const CertifiedOptions                             &options,
     const std::function<void(const BasisEnrichment &)> &report)
   {
-    DensePairs   dense = reduced.solve();
+    DensePairs   dense = solve_reduced();
     Stagnation   stagnation;
     ComplexPairs earlier;
     for (unsigned int step = 0;; ++step)
@@ -368,7 +401,7 @@ namespace squeal
         else
           {
             added = enrich(pairs, std::move(residuals), options);
-            dense = reduced.solve();
+            dense = solve_reduced();
             estimate_errors(pairs, dense.lambda);
           }
         earlier            = pairs;
@@ -385,14 +418,17 @@ namespace squeal
                               certain && worst <= exhausted_residual;
         if (at_floor)
           pairs.noise_floor = pairs.noise_floor.cwiseMax(pairs.residual);
-        if ((met && certain) || at_floor)
+        const bool done = (met && certain) || at_floor;
+        if (done && (!finder || finder->is_complete(reduced.parts())))
           {
             reduced.release_products();
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);
             return pairs;
           }
-        if (added == 0 || step >= options.maximum_enrichments)
+        if (done)
+          dense = solve_reduced();
+        if ((added == 0 && !done) || step >= options.maximum_enrichments)
           throw_stalled(worst);
       }
   }

@@ -129,35 +129,51 @@ namespace squeal
       return *low;
     }
 
+    /** (K + kappa_0 M)^-1 M with eigenvalues nu = 1 / (kappa + kappa_0): the
+     * wanted kappa are the largest nu. */
+    template <typename Matrix>
+    struct Inverted
+    {
+      Inverted(const Matrix &K, const Eigen::MatrixXd &M)
+        : kappa_0(typical_kappa(K.real(), M))
+      {
+        using Scalar   = typename Matrix::Scalar;
+        const Matrix A = K + (kappa_0 * M).template cast<Scalar>();
+        D              = unit_diagonal_scales(A.cwiseAbs());
+        factor.compute(Matrix(D.asDiagonal() * A * D.asDiagonal()));
+        matrix = factor.solve(Matrix(
+          (D.asDiagonal() * M * D.asDiagonal()).template cast<Scalar>()));
+      }
+
+      const double                kappa_0;
+      Eigen::VectorXd             D; /**< scales of the unknowns */
+      Eigen::PartialPivLU<Matrix> factor;
+      Matrix                      matrix;
+    };
+
+
+
     /** Both lambda of each kappa; a conjugate pair of kappa gives, with the
      * signs taken here, both members of the pair with Im lambda > 0. */
+    template <typename Matrix>
     DensePairs
-    solve_rayleigh(const std::vector<ReducedPart> &parts,
-                   const double                    alpha,
-                   const double                    beta)
+    solve_rayleigh(const Matrix          &K,
+                   const Eigen::MatrixXd &M,
+                   const double           alpha,
+                   const double           beta)
     {
-      const Eigen::MatrixXd M = sum(parts, mass_of);
-      const Eigen::MatrixXd K = sum(parts, stiffness_of);
-      // nu = 1 / (kappa + kappa_0) of (K + kappa_0 M)^-1 M: the wanted kappa
-      // are the largest nu.
-      const double                               kappa_0 = typical_kappa(K, M);
-      const Eigen::MatrixXd                      A       = K + kappa_0 * M;
-      const auto                                 D = unit_diagonal_scales(A);
-      const Eigen::PartialPivLU<Eigen::MatrixXd> factor(D.asDiagonal() * A *
-                                                        D.asDiagonal());
-      const Eigen::MatrixXd Ms = D.asDiagonal() * M * D.asDiagonal();
-      const StandardPairs   pairs =
-        standard_pairs(Eigen::MatrixXd(factor.solve(Ms)));
-      const Eigen::MatrixXcd right = D.asDiagonal() * pairs.right;
+      const Inverted<Matrix> inverted(K, M);
+      const StandardPairs    pairs = standard_pairs(inverted.matrix);
+      const Eigen::MatrixXcd right = inverted.D.asDiagonal() * pairs.right;
       const Eigen::MatrixXcd left =
-        D.asDiagonal() * solve_transposed(factor, pairs.left);
+        inverted.D.asDiagonal() * solve_transposed(inverted.factor, pairs.left);
       std::vector<Complex> lambda;
       std::vector<int>     column;
       for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
         {
           if (pairs.values[i] == 0.)
             continue; // a direction without mass
-          const Complex kappa = 1. / pairs.values[i] - kappa_0;
+          const Complex kappa = 1. / pairs.values[i] - inverted.kappa_0;
           const Complex b     = alpha + beta * kappa;
           const Complex root  = std::sqrt(b * b - 4. * kappa);
           // The larger root first, the other from the product: no cancellation.
@@ -175,37 +191,56 @@ namespace squeal
     /** With lambda = s + 1 / theta, s real and of the size of the wanted
      * frequencies: theta^2 Q(s) + theta Q'(s) + M = 0, linearised. */
     template <typename Matrix>
+    struct Companion
+    {
+      Companion(const Matrix          &K,
+                const Eigen::MatrixXd &M,
+                const Eigen::MatrixXd &C)
+        : s(std::sqrt(typical_kappa(K.real(), M)))
+      {
+        using Scalar         = typename Matrix::Scalar;
+        const Eigen::Index n = M.rows();
+        const Matrix       Q = K + (s * C + s * s * M).template cast<Scalar>();
+        D                    = unit_diagonal_scales(Q.cwiseAbs());
+        const auto scaled    = [&](const auto &X) {
+          return Matrix(D.asDiagonal() * X.template cast<Scalar>() *
+                        D.asDiagonal());
+        };
+        factor.compute(scaled(Q));
+        // theta = t / s balances the blocks.
+        matrix                        = Matrix::Zero(2 * n, 2 * n);
+        matrix.topRightCorner(n, n)   = Matrix::Identity(n, n);
+        matrix.bottomLeftCorner(n, n) = -s * s * factor.solve(scaled(M));
+        matrix.bottomRightCorner(n, n) =
+          -s * factor.solve(scaled(Eigen::MatrixXd(C + 2. * s * M)));
+      }
+
+      const double                s;
+      Eigen::VectorXd             D; /**< scales of the unknowns */
+      Eigen::PartialPivLU<Matrix> factor;
+      Matrix                      matrix;
+    };
+
+    template <typename Matrix>
     DensePairs
     solve_companion(const Matrix          &K,
                     const Eigen::MatrixXd &M,
                     const Eigen::MatrixXd &C)
     {
-      using Scalar         = typename Matrix::Scalar;
-      const Eigen::Index n = M.rows();
-      const double       s = std::sqrt(typical_kappa(K.real(), M));
-      const Matrix       Q = K + (s * C + s * s * M).template cast<Scalar>();
-      const auto         D = unit_diagonal_scales(Q.cwiseAbs());
-      const auto         scaled = [&](const auto &X) {
-        return Matrix(D.asDiagonal() * X.template cast<Scalar>() *
-                      D.asDiagonal());
-      };
-      const Eigen::PartialPivLU<Matrix> factor(scaled(Q));
-      // theta = t / s balances the blocks.
-      Matrix A                 = Matrix::Zero(2 * n, 2 * n);
-      A.topRightCorner(n, n)   = Matrix::Identity(n, n);
-      A.bottomLeftCorner(n, n) = -s * s * factor.solve(scaled(M));
-      A.bottomRightCorner(n, n) =
-        -s * factor.solve(scaled(Eigen::MatrixXd(C + 2. * s * M)));
-      const StandardPairs    pairs = standard_pairs(A);
-      const Eigen::MatrixXcd right = D.asDiagonal() * pairs.right.topRows(n);
+      const Companion<Matrix> companion(K, M, C);
+      const Eigen::Index      n     = M.rows();
+      const StandardPairs     pairs = standard_pairs(companion.matrix);
+      const Eigen::MatrixXcd  right =
+        companion.D.asDiagonal() * pairs.right.topRows(n);
       const Eigen::MatrixXcd left =
-        D.asDiagonal() * solve_transposed(factor, pairs.left.bottomRows(n));
+        companion.D.asDiagonal() *
+        solve_transposed(companion.factor, pairs.left.bottomRows(n));
       std::vector<Complex> lambda;
       std::vector<int>     column;
       for (Eigen::Index i = 0; i < 2 * n; ++i)
         if (pairs.values[i] != 0.)
           {
-            lambda.push_back(s + s / pairs.values[i]);
+            lambda.push_back(companion.s + companion.s / pairs.values[i]);
             column.push_back(i);
           }
       return select(lambda, column, right, left);
@@ -220,14 +255,39 @@ namespace squeal
                         const double                    alpha,
                         const double                    beta)
   {
-    if (rayleigh)
-      return solve_rayleigh(parts, alpha, beta);
     const Eigen::MatrixXd M = sum(parts, mass_of), C = sum(parts, damping_of),
                           K = sum(parts, stiffness_of);
+    if (rayleigh)
+      return solve_rayleigh<Eigen::MatrixXd>(K, M, alpha, beta);
     const Eigen::MatrixXd H = sum(parts, loss_of);
     if (H.isZero(0.))
       return solve_companion<Eigen::MatrixXd>(K, M, C);
-    return solve_companion<Eigen::MatrixXcd>(
-      K.cast<Complex>() + Complex(0., 1.) * H.cast<Complex>(), M, C);
+    const Eigen::MatrixXcd complex_k =
+      K.cast<Complex>() + Complex(0., 1.) * H.cast<Complex>();
+    return C.isZero(0.) ? solve_rayleigh<Eigen::MatrixXcd>(complex_k, M, 0., 0.)
+                        : solve_companion<Eigen::MatrixXcd>(complex_k, M, C);
+  }
+
+
+
+  Eigen::Index
+  n_eigenvalues_above(const Eigen::MatrixXd  &M,
+                      const Eigen::MatrixXd  &C,
+                      const Eigen::MatrixXcd &K,
+                      const double            omega)
+  {
+    Eigen::Index n = 0;
+    if (C.isZero(0.))
+      {
+        const Inverted<Eigen::MatrixXcd> inverted(K, M);
+        for (const Complex nu : standard_values(inverted.matrix))
+          n += nu != 0. &&
+               std::abs(std::sqrt(inverted.kappa_0 - 1. / nu).imag()) > omega;
+        return n;
+      }
+    const Companion<Eigen::MatrixXcd> companion(K, M, C);
+    for (const Complex t : standard_values(companion.matrix))
+      n += t != 0. && (companion.s + companion.s / t).imag() > omega;
+    return n;
   }
 } // namespace squeal

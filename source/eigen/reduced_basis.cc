@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/eigen/reduced_basis.h>
 
+#include <algorithm>
+
 namespace squeal
 {
   ReducedBasis::ReducedBasis(const Pencil &p)
@@ -270,6 +272,20 @@ namespace squeal
                           const Eigen::MatrixXcd              &z,
                           const bool                           transposed) const
   {
+    return residuals(
+      std::vector<std::vector<TermCoefficients>>(z.cols(), coefficients),
+      lambda,
+      z,
+      transposed);
+  }
+
+  PairResiduals
+  ReducedBasis::residuals(
+    const std::vector<std::vector<TermCoefficients>> &of_pairs,
+    const Eigen::VectorXcd                           &lambda,
+    const Eigen::MatrixXcd                           &z,
+    const bool                                        transposed) const
+  {
     // A few pairs at a time, one after the other: all that one needs stays in
     // the cache.
     constexpr Eigen::Index chunk  = 16;
@@ -283,7 +299,9 @@ namespace squeal
         std::vector<Block> own;
         for (std::size_t i = 0; i < projected.size(); ++i)
           own.push_back(
-            coefficients[i].is_zero()
+            std::all_of(of_pairs.begin() + first,
+                        of_pairs.begin() + first + n_chunk,
+                        [i](const auto &c) { return c[i].is_zero(); })
               ? Block()
               : product_with(i, transposed, z.middleCols(first, n_chunk)));
         for (Eigen::Index k = 0; k < n_chunk; ++k)
@@ -292,7 +310,7 @@ namespace squeal
                              Kx = Mx;
             for (std::size_t i = 0; i < projected.size(); ++i)
               {
-                const auto &c = coefficients[i];
+                const auto &c = of_pairs[first + k][i];
                 if (c.is_zero())
                   continue;
                 const auto  re    = own[i].col(k);

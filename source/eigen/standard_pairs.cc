@@ -228,4 +228,44 @@ namespace squeal
     result.left = result.left.conjugate().eval();
     return result;
   }
+
+
+
+  Eigen::VectorXcd
+  standard_values(Eigen::MatrixXcd A)
+  {
+    const int        n = static_cast<int>(A.rows()), one = 1;
+    Eigen::VectorXcd values(n);
+    if (n == 0)
+      return values;
+    refuse_infinite(A);
+    Balance             balance(n);
+    std::vector<double> real_work(2 * n), condition(n);
+    Complex             no_vector;
+    with_workspace<Complex>([&](Complex *work, const int *size, int *info) {
+      zgeevx_("B",
+              "N",
+              "N",
+              "N",
+              &n,
+              A.data(),
+              &n,
+              values.data(),
+              &no_vector,
+              &one,
+              &no_vector,
+              &one,
+              &balance.first,
+              &balance.last,
+              balance.scale.data(),
+              &balance.norm,
+              condition.data(),
+              balance.vector_condition.data(),
+              work,
+              size,
+              real_work.data(),
+              info);
+    });
+    return values;
+  }
 } // namespace squeal

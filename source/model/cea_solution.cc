@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/eigen/direct_solver.h>
 #include <squeal/model/cea_solution.h>
+#include <squeal/model/frequency_pencil.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +61,82 @@ namespace squeal
 
 
 
+  namespace
+  {
+    CeaSolution
+    solve_certified(CertifiedSolver       &solver,
+                    const EigenParameters &p,
+                    RunLog                &log)
+    {
+      CeaSolution solution;
+      solution.pairs =
+        solver.solve(certified_options(p), [&](const BasisEnrichment &step) {
+          log.info("  basis " + std::to_string(step.basis_size) +
+                   ": worst residual " + rounded_text(step.worst_residual, 2) +
+                   ", worst error estimate " +
+                   rounded_text(step.worst_estimate, 2));
+          return_freed_memory();
+        });
+      solution.history    = solver.history();
+      solution.basis_size = solver.basis().size();
+      return solution;
+    }
+
+    /** Adds the modes with the moduli at the end of the band, if the basis does
+     * not hold as many below it as the inertia of the factor counts. */
+    void
+    take_modes_at_end_of_band(const FrequencyPencil &pencil,
+                              const EigenParameters &p,
+                              CertifiedSolver       &solver,
+                              RunLog                &log)
+    {
+      const double         f      = p.highest_frequency;
+      const Pencil         at_end = pencil.merged_at(f);
+      const ShiftedInverse inverse(at_end, std::pow(2. * M_PI * f, 2));
+      const unsigned int   n = inverse.n_modes_below();
+      log.info("  " + std::to_string(n) +
+               " modes below the end of the band with the moduli there, by "
+               "the inertia of the factor");
+      if (pencil.n_modes_below(solver.basis(), f) >= n)
+        return;
+      ModeOptions options;
+      options.tolerance = p.mode_tolerance;
+      solver.extend(undamped_modes(at_end, inverse, options).shapes);
+      if (pencil.n_modes_below(solver.basis(), f) < n)
+        throw ComputationError(
+          "the basis misses a mode with the moduli at the end of the band: "
+          "change Eigenvalues/Highest frequency a little");
+    }
+
+  } // namespace
+
+
+
+  CeaSolution
+  solve_cea_of_scene(const Model           &model,
+                     const SceneParameters &scene,
+                     const ModeSolution    &modes,
+                     RunLog                &log,
+                     Timers                &timers)
+  {
+    Timers::Section section(timers, "Solve: eigenvalues over frequency");
+    const auto     &p = model.parameters();
+    log.info("  moduli follow the frequency of each pair; undamped modes, "
+             "steady sliding and mesh errors take those of " +
+             rounded_text(reference_frequency(p.eigen), 5) + " Hz");
+    const FrequencyPencil pencil(
+      model.linearized().system, scene, ModulusTables(scene));
+    FrequencyDependentPairs finder(pencil.coefficients(),
+                                   p.eigen.lowest_frequency,
+                                   p.eigen.highest_frequency);
+    CertifiedSolver         solver(
+      pencil.pencil(), *modes.inverse, modes.modes, &finder);
+    take_modes_at_end_of_band(pencil, p.eigen, solver, log);
+    return solve_certified(solver, p.eigen, log);
+  }
+
+
+
   CeaSolution
   solve_cea(const Model  &model,
             ModeSolution &modes,
@@ -66,6 +144,9 @@ namespace squeal
             Timers       &timers)
   {
     const auto &p = model.parameters().eigen;
+    if (!ModulusTables(model.parameters().scene).empty())
+      return solve_cea_of_scene(
+        model, model.parameters().scene, modes, log, timers);
     CeaSolution solution;
     if (p.solver == EigenParameters::Solver::direct)
       {
@@ -77,17 +158,7 @@ namespace squeal
     CertifiedSolver solver(*modes.pencil, *modes.inverse, modes.modes);
     modes.modes.release_start();
     return_freed_memory();
-    solution.pairs =
-      solver.solve(certified_options(p), [&](const BasisEnrichment &step) {
-        log.info("  basis " + std::to_string(step.basis_size) +
-                 ": worst residual " + rounded_text(step.worst_residual, 2) +
-                 ", worst error estimate " +
-                 rounded_text(step.worst_estimate, 2));
-        return_freed_memory();
-      });
-    solution.history    = solver.history();
-    solution.basis_size = solver.basis().size();
-    return solution;
+    return solve_certified(solver, p, log);
   }
 
 

@@ -5,6 +5,7 @@
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/model/growth_errors.h>
 #include <squeal/model/other_degree.h>
+#include <squeal/scene/modulus_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +128,10 @@ namespace squeal
     Eigen::VectorXd result =
       Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
     const Discretization *d = model.discretization();
+    // With moduli that follow the frequency the lower degree would need them
+    // too: the estimate of the cells stands.
     if (!d || !d->has_mesh() || d->degree() < 2 ||
+        !ModulusTables(model.parameters().scene).empty() ||
         pairs.lambda.real().maxCoeff() <= 0.)
       return result;
     Timers::Section   section(timers, "Solve: pairs of the lower degree");

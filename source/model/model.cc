@@ -28,7 +28,7 @@ namespace squeal
     {
       const auto             &body = space.scene().bodies[b];
       std::optional<prm::Box> box  = prm::box_of(body);
-      if (body.has_mesh_file())
+      if (body.has_mesh_file() || body.shape == BodyParameters::Shape::layer)
         {
           box = prm::Box{{{1e300, 1e300, 1e300}}, {{-1e300, -1e300, -1e300}}};
           for (const auto &cell : space.coarse_mesh().cells)

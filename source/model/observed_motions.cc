@@ -3,6 +3,7 @@
 #include <squeal/discretization/load_vector.h>
 #include <squeal/model/observed_motions.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/scene/layer_mesh.h>
 
 #include <numeric>
 #include <set>
@@ -26,8 +27,8 @@ namespace squeal
       for (bool grows = true; grows;)
         {
           grows = false;
-          for (const auto &tie : scene.ties)
-            grows = join(tie.source_body, tie.target_body) || grows;
+          for (const auto &[a, b] : glued_bodies(scene))
+            grows = join(a, b) || grows;
           for (const auto &spring : scene.springs)
             if (spring.other_body != "ground")
               grows = join(spring.body, spring.other_body) || grows;

@@ -3,6 +3,7 @@
 #include <squeal/base/run_log.h>
 #include <squeal/model/model.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/scene/layer_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -45,10 +46,9 @@ namespace squeal
       for (std::size_t n = 0; n != names.size();)
         {
           n = names.size();
-          for (const auto &tie : scene.ties)
-            if (names.count(tie.source_body) + names.count(tie.target_body) ==
-                1)
-              names.insert({tie.source_body, tie.target_body});
+          for (const auto &[a, b] : glued_bodies(scene))
+            if (names.count(a) + names.count(b) == 1)
+              names.insert({a, b});
         }
       std::vector<unsigned int> result;
       for (const auto &name : names)

@@ -78,6 +78,9 @@ namespace squeal
           case Shape::nastran:
             require_file(body.mesh_file, section, "Mesh file", true);
             break;
+          case Shape::layer:
+            require_positive(body.thickness, section, "Thickness");
+            break;
           case Shape::rigid:
             require_positive(body.mass, section, "Mass");
             require_positive(body.inertia, section, "Inertia");
@@ -127,6 +130,62 @@ namespace squeal
                        "Material from mesh file",
                        "= true is for bodies of 'Shape = abaqus' and "
                        "'nastran', whose files hold materials");
+      }
+
+
+
+      /** Entries of layers and modulus tables that the body does not use. */
+      void
+      check_layer_entries(const BodyParameters &body,
+                          const std::string    &section)
+      {
+        if (body.shape == Shape::layer)
+          {
+            if (body.angle != 0.)
+              refuse_entry(section,
+                           "Angle",
+                           "= " + format_number(body.angle) +
+                             ": a layer turns with the body that it lies on");
+            if (body.material_model != BodyParameters::MaterialModel::isotropic)
+              refuse_entry(section,
+                           "Material model",
+                           "= orthotropic: a layer follows a curved face and "
+                           "has no axes in space; set 'isotropic'");
+            return;
+          }
+        for (const auto &[entry, value] :
+             {std::make_pair("Layer body", &body.layer_body),
+              std::make_pair("Layer face", &body.layer_face)})
+          if (!value->empty())
+            refuse_entry(
+              section, entry, "= '" + *value + "' is for 'Shape = layer'");
+      }
+
+
+
+      void
+      check_modulus_table(const BodyParameters &body,
+                          const std::string    &section)
+      {
+        const std::string entry = "Modulus table file";
+        if (!body.has_modulus_table())
+          return;
+        if (body.shape == Shape::rigid)
+          refuse_entry(section, entry, "is for meshed bodies, not rigid ones");
+        if (body.material_model != BodyParameters::MaterialModel::isotropic)
+          refuse_entry(section, entry, "is for 'Material model = isotropic'");
+        if (body.material_from_mesh_file)
+          refuse_entry(section,
+                       entry,
+                       "and 'Material from mesh file' both give a modulus: "
+                       "remove one of them");
+        if (body.structural_damping != 0.)
+          refuse_entry(section,
+                       "Structural damping",
+                       "= " + format_number(body.structural_damping) +
+                         " would be ignored: 'Modulus table file' gives the "
+                         "loss factor; remove it");
+        require_file(body.modulus_table_file, section, entry, true);
       }
 
 
@@ -196,6 +255,8 @@ namespace squeal
                      "surroundings");
       check_shape(body, section);
       check_mesh_file_entries(body, section);
+      check_layer_entries(body, section);
+      check_modulus_table(body, section);
       if (body.shape == Shape::rigid)
         return;
       require_positive(body.density, section, "Density");

@@ -7,6 +7,7 @@
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -138,6 +139,50 @@ namespace squeal
 
 
       void
+      check_operating_matrix(const Parameters &parameters)
+      {
+        const OperatingMatrixParameters &m       = parameters.operating_matrix;
+        const SceneParameters           &scene   = parameters.scene;
+        const std::string                section = "Operating matrix";
+        if (parameters.analysis != Parameters::Analysis::operating_matrix)
+          return;
+        const auto any = [](const auto &list, const auto &is_it) {
+          return std::any_of(list.begin(), list.end(), is_it);
+        };
+        if (!m.pressures.empty() && (!any(scene.loads, [](const auto &l) {
+              return l.pressure != 0.;
+            }) || !any(scene.contacts, [](const auto &c) {
+              return c.state == ContactParameters::State::preload;
+            })))
+          refuse_entry(section,
+                       "Pressures",
+                       "needs a load with a 'Pressure' and a contact with "
+                       "'Contact state = preload': nothing else knows of it");
+        if (!m.temperatures.empty() && !any(scene.bodies, [](const auto &b) {
+              return b.has_modulus_table();
+            }))
+          refuse_entry(section,
+                       "Temperatures",
+                       "needs a body with a 'Modulus table file': nothing "
+                       "else knows of it");
+        if (!m.speeds.empty() && !any(scene.contacts, [](const auto &c) {
+              return c.sliding_speed > 0.;
+            }))
+          refuse_entry(
+            section, "Speeds", "needs a contact with a 'Sliding speed'");
+        if (m.both_directions &&
+            (scene.contacts.empty() || any(scene.contacts, [](const auto &c) {
+               return c.friction_coefficient == 0.;
+             })))
+          refuse_entry(section,
+                       "Both directions",
+                       "= true turns the sign of 'Friction coefficient', which "
+                       "every contact needs then");
+      }
+
+
+
+      void
       check_ladders(const Parameters &parameters)
       {
         const WorkPrecisionParameters &w       = parameters.work_precision;
@@ -230,6 +275,8 @@ namespace squeal
       check_band(parameters.eigen);
       check_ladders(parameters);
       check_angles(parameters);
+      check_operating_matrix(parameters);
+      check_modulus_tables(parameters);
       check_contact_error(parameters);
       check_sweep(parameters);
       check_transient(parameters);

@@ -308,6 +308,7 @@ namespace squeal
                        "is for 'Kind = matrices'; leave it empty with bodies");
         for (const BodyParameters &body : scene.bodies)
           check_body(body);
+        check_layers(scene);
         for (const TieParameters &tie : scene.ties)
           check_tie(scene, tie);
         for (const SpringParameters &spring : scene.springs)

@@ -251,7 +251,13 @@ namespace squeal
       bool
       is_joined(const SceneParameters &scene, const std::string &body)
       {
-        return std::any_of(scene.ties.begin(),
+        return std::any_of(scene.bodies.begin(),
+                           scene.bodies.end(),
+                           [&](const auto &b) {
+                             return b.shape == BodyParameters::Shape::layer &&
+                                    (b.name == body || b.layer_body == body);
+                           }) ||
+               std::any_of(scene.ties.begin(),
                            scene.ties.end(),
                            [&](const auto &t) {
                              return t.source_body == body ||

@@ -16,7 +16,8 @@ namespace squeal
             {"frequency response", A::frequency_response},
             {"updating", A::updating},
             {"angles", A::angles},
-            {"limit cycle", A::limit_cycle}};
+            {"limit cycle", A::limit_cycle},
+            {"operating matrix", A::operating_matrix}};
   }
 
 
@@ -40,6 +41,7 @@ namespace squeal
             {"gmsh", S::gmsh},
             {"abaqus", S::abaqus},
             {"nastran", S::nastran},
+            {"layer", S::layer},
             {"rigid", S::rigid}};
   }
 
@@ -50,6 +52,15 @@ namespace squeal
   {
     using M = BodyParameters::MaterialModel;
     return {{"isotropic", M::isotropic}, {"orthotropic", M::orthotropic}};
+  }
+
+
+
+  Choices<BodyParameters::ModulusExtrapolation>
+  choices(const BodyParameters::ModulusExtrapolation)
+  {
+    using E = BodyParameters::ModulusExtrapolation;
+    return {{"refused", E::refused}, {"constant", E::constant}};
   }
 
 

@@ -161,6 +161,40 @@ namespace squeal
 
 
       void
+      declare_operating_matrix(Schema &schema, OperatingMatrixParameters &m)
+      {
+        const Allowed list = Allowed::list(Allowed::positive(), 0, 100);
+        schema.enter_section("Operating matrix",
+                             "Conditions at which 'Analysis = operating "
+                             "matrix' asks which pairs squeal: all "
+                             "combinations.");
+        schema.add("Pressures",
+                   m.pressures,
+                   list,
+                   "Pressures of all loads that have one; empty: that of each "
+                   "load.",
+                   "Pa");
+        schema.add("Temperatures",
+                   m.temperatures,
+                   Allowed::list(Allowed::number(-273.15, 5000.), 0, 100),
+                   "Temperatures of all bodies with a 'Modulus table file'; "
+                   "empty: that of each body.",
+                   "degrees Celsius");
+        schema.add("Speeds",
+                   m.speeds,
+                   list,
+                   "Sliding speeds of all contacts; empty: that of each "
+                   "contact.",
+                   "m/s");
+        schema.add("Both directions",
+                   m.both_directions,
+                   "Let the targets turn backwards, too.");
+        schema.leave_section();
+      }
+
+
+
+      void
       declare_work_precision(Schema &schema, WorkPrecisionParameters &w)
       {
         schema.enter_section("Work precision",
@@ -305,6 +339,7 @@ namespace squeal
       declare_limit_cycle(schema, parameters.limit_cycle);
       declare_work_precision(schema, parameters.work_precision);
       declare_angles(schema, parameters.angles);
+      declare_operating_matrix(schema, parameters.operating_matrix);
       declare_response(schema, parameters);
       declare_output(schema, parameters.output);
 

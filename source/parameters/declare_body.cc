@@ -15,7 +15,8 @@ namespace squeal
                    "What the body is. Faces: annulus inner, outer, bottom, "
                    "top; block x_min, x_max, y_min, y_max, z_min, z_max; "
                    "cylinder side, bottom, top; gmsh, abaqus, nastran: the "
-                   "surfaces of the mesh file; rigid: none.");
+                   "surfaces of the mesh file; layer outer, sides; rigid: "
+                   "none.");
         schema.add("Position",
                    b.position,
                    Allowed::vector(),
@@ -79,6 +80,59 @@ namespace squeal
                    "Unit of masses in the mesh file's materials: 1000 for "
                    "models in mm, tonne, s. Times are in s.",
                    "kg");
+      }
+
+
+
+      void
+      declare_layer(Schema &schema, BodyParameters &b)
+      {
+        schema.add("Layer body",
+                   b.layer_body,
+                   Allowed::text(),
+                   "Body that a layer lies on, glued to it: one that stands "
+                   "before the layer in 'Bodies', another layer too.");
+        schema.add("Layer face",
+                   b.layer_face,
+                   Allowed::text(),
+                   "Face of that body that the layer covers as a whole. What "
+                   "pressed on it, held it or touched it takes the face "
+                   "'outer' of the layer.");
+        schema.add("Thickness",
+                   b.thickness,
+                   Allowed::positive(),
+                   "Thickness of a layer along the normals of that face.",
+                   "m");
+        schema.add("Element layers",
+                   b.element_layers,
+                   Allowed::integer(1, 1000),
+                   "Cells of a layer across its thickness; along the face it "
+                   "has those of the face.");
+      }
+
+
+
+      void
+      declare_modulus_table(Schema &schema, BodyParameters &b)
+      {
+        schema.add("Modulus table file",
+                   b.modulus_table_file,
+                   Allowed::file(),
+                   "Table with the columns frequency_Hz, temperature_C, "
+                   "storage_modulus_Pa and loss_factor, relative to the "
+                   "parameter file. Each pair gets the complex modulus at its "
+                   "own frequency; 'Young modulus' and 'Structural damping' "
+                   "are not used, and the loss factor counts whatever "
+                   "'Scene/Damping/Model' is.");
+        schema.add("Temperature",
+                   b.temperature,
+                   Allowed::number(-273.15, 5000.),
+                   "Temperature at which that table is read.",
+                   "degrees Celsius");
+        schema.add("Modulus extrapolation",
+                   b.modulus_extrapolation,
+                   "What holds outside the frequencies and temperatures of "
+                   "that table: nothing, or the value at its nearest end.");
       }
 
 
@@ -160,7 +214,9 @@ namespace squeal
     declare_body(Schema &schema, BodyParameters &b)
     {
       declare_geometry(schema, b);
+      declare_layer(schema, b);
       declare_material(schema, b);
+      declare_modulus_table(schema, b);
       schema
         .add("Mass damping",
              b.mass_damping,

@@ -88,6 +88,8 @@ namespace squeal
           return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
         case Shape::cylinder:
           return {"side", "bottom", "top"};
+        case Shape::layer:
+          return {"outer", "sides"};
         case Shape::gmsh:
         case Shape::abaqus:
         case Shape::nastran:
@@ -112,6 +114,7 @@ namespace squeal
     box_of(const BodyParameters &body)
     {
       if (body.has_mesh_file() || body.shape == Shape::rigid ||
+          body.shape == Shape::layer ||
           (body.shape == Shape::block && body.angle != 0.))
         return {};
       const Vector3 extent =

@@ -194,6 +194,7 @@ namespace squeal
         case BodyParameters::Shape::abaqus:
         case BodyParameters::Shape::nastran:
           return read_mesh_body(body);
+        case BodyParameters::Shape::layer: // see make_layer_mesh()
         case BodyParameters::Shape::rigid:
           return mesh;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/scene/coarse_mesh.h>
+#include <squeal/scene/layer_mesh.h>
 #include <squeal/scene/loose_parts.h>
 
 #include <algorithm>
@@ -173,6 +174,85 @@ namespace squeal
                          ", the scene does not: add a tie or a contact of "
                          "these faces");
     }
+
+
+
+    /** Meshes of bodies and where their vertices are in that of the scene. */
+    struct PlacedBodies
+    {
+      std::vector<BodyMesh>                  meshes;
+      std::vector<std::vector<unsigned int>> vertices;
+    };
+
+    /** The mesh of a layer, whose first vertices are those of the body below;
+     * what it covers stops being boundary. */
+    BodyMesh
+    layer_on_body_below(const SceneParameters &scene,
+                        const unsigned int     b,
+                        PlacedBodies          &bodies,
+                        CoarseMesh            &mesh)
+    {
+      const BodyParameters &layer = scene.bodies[b];
+      const unsigned int    below = body_index(scene, layer.layer_body);
+      const LayerMesh result = make_layer_mesh(scene, b, bodies.meshes[below]);
+      const unsigned int covered =
+        face_id(mesh, scene, layer.layer_body, layer.layer_face);
+      for (const unsigned int v : result.shared)
+        bodies.vertices[b].push_back(bodies.vertices[below][v]);
+      auto &quads = mesh.boundary.boundary_quads;
+      quads.erase(std::remove_if(quads.begin(),
+                                 quads.end(),
+                                 [&](const auto &quad) {
+                                   return quad.boundary_id == covered;
+                                 }),
+                  quads.end());
+      return result.mesh;
+    }
+
+    void
+    place_body(const SceneParameters &scene,
+               const unsigned int     b,
+               PlacedBodies          &bodies,
+               CoarseMesh            &mesh)
+    {
+      bodies.vertices.emplace_back();
+      const BodyMesh body =
+        scene.bodies[b].shape == BodyParameters::Shape::layer
+          ? layer_on_body_below(scene, b, bodies, mesh)
+          : make_body_mesh(scene.bodies[b]);
+      check_shared_nodes(scene, scene.bodies[b], body);
+      for (const auto &tie : body.file_ties)
+        check_file_tie(scene, scene.bodies[b], tie);
+      for (const auto &remark : body.remarks)
+        if (std::count(mesh.remarks.begin(), mesh.remarks.end(), remark) == 0)
+          mesh.remarks.push_back(remark);
+      for (const auto &[cell, nodes] : body.curved)
+        mesh.curved[mesh.cells.size() + cell] = nodes;
+      for (const unsigned int face : body.round_faces)
+        mesh.round_faces.insert(face_id(b, face));
+      mesh.face_names.push_back(body.face_names);
+      auto &place = bodies.vertices[b];
+      for (std::size_t v = place.size(); v < body.vertices.size(); ++v)
+        {
+          place.push_back(mesh.vertices.size());
+          mesh.vertices.push_back(body.vertices[v]);
+        }
+      for (auto cell : body.cells)
+        {
+          for (auto &v : cell.vertices)
+            v = place[v];
+          cell.material_id = b;
+          mesh.cells.push_back(cell);
+        }
+      for (auto quad : body.boundary)
+        {
+          for (auto &v : quad.vertices)
+            v = place[v];
+          quad.boundary_id = face_id(b, quad.boundary_id);
+          mesh.boundary.boundary_quads.push_back(quad);
+        }
+      bodies.meshes.push_back(body);
+    }
   } // namespace
 
 
@@ -246,38 +326,9 @@ namespace squeal
     CoarseMesh mesh;
     if (scene.bodies.size() > 250)
       throw InputError("Scene/Bodies: at most 250 bodies are supported");
+    PlacedBodies bodies;
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        const BodyMesh body = make_body_mesh(scene.bodies[b]);
-        check_shared_nodes(scene, scene.bodies[b], body);
-        for (const auto &tie : body.file_ties)
-          check_file_tie(scene, scene.bodies[b], tie);
-        for (const auto &remark : body.remarks)
-          if (std::count(mesh.remarks.begin(), mesh.remarks.end(), remark) == 0)
-            mesh.remarks.push_back(remark);
-        const unsigned int first = mesh.vertices.size();
-        for (const auto &[cell, nodes] : body.curved)
-          mesh.curved[mesh.cells.size() + cell] = nodes;
-        for (const unsigned int face : body.round_faces)
-          mesh.round_faces.insert(face_id(b, face));
-        mesh.face_names.push_back(body.face_names);
-        mesh.vertices.insert(
-          mesh.vertices.end(), body.vertices.begin(), body.vertices.end());
-        for (auto cell : body.cells)
-          {
-            for (auto &v : cell.vertices)
-              v += first;
-            cell.material_id = b;
-            mesh.cells.push_back(cell);
-          }
-        for (auto quad : body.boundary)
-          {
-            for (auto &v : quad.vertices)
-              v += first;
-            quad.boundary_id = face_id(b, quad.boundary_id);
-            mesh.boundary.boundary_quads.push_back(quad);
-          }
-      }
+      place_body(scene, b, bodies, mesh);
 
     for (const auto &tie : scene.ties)
       {

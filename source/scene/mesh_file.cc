@@ -22,6 +22,7 @@ namespace squeal
         case BodyParameters::Shape::annulus:
         case BodyParameters::Shape::block:
         case BodyParameters::Shape::cylinder:
+        case BodyParameters::Shape::layer:
         case BodyParameters::Shape::rigid:
           break;
         }

@@ -68,6 +68,13 @@ namespace squeal
       SQUEAL_DESCRIBE(body, mesh_faces);
       SQUEAL_DESCRIBE(body, mesh_length_unit);
       SQUEAL_DESCRIBE(body, mesh_mass_unit);
+      SQUEAL_DESCRIBE(body, layer_body);
+      SQUEAL_DESCRIBE(body, layer_face);
+      SQUEAL_DESCRIBE(body, thickness);
+      SQUEAL_DESCRIBE(body, element_layers);
+      SQUEAL_DESCRIBE(body, modulus_table_file);
+      SQUEAL_DESCRIBE(body, temperature);
+      SQUEAL_DESCRIBE(body, modulus_extrapolation);
       SQUEAL_DESCRIBE(body, material_from_mesh_file);
       SQUEAL_DESCRIBE(body, material_model);
       SQUEAL_DESCRIBE(body, young_modulus);
@@ -371,6 +378,10 @@ namespace squeal
       SQUEAL_DESCRIBE(p, angles.from);
       SQUEAL_DESCRIBE(p, angles.to);
       SQUEAL_DESCRIBE(p, angles.number);
+      SQUEAL_DESCRIBE(p, operating_matrix.pressures);
+      SQUEAL_DESCRIBE(p, operating_matrix.temperatures);
+      SQUEAL_DESCRIBE(p, operating_matrix.speeds);
+      SQUEAL_DESCRIBE(p, operating_matrix.both_directions);
       SQUEAL_DESCRIBE(p, work_precision.ladders);
       SQUEAL_DESCRIBE(p, work_precision.values);
       SQUEAL_DESCRIBE(p, work_precision.adaptive_values);

@@ -38,6 +38,10 @@ namespace squeal
    * is no body of revolution. */
   void run_angles(RunContext &context);
 
+  /** `Analysis = operating matrix`: which pairs squeal at which pressure,
+   * temperature, speed and sense of turning. */
+  void run_operating_matrix(RunContext &context);
+
   /** `Analysis = work precision`: a ladder of settings, error against work. */
   void run_work_precision(RunContext &context);
 
@@ -67,6 +71,8 @@ namespace squeal
         return run_angles(context);
       case Parameters::Analysis::limit_cycle:
         return run_limit_cycle(context);
+      case Parameters::Analysis::operating_matrix:
+        return run_operating_matrix(context);
       }
     unknown_choice("analysis");
   }

@@ -72,6 +72,11 @@ namespace squeal
                                         const double part_stiffness_damping,
                                         const double part_structural_damping);
 
+  /** The same of the stiffness of a body, with its modulus and the loss factor
+   * of its modulus table. */
+  TermCoefficients elastic_coefficients(const SceneParameters &scene,
+                                        const BodyParameters  &body);
+
 
 
   /**

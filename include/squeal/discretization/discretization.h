@@ -100,6 +100,8 @@ namespace squeal
     Discretization(const Discretization &other, const unsigned int degree);
     void create_mesh();
     void attach_manifolds();
+    /** Layers on cylinders are as round as these. */
+    void attach_manifolds_of_layers();
     /** Curved cells of mesh files keep their shape when they are refined. */
     void attach_charts();
     /** Refines cells at the faces until each has those of one level. */

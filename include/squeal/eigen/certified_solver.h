@@ -20,6 +20,29 @@ namespace squeal
     unsigned int maximum_enrichments = 30;
   };
 
+  /**
+   * Finds the pairs of a reduced pencil whose coefficients are not the same for
+   * all of them.
+   */
+  class PairFinder
+  {
+  public:
+    virtual ~PairFinder() = default;
+
+    /** Right and left vectors of the pairs in the band and a little beyond it,
+     * one of each conjugate pair; in @p parts the pencil at one frequency. To
+     * be called again for bases that hold the last one. */
+    virtual DensePairs solve(const std::vector<ReducedPart> &parts) = 0;
+
+    /** Whether what the last solve() has found for these parts is all there is.
+     * If not, the next solve() starts anew. */
+    virtual bool is_complete(const std::vector<ReducedPart> &parts) = 0;
+
+    /** The coefficients of the parts of a pair. */
+    virtual std::vector<TermCoefficients> coefficients(
+      const std::complex<double> lambda) const = 0;
+  };
+
   /** One row of the convergence history of the basis. */
   struct BasisEnrichment
   {
@@ -43,13 +66,21 @@ namespace squeal
    * takes that change as the bound of what is left. Nearly coalesced pairs are
    * compared by mean and squared half-difference, which depend smoothly on
    * perturbations.
+   *
+   * Where the moduli follow the frequency of each pair, a PairFinder takes the
+   * place of the dense solver; residuals and estimates are of the coefficients
+   * of every pair.
    */
   class CertifiedSolver
   {
   public:
     CertifiedSolver(const Pencil         &pencil,
                     const ShiftedInverse &inverse,
-                    const UndampedModes  &modes);
+                    const UndampedModes  &modes,
+                    PairFinder           *finder = nullptr);
+
+    /** Adds directions to the space before it is solved in. */
+    void extend(const Block &directions);
 
     /** To be called once. Pairs with frequency in the band (real eigenvalues
      * where the band starts at 0). Throws ComputationError where the tolerance
@@ -77,6 +108,11 @@ namespace squeal
       bool          met;         /**< all right ones below the tolerance */
     };
 
+    DensePairs solve_reduced();
+    /** Of the parts for every pair. */
+    std::vector<std::vector<TermCoefficients>> coefficients(
+      const Eigen::VectorXcd &lambda) const;
+
     /** Fills in the residuals of the pairs. */
     Residuals evaluate_residuals(Candidates             &candidates,
                                  const CertifiedOptions &options);
@@ -89,6 +125,7 @@ namespace squeal
 
     const Pencil        &pencil;
     const SlidingInverse inverse;
+    PairFinder          *finder;
     ReducedBasis         reduced;
     /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
      * one scene hardly change it from one basis to the next. */

@@ -38,6 +38,13 @@ namespace squeal
                                    const bool                      rayleigh,
                                    const double                    alpha,
                                    const double                    beta);
+
+  /** How many eigenvalues of lambda^2 M + lambda C + K have Im lambda above
+   * @p omega > 0. */
+  Eigen::Index n_eigenvalues_above(const Eigen::MatrixXd  &M,
+                                   const Eigen::MatrixXd  &C,
+                                   const Eigen::MatrixXcd &K,
+                                   const double            omega);
 } // namespace squeal
 
 #endif

@@ -62,6 +62,13 @@ namespace squeal
                             const Eigen::MatrixXcd              &coordinates,
                             const bool transposed) const;
 
+    /** The same with coefficients of the parts for each pair. */
+    PairResiduals residuals(
+      const std::vector<std::vector<TermCoefficients>> &of_pairs,
+      const Eigen::VectorXcd                           &lambda,
+      const Eigen::MatrixXcd                           &coordinates,
+      const bool                                        transposed) const;
+
     /** (A V)^T (B V) of the parts number @p i and @p j: the norm of any
      * residual follows without its vector. */
     Eigen::MatrixXd product_gram(const std::size_t i,

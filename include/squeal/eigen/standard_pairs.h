@@ -30,6 +30,9 @@ namespace squeal
    * is not finite or the iteration does not converge. */
   StandardPairs standard_pairs(Eigen::MatrixXd A);
   StandardPairs standard_pairs(Eigen::MatrixXcd A);
+
+  /** The eigenvalues alone, in no order. */
+  Eigen::VectorXcd standard_values(Eigen::MatrixXcd A);
 } // namespace squeal
 
 #endif

@@ -65,6 +65,16 @@ namespace squeal
     unsigned int             number = 12;        /**< of angles */
   };
 
+  /** Conditions of "Analysis = operating matrix", section "Operating matrix".
+   * Of empty lists the one condition is that of the scene. */
+  struct OperatingMatrixParameters
+  {
+    std::vector<double> pressures;    /**< of all loads that press, Pa */
+    std::vector<double> temperatures; /**< of all modulus tables, deg C */
+    std::vector<double> speeds;       /**< of all contacts that slide, m/s */
+    bool both_directions = false;     /**< targets turn backwards, too */
+  };
+
   /** Ladder of "Analysis = work precision", section "Work precision". */
   struct WorkPrecisionParameters
   {

@@ -16,6 +16,13 @@ namespace squeal
     /** Shape, material and mass of one body. */
     void check_body(const BodyParameters &body);
 
+    /** Layers: that the bodies below them stand before them, and that nothing
+     * else takes the faces that they cover. */
+    void check_layers(const SceneParameters &scene);
+
+    /** Modulus tables of bodies: analyses that know nothing of them. */
+    void check_modulus_tables(const Parameters &parameters);
+
     /** Ties, springs, supports, masses, loads and damping. */
     void check_scene(const SceneParameters &scene);
 

@@ -20,9 +20,11 @@ namespace squeal
   Choices<SceneParameters::Kind>         choices(SceneParameters::Kind);
   Choices<BodyParameters::Shape>         choices(BodyParameters::Shape);
   Choices<BodyParameters::MaterialModel> choices(BodyParameters::MaterialModel);
-  Choices<TieParameters::Kind>           choices(TieParameters::Kind);
-  Choices<SpringParameters::Kind>        choices(SpringParameters::Kind);
-  Choices<SupportParameters::Kind>       choices(SupportParameters::Kind);
+  Choices<BodyParameters::ModulusExtrapolation> choices(
+    BodyParameters::ModulusExtrapolation);
+  Choices<TieParameters::Kind>            choices(TieParameters::Kind);
+  Choices<SpringParameters::Kind>         choices(SpringParameters::Kind);
+  Choices<SupportParameters::Kind>        choices(SupportParameters::Kind);
   Choices<ContactParameters::Formulation> choices(
     ContactParameters::Formulation);
   Choices<ContactParameters::SpringLayout> choices(

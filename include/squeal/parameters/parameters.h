@@ -34,7 +34,8 @@ namespace squeal
       frequency_response,
       updating,
       angles,
-      limit_cycle
+      limit_cycle,
+      operating_matrix
     };
     Analysis                           analysis = Analysis::cea;
     SceneParameters                    scene;
@@ -46,6 +47,7 @@ namespace squeal
     LimitCycleParameters               limit_cycle;
     WorkPrecisionParameters            work_precision;
     AnglesParameters                   angles;
+    OperatingMatrixParameters          operating_matrix;
     MeasurementParameters              measurement;
     FrequencyResponseParameters        frequency_response;
     UpdatingParameters                 updating;

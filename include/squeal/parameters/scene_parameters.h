@@ -3,6 +3,7 @@
 #define squeal_parameters_scene_parameters_h
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ namespace squeal
       gmsh,    /**< mesh from a file of Gmsh */
       abaqus,  /**< of an Abaqus input file */
       nastran, /**< of Nastran bulk data */
+      layer,   /**< hexahedra on a face of another body, glued to it */
       rigid
     };
     /** Elastic law of a meshed solid. */
@@ -32,6 +34,12 @@ namespace squeal
     {
       isotropic,
       orthotropic
+    };
+    /** What holds outside the frequencies and temperatures of a table. */
+    enum class ModulusExtrapolation
+    {
+      refused,
+      constant /**< the value at the nearest end of the table */
     };
 
     std::string name;
@@ -58,6 +66,11 @@ namespace squeal
     std::vector<std::string> mesh_faces;
     double                   mesh_length_unit = 1.; /**< of the mesh file, m */
     double mesh_mass_unit = 1.; /**< of the mesh file's materials, kg */
+    /** A layer: the body and its face that it lies on, its thickness along the
+     * normals of that face, m, and its cells across. */
+    std::string  layer_body, layer_face;
+    double       thickness      = 0.001;
+    unsigned int element_layers = 1;
     /** The material of the mesh file takes the place of the numbers below. */
     bool material_from_mesh_file = false;
 
@@ -71,6 +84,16 @@ namespace squeal
     /** Directions, of any length, of the axis 1 of an orthotropic material and
      * of one that lies with it in the plane of the axes 1 and 2. */
     Vector3 material_axis_1{{1., 0., 0.}}, material_axis_2{{0., 1., 0.}};
+    /** Storage modulus and loss factor over frequency and temperature, which
+     * take the place of `young_modulus` and `structural_damping`; empty: none.
+     */
+    std::string modulus_table_file;
+    double      temperature = 20.; /**< of the table, degrees Celsius */
+    ModulusExtrapolation modulus_extrapolation = ModulusExtrapolation::refused;
+    /** Loss factor of that table at the frequency at which `young_modulus` is
+     * its storage modulus; no entry of a file. NaN: nobody has read the table.
+     */
+    double table_loss_factor = std::numeric_limits<double>::quiet_NaN();
 
     double  mass = 1.;                   /**< kg, rigid */
     Vector3 inertia{{1e-3, 1e-3, 1e-3}}; /**< Jxx, Jyy, Jzz, kg m^2, rigid */
@@ -95,6 +118,12 @@ namespace squeal
     {
       return shape == Shape::gmsh || shape == Shape::abaqus ||
              shape == Shape::nastran;
+    }
+
+    bool
+    has_modulus_table() const
+    {
+      return !modulus_table_file.empty();
     }
 
     const Vector3 &

@@ -7,6 +7,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/model/adaptive_cea.h>
+#include <squeal/model/frequency_pencil.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/model/turning_modes.h>
 #include <squeal/output/cea_quantities.h>
@@ -219,6 +220,9 @@ namespace squeal
     }
     const Table table = eigenvalue_table(model, modes, pairs, quantities);
     context.write_table("eigenvalues.csv", table);
+    const std::string moduli = moduli_text(p.scene, pairs);
+    if (!moduli.empty())
+      context.write_table("moduli.csv", moduli_table(p.scene, pairs));
     if (p.eigen.compare_direct)
       context.write_table(
         "direct_check.csv",
@@ -240,6 +244,9 @@ namespace squeal
              rounded_text(worst_of(pairs.error_estimate), 2)},
             {"unknowns", std::to_string(model.n_unknowns())},
             {"basis", std::to_string(solution.basis_size)}};
+    if (!moduli.empty())
+      context.record.figures.push_back(
+        {"moduli at the frequencies of the pairs", moduli});
 
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");

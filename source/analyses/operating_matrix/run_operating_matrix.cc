@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/analyses.h>
+#include <squeal/analyses/operating_matrix/operating_chart.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/model/cea_solution.h>
+#include <squeal/model/frequency_pencil.h>
+#include <squeal/output/cea_quantities.h>
+#include <squeal/output/headline_error.h>
+#include <squeal/scene/modulus_table.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    /** What one model is solved at; the temperatures share it. */
+    struct Condition
+    {
+      std::optional<double> pressure, speed;
+      bool                  backward = false;
+    };
+
+    /** @p values or, where there are none, the one of the scene. */
+    std::vector<std::optional<double>>
+    or_of_scene(const std::vector<double> &values)
+    {
+      if (values.empty())
+        return {std::nullopt};
+      return {values.begin(), values.end()};
+    }
+
+    std::vector<Condition>
+    conditions(const OperatingMatrixParameters &m)
+    {
+      std::vector<Condition> result;
+      for (const bool backward : {false, true})
+        if (!backward || m.both_directions)
+          for (const auto &speed : or_of_scene(m.speeds))
+            for (const auto &pressure : or_of_scene(m.pressures))
+              result.push_back({pressure, speed, backward});
+      return result;
+    }
+
+    Parameters
+    at_condition(Parameters p, const Condition &c)
+    {
+      for (auto &load : p.scene.loads)
+        if (c.pressure && load.pressure != 0.)
+          load.pressure = *c.pressure;
+      for (auto &contact : p.scene.contacts)
+        {
+          if (c.speed && contact.sliding_speed > 0.)
+            contact.sliding_speed = *c.speed;
+          if (c.backward)
+            contact.friction_coefficient *= -1.;
+        }
+      return p;
+    }
+
+    /** The scene with all tables at a temperature and their moduli of the
+     * reference frequency. */
+    SceneParameters
+    at_temperature(const Parameters            &p,
+                   const std::optional<double> &temperature)
+    {
+      SceneParameters scene = p.scene;
+      for (auto &body : scene.bodies)
+        if (temperature && body.has_modulus_table())
+          body.temperature = *temperature;
+      const ModulusTables tables(scene);
+      tables.require_band(
+        scene, p.eigen.lowest_frequency, p.eigen.highest_frequency);
+      return tables.at(scene, reference_frequency(p.eigen));
+    }
+
+    std::vector<Table::Column>
+    columns()
+    {
+      using Type = Table::Type;
+      return {
+        {"pressure_pa", Type::real, "Pa", "of all loads that press", 6},
+        {"temperature_c", Type::real, "degrees Celsius", "of all tables", 5},
+        {"speed_m_per_s", Type::real, "m/s", "sliding speed", 5},
+        {"direction", Type::text, "", "forward or backward"},
+        {"frequency_hz", Type::real, "Hz", "frequency of the pair", 6},
+        {"sigma_per_s",
+         Type::real,
+         "1/s",
+         "its growth rate, positive: unstable",
+         4},
+        {"name", Type::text, "", "name of the pair"},
+        {"error_estimate_rel",
+         Type::real,
+         "",
+         "estimated error of the eigenvalue by the basis, relative",
+         2},
+        {"n_unstable",
+         Type::integer,
+         "",
+         "unstable pairs in the band under these conditions"}};
+    }
+
+    /** Rows of all unstable pairs, the loudest last; of the loudest alone where
+     * none is unstable. */
+    void
+    add_pairs(const Model                 &model,
+              const ModeSolution          &modes,
+              const ComplexPairs          &pairs,
+              const Condition             &c,
+              const std::optional<double> &temperature,
+              Table                       &all,
+              Table                       &loudest)
+    {
+      const PairQuantities quantities = pair_quantities(model, modes, pairs);
+      std::vector<unsigned int> shown;
+      unsigned int              most = 0;
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          if (pairs.sigma(i) > pairs.sigma(most))
+            most = i;
+          if (is_unstable(pairs, i))
+            shown.push_back(i);
+        }
+      const unsigned int n = shown.size();
+      shown.erase(std::remove(shown.begin(), shown.end(), most), shown.end());
+      shown.push_back(most);
+      const auto given = [](const std::optional<double> &value) {
+        return value ? Cell(*value) : Cell();
+      };
+      for (const unsigned int i : shown)
+        {
+          const std::vector<Cell> row = {given(c.pressure),
+                                         given(temperature),
+                                         given(c.speed),
+                                         c.backward ? "backward" : "forward",
+                                         pairs.frequency(i),
+                                         pairs.sigma(i),
+                                         quantities.names[i].text,
+                                         pairs.error_estimate[i],
+                                         n};
+          all.add_row(row);
+          if (i == most)
+            loudest.add_row(row);
+        }
+    }
+
+    std::string
+    text_of(const Condition &c)
+    {
+      std::string text = c.backward ? "backward" : "forward";
+      if (c.pressure)
+        text += ", " + rounded_text(*c.pressure, 4) + " Pa";
+      if (c.speed)
+        text += ", " + rounded_text(*c.speed, 4) + " m/s";
+      return text;
+    }
+
+    /** Where it squeals, in a sentence. */
+    std::string
+    verdict_of(const Table &loudest)
+    {
+      std::size_t           n = 0, most = 0;
+      std::set<std::string> names;
+      for (std::size_t i = 0; i < loudest.n_rows(); ++i)
+        {
+          if (loudest.integer(i, "n_unstable") > 0)
+            {
+              ++n;
+              names.insert(loudest.text(i, "name"));
+            }
+          if (loudest.real(i, "sigma_per_s") >
+              loudest.real(most, "sigma_per_s"))
+            most = i;
+        }
+      std::ostringstream text;
+      text << "unstable under " << n << " of " << loudest.n_rows()
+           << " conditions";
+      if (n == 0)
+        return text.str();
+      text << ", loudest with "
+           << rounded_text(loudest.real(most, "sigma_per_s"), 4) << " 1/s at "
+           << rounded_text(loudest.real(most, "frequency_hz"), 5) << " Hz ("
+           << loudest.text(most, "name") << ", "
+           << loudest.text(most, "direction");
+      for (const auto &[column, unit] :
+           {std::make_pair("pressure_pa", " Pa"),
+            std::make_pair("temperature_c", " degrees Celsius"),
+            std::make_pair("speed_m_per_s", " m/s")})
+        if (!loudest.is_missing(most, column))
+          text << ", " << rounded_text(loudest.real(most, column), 4) << unit;
+      text << ")";
+      return text.str();
+    }
+  } // namespace
+
+
+
+  void
+  run_operating_matrix(RunContext &context)
+  {
+    const auto &p              = context.parameters;
+    const auto  all_conditions = conditions(p.operating_matrix);
+    const auto  temperatures   = or_of_scene(p.operating_matrix.temperatures);
+    Table       all(columns()), loudest(columns());
+    for (std::size_t k = 0; k < all_conditions.size(); ++k)
+      {
+        const Condition &c = all_conditions[k];
+        context.log.heading(text_of(c) + ", " + std::to_string(k + 1) + " of " +
+                            std::to_string(all_conditions.size()));
+        Parameters here = at_condition(p, c);
+        // The modes are those of the temperature in the middle.
+        here.scene =
+          at_temperature(here, temperatures[temperatures.size() / 2]);
+        Model        model(here, context.timers);
+        ModeSolution modes    = solve_modes(model, context.log, context.timers);
+        context.record.n_dofs = model.n_unknowns();
+        const bool has_tables = !ModulusTables(here.scene).empty();
+        for (const auto &temperature : temperatures)
+          {
+            if (temperature)
+              context.log.info("  " + rounded_text(*temperature, 4) +
+                               " degrees Celsius");
+            const CeaSolution solution =
+              has_tables ? solve_cea_of_scene(model,
+                                              at_temperature(here, temperature),
+                                              modes,
+                                              context.log,
+                                              context.timers)
+                         : solve_cea(model, modes, context.log, context.timers);
+            if (solution.pairs.size() == 0)
+              refuse_empty_band(here, modes);
+            add_pairs(
+              model, modes, solution.pairs, c, temperature, all, loudest);
+          }
+      }
+    context.write_table("operating_matrix.csv", loudest);
+    context.write_table("operating_pairs.csv", all);
+    context.log.heading("Loudest pair under every condition");
+    std::ostringstream text;
+    loudest.print(text);
+    context.log.info(text.str());
+
+    const std::string verdict = verdict_of(loudest);
+    context.record.figures    = {
+         {"which", verdict},
+         {"largest error of a pair, relative",
+          headline_error(
+         {error_of_column("reduction", all, "error_estimate_rel")})},
+         {"unknowns", std::to_string(context.record.n_dofs)}};
+    HtmlReport report("Operating matrix of " + p.scene.name,
+                      "lambda = sigma + i omega, sigma > 0 unstable");
+    const auto n_unstable = loudest.reals("sigma_per_s");
+    report.set_verdict(*std::max_element(n_unstable.begin(), n_unstable.end()) >
+                           0.
+                         ? HtmlReport::Verdict::bad
+                         : HtmlReport::Verdict::good,
+                       verdict,
+                       context.record.figures);
+    if (p.output.plots && context.is_root)
+      {
+        context.output.file("plots/operating_matrix.png");
+        const std::string path =
+          context.output.path() + "/plots/operating_matrix";
+        context.plotter.draw(operating_chart(loudest), path);
+        report.section("Where it squeals");
+        report.figure(path + ".png",
+                      "Loudest pair: growth rate as colour, frequency in kHz "
+                      "above the growth rate in 1/s",
+                      true);
+      }
+    report.section("Loudest pair under every condition");
+    report.table(loudest, "operating_matrix.csv");
+    context.finish(p.output.report ? &report : nullptr, "");
+  }
+} // namespace squeal

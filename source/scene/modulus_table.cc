@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
+
+#include <squeal/scene/import_text.h>
+#include <squeal/scene/modulus_table.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace squeal
+{
+  namespace
+  {
+    using import::TextFile;
+    using Extrapolation = BodyParameters::ModulusExtrapolation;
+
+    enum Column
+    {
+      frequency,
+      temperature,
+      storage,
+      loss
+    };
+    const std::array<std::string, 4> column_names = {
+      {"frequency_Hz", "temperature_C", "storage_modulus_Pa", "loss_factor"}};
+
+    /** Six digits without zeros behind them. */
+    std::string
+    shown(const double value)
+    {
+      return prm::format_number(std::stod(rounded_text(value, 6)));
+    }
+
+    /** d log E / d log f from which on a mode could be consistent at several
+     * frequencies: omega^2 rises at most like the modulus. */
+    constexpr double steepest_modulus = 1.9;
+
+    bool
+    next_line(TextFile &file)
+    {
+      while (file.next())
+        {
+          const std::string_view line = import::trimmed(file.line());
+          if (!line.empty() && line[0] != '#')
+            return true;
+        }
+      return false;
+    }
+
+    /** Where each column stands in a line. */
+    std::array<std::size_t, 4>
+    read_header(TextFile &file)
+    {
+      if (!next_line(file))
+        file.fail("the header line is missing");
+      const auto names = prm::split(std::string(file.line()), ',');
+      for (const std::string &name : names)
+        if (std::find(column_names.begin(), column_names.end(), name) ==
+            column_names.end())
+          file.fail("column " + prm::in_quotes(name) +
+                    " is not known; the columns are frequency_Hz, "
+                    "temperature_C, storage_modulus_Pa, loss_factor");
+      std::array<std::size_t, 4> position;
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          const auto n =
+            std::count(names.begin(), names.end(), column_names[c]);
+          if (n != 1)
+            file.fail(
+              "column " + prm::in_quotes(column_names[c]) +
+              (n == 0 ? " is missing in the header line" : " is there twice"));
+          position[c] = std::find(names.begin(), names.end(), column_names[c]) -
+                        names.begin();
+        }
+      return position;
+    }
+
+    std::array<double, 4>
+    read_row(const TextFile &file, const std::array<std::size_t, 4> &position)
+    {
+      const auto values = prm::split(std::string(file.line()), ',');
+      if (values.size() != 4)
+        file.fail("this line has " + std::to_string(values.size()) +
+                  " values, the header 4");
+      std::array<double, 4> row;
+      for (unsigned int c = 0; c < 4; ++c)
+        row[c] = import::real_field(
+          file, values[position[c]], column_names[c].c_str());
+      if (!(row[frequency] > 0.))
+        file.fail("frequency_Hz must be greater than 0");
+      if (!(row[storage] > 0.))
+        file.fail("storage_modulus_Pa must be greater than 0");
+      if (!(row[loss] >= 0. && row[loss] <= 10.))
+        file.fail("loss_factor must be from 0 to 10");
+      if (!(row[temperature] >= -273.15))
+        file.fail("temperature_C must be at least -273.15");
+      return row;
+    }
+
+    /** Slopes at the nodes of a monotone cubic (Fritsch and Carlson; inside the
+     * weighted harmonic mean of the neighbouring slopes, 0 at an extremum). */
+    std::vector<double>
+    monotone_slopes(const std::vector<double> &x, const std::vector<double> &y)
+    {
+      const std::size_t   n = x.size();
+      std::vector<double> secant(n - 1), slope(n, 0.);
+      for (std::size_t i = 0; i + 1 < n; ++i)
+        secant[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+      slope[0]     = secant[0];
+      slope[n - 1] = secant[n - 2];
+      for (std::size_t i = 1; i + 1 < n; ++i)
+        {
+          if (!(secant[i - 1] * secant[i] > 0.))
+            continue;
+          const double h = x[i] - x[i - 1], k = x[i + 1] - x[i];
+          slope[i] = 3. * (h + k) /
+                     ((2. * k + h) / secant[i - 1] + (k + 2. * h) / secant[i]);
+        }
+      return slope;
+    }
+
+    /** The steepest slope of the cubics between the nodes. */
+    double
+    steepest(const std::vector<double> &x,
+             const std::vector<double> &y,
+             const std::vector<double> &slope)
+    {
+      double result = 0.;
+      for (std::size_t i = 0; i + 1 < x.size(); ++i)
+        {
+          // of a parabola: at the ends, or between them where it turns
+          const double secant = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+          const double a = slope[i], b = slope[i + 1];
+          const double curvature = a + b - 2. * secant;
+          result                 = std::max({result, a, b});
+          if (curvature < 0.)
+            {
+              const double t = (2. * a + b - 3. * secant) / (3. * curvature);
+              if (t > 0. && t < 1.)
+                result = std::max(result,
+                                  a + t * (6. * secant - 4. * a - 2. * b) +
+                                    3. * t * t * curvature);
+            }
+        }
+      return result;
+    }
+
+    double
+    cubic(const std::vector<double> &x,
+          const std::vector<double> &y,
+          const std::vector<double> &slope,
+          const std::size_t          i,
+          const double               at)
+    {
+      const double h = x[i + 1] - x[i], t = (at - x[i]) / h;
+      // Equal values stay equal to the last digit.
+      return y[i] + t * t * (3. - 2. * t) * (y[i + 1] - y[i]) +
+             h * t * (1. - t) * ((1. - t) * slope[i] - t * slope[i + 1]);
+    }
+  } // namespace
+
+
+
+  std::array<double, 2>
+  ModulusTable::Curve::at(const double log_frequency) const
+  {
+    const double x   = std::clamp(log_frequency, log_f.front(), log_f.back());
+    const auto above = std::upper_bound(log_f.begin() + 1, log_f.end() - 1, x);
+    const std::size_t i = above - log_f.begin() - 1;
+    return {
+      {cubic(log_f, log_e, slope_e, i, x), cubic(log_f, eta, slope_eta, i, x)}};
+  }
+
+
+
+  ModulusTable::ModulusTable(const std::string &file)
+    : file_name(file)
+  {
+    read(file);
+    for (Curve &curve : curves)
+      {
+        curve.slope_e      = monotone_slopes(curve.log_f, curve.log_e);
+        curve.slope_eta    = monotone_slopes(curve.log_f, curve.eta);
+        const double steep = steepest(curve.log_f, curve.log_e, curve.slope_e);
+        if (!(steep < steepest_modulus))
+          throw InputError(
+            "modulus table '" + file_name + "': at " +
+            shown(curve.temperature) +
+            " degrees Celsius the storage modulus rises like the power " +
+            shown(steep) +
+            " of the frequency; below the power 1.9 each mode has one "
+            "frequency, so no table may be steeper");
+      }
+  }
+
+  void
+  ModulusTable::read(const std::string &name)
+  {
+    TextFile   file(name);
+    const auto position = read_header(file);
+    // temperature, then frequency
+    std::map<double, std::map<double, ComplexModulus>> rows;
+    while (next_line(file))
+      {
+        const auto row = read_row(file, position);
+        if (!rows[row[temperature]]
+               .emplace(row[frequency], ComplexModulus{row[storage], row[loss]})
+               .second)
+          file.fail("there is a row for " + shown(row[frequency]) + " Hz and " +
+                    shown(row[temperature]) + " degrees Celsius already");
+      }
+    if (rows.empty())
+      file.fail("the table has no rows");
+    file.check_last_line_is_complete();
+    for (const auto &[t, values] : rows)
+      {
+        if (values.size() < 2)
+          file.fail("at " + shown(t) +
+                    " degrees Celsius there is one frequency, but at least "
+                    "two are needed");
+        Curve curve;
+        curve.temperature = t;
+        for (const auto &[f, modulus] : values)
+          {
+            curve.log_f.push_back(std::log(f));
+            curve.log_e.push_back(std::log(modulus.storage));
+            curve.eta.push_back(modulus.loss_factor);
+          }
+        curves.push_back(std::move(curve));
+      }
+  }
+
+
+
+  ModulusTable::Between
+  ModulusTable::curves_about(const double t) const
+  {
+    if (t <= curves.front().temperature)
+      return {&curves.front(), &curves.front(), 0.};
+    if (t >= curves.back().temperature)
+      return {&curves.back(), &curves.back(), 0.};
+    const auto second = std::upper_bound(
+      curves.begin(), curves.end(), t, [](const double a, const Curve &c) {
+        return a < c.temperature;
+      });
+    const auto first = second - 1;
+    return {&*first,
+            &*second,
+            (t - first->temperature) /
+              (second->temperature - first->temperature)};
+  }
+
+  std::pair<double, double>
+  ModulusTable::frequencies_at(const double t) const
+  {
+    const Between b     = curves_about(t);
+    const Curve  &other = b.weight > 0. ? *b.second : *b.first;
+    return {std::exp(std::max(b.first->log_f.front(), other.log_f.front())),
+            std::exp(std::min(b.first->log_f.back(), other.log_f.back()))};
+  }
+
+  ComplexModulus
+  ModulusTable::at(const double        f,
+                   const double        t,
+                   const Extrapolation extrapolation) const
+  {
+    if (extrapolation == Extrapolation::refused)
+      {
+        const auto refuse = [&](const std::string &text) {
+          throw InputError("modulus table '" + file_name + "' " + text +
+                           ": extend it, or set 'Modulus extrapolation = "
+                           "constant' for its values at the nearest end");
+        };
+        if (t < curves.front().temperature || t > curves.back().temperature)
+          refuse("goes from " + shown(curves.front().temperature) + " to " +
+                 shown(curves.back().temperature) +
+                 " degrees Celsius, the body has " + shown(t));
+        const auto [lowest, highest] = frequencies_at(t);
+        if (!(f >= lowest * (1. - 1e-12) && f <= highest * (1. + 1e-12)))
+          refuse("goes from " + shown(lowest) + " to " + shown(highest) +
+                 " Hz at " + shown(t) + " degrees Celsius, but " + shown(f) +
+                 " Hz are asked for");
+      }
+    const Between b     = curves_about(t);
+    const double  log_f = std::log(std::max(f, 1e-300));
+    auto [log_e, eta]   = b.first->at(log_f);
+    if (b.weight > 0.)
+      {
+        const auto second = b.second->at(log_f);
+        log_e += b.weight * (second[0] - log_e);
+        eta += b.weight * (second[1] - eta);
+      }
+    return {std::exp(log_e), eta};
+  }
+
+
+
+  ModulusTables::ModulusTables(const SceneParameters &scene)
+    : of_body(scene.bodies.size())
+  {
+    for (std::size_t b = 0; b < of_body.size(); ++b)
+      {
+        const std::string &file = scene.bodies[b].modulus_table_file;
+        if (file.empty())
+          continue;
+        for (std::size_t a = 0; a < b; ++a)
+          if (scene.bodies[a].modulus_table_file == file)
+            of_body[b] = of_body[a];
+        if (!of_body[b])
+          of_body[b] = std::make_shared<const ModulusTable>(file);
+      }
+  }
+
+  bool
+  ModulusTables::empty() const
+  {
+    return std::none_of(of_body.begin(), of_body.end(), [](const auto &table) {
+      return bool(table);
+    });
+  }
+
+  SceneParameters
+  ModulusTables::at(const SceneParameters &scene, const double f) const
+  {
+    SceneParameters result = scene;
+    for (std::size_t b = 0; b < of_body.size(); ++b)
+      if (of_body[b])
+        {
+          auto                &body = result.bodies[b];
+          const ComplexModulus m =
+            of_body[b]->at(f, body.temperature, Extrapolation::constant);
+          body.young_modulus     = m.storage;
+          body.table_loss_factor = m.loss_factor;
+        }
+    return result;
+  }
+
+  void
+  ModulusTables::require_band(const SceneParameters &scene,
+                              const double           lowest,
+                              const double           highest) const
+  {
+    for (std::size_t b = 0; b < of_body.size(); ++b)
+      if (of_body[b])
+        for (const double f : {lowest, highest})
+          try
+            {
+              const auto &body = scene.bodies[b];
+              of_body[b]->at(f, body.temperature, body.modulus_extrapolation);
+            }
+          catch (const InputError &error)
+            {
+              throw InputError("body '" + scene.bodies[b].name +
+                               "': " + error.what());
+            }
+  }
+
+
+
+  double
+  reference_frequency(const EigenParameters &band)
+  {
+    return band.lowest_frequency > 0.
+             ? std::sqrt(band.lowest_frequency * band.highest_frequency)
+             : 0.1 * band.highest_frequency;
+  }
+
+  void
+  take_modulus_tables(Parameters &parameters)
+  {
+    const ModulusTables tables(parameters.scene);
+    if (tables.empty())
+      return;
+    const EigenParameters &band = parameters.eigen;
+    tables.require_band(
+      parameters.scene, band.lowest_frequency, band.highest_frequency);
+    parameters.scene = tables.at(parameters.scene, reference_frequency(band));
+  }
+} // namespace squeal
