@@ -129,7 +129,10 @@ namespace squeal
                   padded(rows[r][c], width[c], c < left.size() && left[c]);
             out << without_trailing_blanks(line) << '\n';
             if (r == 0)
-              out << indent << std::string(total > 2 ? total - 2 : 0, '-')
+              out << indent
+                  << std::string(std::min(total > 2 ? total - 2 : 0,
+                                          columns_of_a_line - indent.size()),
+                                 '-')
                   << '\n';
           }
       }

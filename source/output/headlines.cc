@@ -257,6 +257,7 @@ namespace squeal
   resonance_headline(const Table &t, const std::string &unit)
   {
     constexpr std::size_t    most_named = 3;
+    constexpr double         same_mode  = 0.02; // of its frequency
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < t.n_rows(); ++i)
       if (!t.is_missing(i, "peak"))
@@ -265,17 +266,23 @@ namespace squeal
       rows.begin(), rows.end(), [&](const std::size_t i, const std::size_t j) {
         return t.real(i, "peak") > t.real(j, "peak");
       });
-    // the same mode answers at many points: each is named once
-    std::vector<std::string> told, texts;
+    // the same mode answers at many points and, somewhat moved, in several
+    // states of the contact: each is named once
+    std::vector<std::size_t> told;
+    std::vector<std::string> texts;
     for (const std::size_t i : rows)
       {
-        const std::string frequency =
-          rounded_text(t.real(i, "frequency_hz"), 5);
+        const double frequency = t.real(i, "frequency_hz");
         if (texts.size() == most_named ||
-            std::find(told.begin(), told.end(), frequency) != told.end())
+            std::any_of(told.begin(), told.end(), [&](const std::size_t j) {
+              return t.text(i, "name") == t.text(j, "name") &&
+                     std::abs(t.real(j, "frequency_hz") - frequency) <
+                       same_mode * frequency;
+            }))
           continue;
-        told.push_back(frequency);
-        texts.push_back(frequency + " Hz (" + t.text(i, "name") + ", " +
+        told.push_back(i);
+        texts.push_back(rounded_text(frequency, 5) + " Hz (" +
+                        t.text(i, "name") + ", " +
                         rounded_text(t.real(i, "peak"), 3) + " " + unit + ")");
       }
     return texts.empty() ? "no resonance in the band"

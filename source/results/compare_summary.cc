@@ -9,7 +9,7 @@ namespace squeal
 {
   namespace
   {
-    constexpr std::size_t most_parameters = 7, most_rows = 8, most_items = 3,
+    constexpr std::size_t most_parameters = 6, most_rows = 8, most_items = 3,
                           most_letters = 26, line_letters = 78;
 
     // Results of two machines differ by less.
@@ -77,6 +77,15 @@ namespace squeal
             << '\n';
       if (n > most_parameters)
         out << "  ... and " << n - most_parameters << " more\n";
+    }
+
+    bool
+    have_other_axes(const Table *parameters)
+    {
+      for (std::size_t i = 0; parameters && i < parameters->n_rows(); ++i)
+        if (parameters->text(i, "parameter").rfind("Sweep/Ax", 0) == 0)
+          return true;
+      return false;
     }
 
     /** |lambda_b - lambda_a| over |lambda_a|; NaN where there is one alone. */
@@ -155,6 +164,8 @@ namespace squeal
                 std::ostream        &out)
   {
     print_parameters(parameters, out);
+    if (comparison.table.has_column("point") && have_other_axes(parameters))
+      out << "The axes differ: points of one number may have other values.\n";
     print_pairs(comparison.table, out);
     if (comparison.table.has_column("dsigma"))
       {

@@ -220,7 +220,7 @@ namespace
          "or that nothing is known");
 
     says(resonance_headline(table_of({"frequency_hz", "$name", "peak"},
-                                     {{1600., "(0,0)", 1e-7},
+                                     {{1610., "(0,0)", 1e-7},
                                       {1600., "(0,0)", 3e-7},
                                       {5003., "(0,4)", 9e-7},
                                       {2594., "(0,3)", Cell()}}),

@@ -44,7 +44,6 @@ namespace squeal
       WorstError   worst;
       unsigned int n_lines = 0, n_unstable_lines = 0, n_vectors = 0,
                    largest_basis = 0, n_reused = 0;
-      double peak_sigma = 0.;
     };
 
     SweepTables
@@ -116,8 +115,6 @@ namespace squeal
         {
           ++totals.n_lines;
           totals.n_unstable_lines += !line.ranges.empty();
-          for (const auto &range : line.ranges)
-            totals.peak_sigma = std::max(totals.peak_sigma, range.peak_sigma);
         }
     }
 
@@ -130,13 +127,12 @@ namespace squeal
              (n == 1 ? " unstable range of " : " unstable ranges of ") + axis +
              " on " + std::to_string(totals.n_unstable_lines) + " of " +
              std::to_string(totals.n_lines) +
-             (totals.n_lines == 1 ? " line" : " lines") + ", largest sigma " +
-             rounded_text(totals.peak_sigma, 4) + " 1/s";
+             (totals.n_lines == 1 ? " line" : " lines");
     }
 
     /** Of the edges between points; ends of the sweep have no error. */
     std::string
-    error_of_edges(const Table &ranges)
+    error_of_edges(const Table &ranges, const std::string &unit = "")
     {
       std::vector<ErrorSource> sources;
       for (const char *column :
@@ -148,7 +144,16 @@ namespace squeal
         return "no edge";
       sources.push_back(
         error_of_column("mesh", ranges, "edge_error_discretisation"));
-      return headline_error(sources);
+      return headline_error(sources, unit);
+    }
+
+    std::string
+    error_of_frequencies(const SweepTables &tables, const Totals &totals)
+    {
+      return headline_error({{"reduction", totals.worst.frequency},
+                             error_of_column("mesh",
+                                             tables.eigenvalues,
+                                             "discretisation_error_rel")});
     }
 
     /** Every axis, the one that is swept first. */
@@ -178,8 +183,14 @@ namespace squeal
         verdict(sweep.axes[0].name, all.ranges.n_rows(), totals);
       if (all.suggestions.n_rows())
         return suggestion_headline(all.suggestions, p.scene) + "; " + ranges;
-      return range_headline(all.ranges, sweep, p.scene) + "; " + ranges +
-             "; largest error of an edge " + error_of_edges(all.ranges);
+      const std::string where = range_headline(all.ranges, sweep, p.scene);
+      if (all.ranges.n_rows() == 0)
+        return where + "; largest error of a frequency, relative: " +
+               error_of_frequencies(all, totals);
+      const bool is_logarithmic =
+        sweep.axes[0].scale == SweepAxisParameters::Scale::logarithmic;
+      return where + "; " + ranges + "; largest error of an edge: " +
+             error_of_edges(all.ranges, is_logarithmic ? " decades" : "");
     }
 
     void
@@ -207,10 +218,7 @@ namespace squeal
          {"solutions, edges and tracking included",
           std::to_string(totals.n_solved)},
          {"largest error of a frequency, relative",
-          headline_error({{"reduction", totals.worst.frequency},
-                          error_of_column("mesh",
-                                          tables.eigenvalues,
-                                          "discretisation_error_rel")})},
+          error_of_frequencies(tables, totals)},
          {"largest error of an edge, in its coordinate",
           error_of_edges(tables.ranges)},
          {"worst estimated frequency error of the reduction, relative",
