@@ -56,6 +56,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/declare_sweep.cc
     source/parameters/declare_transient.cc
     source/parameters/entry_traits.cc
+    source/parameters/drop_included.cc
     source/parameters/face_geometry.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
@@ -197,11 +198,19 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/turning_inertia.cc)
 
 set(SQUEAL_SOURCES_CYCLE
+    source/cycle/active_contact.cc
+    source/cycle/branch_step.cc
+    source/cycle/cycle_branch.cc
     source/cycle/cycle_search.cc
     source/cycle/harmonic_balance.cc
     source/cycle/harmonic_balance_newton.cc
+    source/cycle/located_transient.cc
+    source/cycle/orbit.cc
+    source/cycle/period_derivative.cc
+    source/cycle/period_equations.cc
     source/cycle/period_map.cc
-    source/cycle/shooting.cc)
+    source/cycle/shooting.cc
+    source/cycle/slip_origin.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc
@@ -209,6 +218,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/chart_layout.cc
     source/results/column_title.cc
     source/results/compare.cc
+    source/results/compare_summary.cc
     source/results/contact_map.cc
     source/results/cost_at_error.cc
     source/results/csv_dialect.cc
@@ -220,6 +230,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/html_report.cc
     source/results/json_file.cc
     source/results/label_layout.cc
+    source/results/map_style.cc
     source/results/matrix_market.cc
     source/results/measured_shapes.cc
     source/results/motion_view.cc
@@ -230,6 +241,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/read_csv.cc
     source/results/result_checks.cc
     source/results/run_record.cc
+    source/results/shape_picture.cc
     source/results/shape_plot.cc
     source/results/shape_view.cc
     source/results/shape_writer.cc
@@ -245,7 +257,8 @@ set(SQUEAL_SOURCES_RUN
     source/run/fingerprint.cc
     source/run/finished_runs.cc
     source/run/run_context.cc
-    source/run/run_session.cc)
+    source/run/run_session.cc
+    source/run/settings.cc)
 
 set(SQUEAL_SOURCES_MODEL
     source/model/adaptive_cea.cc
@@ -269,6 +282,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/cea_quantities.cc
     source/output/contact_output.cc
     source/output/headline_error.cc
+    source/output/headlines.cc
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
     source/output/pair_table.cc
@@ -280,6 +294,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/limit_cycle/branch_output.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc

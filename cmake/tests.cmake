@@ -104,13 +104,12 @@ function(squeal_add_test name source)
   endif()
 endfunction()
 
-# squeal_add_prm_test(name file.prm [MPI n] [LABELS ...] [TIMEOUT seconds]
-#                     [SET "Entry = value"...])
+# squeal_add_prm_test(name file.prm [MPI n] [LABELS ...] [TIMEOUT seconds])
 #
 # Runs squeal on a parameter file whose result checks decide: exit code 0 is a
 # pass. Relative names start at the top of the source tree.
 function(squeal_add_prm_test name file)
-  cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT" "LABELS;SET")
+  cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT" "LABELS")
   if(test_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "squeal_add_prm_test(${name}): unknown argument "
                         "'${test_UNPARSED_ARGUMENTS}'")
@@ -126,9 +125,6 @@ function(squeal_add_prm_test name file)
   set(_settings
       --set "Output directory = ${PROJECT_BINARY_DIR}/tests/run/${name}" --set
       "Overwrite = true")
-  foreach(_setting IN LISTS test_SET)
-    list(APPEND _settings --set "${_setting}")
-  endforeach()
   add_dependencies(squeal_tests squeal)
   _squeal_launcher(_launcher "${test_MPI}")
   add_test(NAME ${name}

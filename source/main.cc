@@ -19,9 +19,9 @@ namespace
   using namespace squeal;
 
   const char *const usage =
-    "usage: squeal [--set 'Section/Entry = value']... FILE.prm\n"
+    "usage: squeal [--quiet] [--set 'Section/Entry = value']... FILE.prm\n"
     "       squeal --validate FILE.prm...\n"
-    "       squeal --compare RUN_A RUN_B\n"
+    "       squeal --compare RUN_A RUN_B [--all]\n"
     "       squeal --print-defaults | --print-documentation | --version | "
     "--help\n"
     "On N ranks: mpirun -np N squeal FILE.prm\n";
@@ -34,14 +34,12 @@ namespace
                                             "--help"};
 
   void
-  run_file(const std::string              &file,
-           const std::vector<std::string> &overrides,
-           const bool                      is_root)
+  run_file(const CommandLine &line, const bool is_root)
   {
-    Parameters parameters = read_parameters(file, overrides);
+    Parameters parameters = read_parameters(line.files[0], line.overrides);
     parameters.check();
     take_mesh_materials(parameters.scene);
-    RunContext context(parameters, is_root);
+    RunContext context(parameters, is_root, {line.overrides, line.is_quiet});
     run_analysis(context);
   }
 
@@ -73,7 +71,7 @@ namespace
         if (line.files.size() != 2)
           throw InputError("--compare needs two output directories");
         if (is_root)
-          compare_runs(line.files[0], line.files[1], std::cout);
+          compare_runs(line.files[0], line.files[1], std::cout, line.shows_all);
       }
     else if (line.action == "--validate")
       {
@@ -93,7 +91,7 @@ namespace
       {
         if (line.files.size() != 1)
           throw InputError("give one parameter file; see squeal --help");
-        run_file(line.files[0], line.overrides, is_root);
+        run_file(line, is_root);
       }
   }
 

@@ -17,6 +17,8 @@ namespace squeal
 {
   namespace
   {
+    constexpr std::size_t columns_of_a_line = 80;
+
     constexpr double seconds_before_progress = 5.;
     constexpr double seconds_between_lines   = 10.;
     constexpr double seconds_between_updates = 0.25;
@@ -28,6 +30,26 @@ namespace squeal
       const std::size_t used = display_width(text);
       const std::string blanks(width > used ? width - used : 0, ' ');
       return left ? text + blanks : blanks + text;
+    }
+
+    /** Columns of these widths that stand beside each other within a line, the
+     * first one in each block. */
+    std::vector<std::vector<std::size_t>>
+    blocks_of(const std::vector<std::size_t> &width, const std::size_t indent)
+    {
+      std::vector<std::vector<std::size_t>> blocks(1);
+      std::size_t                           used = indent;
+      for (std::size_t c = 0; c < width.size(); ++c)
+        {
+          if (blocks.back().size() > 1 && used + width[c] > columns_of_a_line)
+            {
+              blocks.push_back({0});
+              used = indent + width[0] + 2;
+            }
+          blocks.back().push_back(c);
+          used += width[c] + 2;
+        }
+      return blocks;
     }
 
     std::string
@@ -89,28 +111,68 @@ namespace squeal
         for (std::size_t c = 0; c < row.size(); ++c)
           width[c] = std::max(width[c], display_width(row[c]));
       }
-    for (std::size_t r = 0; r < rows.size(); ++r)
+    bool is_first = true;
+    for (const auto &columns : blocks_of(width, indent.size()))
       {
-        std::string line = indent;
-        for (std::size_t c = 0; c < rows[r].size(); ++c)
-          line += (c == 0 ? "" : "  ") +
-                  padded(rows[r][c], width[c], c < left.size() && left[c]);
-        out << without_trailing_blanks(line) << '\n';
-        if (r == 0)
+        std::size_t total = 0;
+        for (const std::size_t c : columns)
+          total += width[c] + 2;
+        out << (is_first ? "" : "\n");
+        is_first = false;
+        for (std::size_t r = 0; r < rows.size(); ++r)
           {
-            std::size_t total = 0;
-            for (const std::size_t w : width)
-              total += w + 2;
-            out << indent << std::string(total > 2 ? total - 2 : 0, '-')
-                << '\n';
+            std::string line = indent;
+            for (const std::size_t c : columns)
+              if (c < rows[r].size())
+                line +=
+                  (c == 0 ? "" : "  ") +
+                  padded(rows[r][c], width[c], c < left.size() && left[c]);
+            out << without_trailing_blanks(line) << '\n';
+            if (r == 0)
+              out << indent << std::string(total > 2 ? total - 2 : 0, '-')
+                  << '\n';
           }
       }
   }
 
 
 
-  RunLog::RunLog(const bool is_root)
-    : RunLog(is_root, std::cout, isatty(STDOUT_FILENO) == 1)
+  std::string
+  wrapped(const std::string &text, const std::size_t width)
+  {
+    std::istringstream lines(text);
+    std::string        result;
+    for (std::string line; std::getline(lines, line);)
+      {
+        std::string indent;
+        while (display_width(line) > width)
+          {
+            const std::size_t first = line.find_first_not_of(' ');
+            std::size_t       cut = std::string::npos, column = 0;
+            for (std::size_t i = 0; i < line.size(); ++i)
+              {
+                if (i > first && line[i] == ' ' &&
+                    (column <= width || cut == std::string::npos))
+                  cut = i;
+                column += display_width(line.substr(i, 1));
+              }
+            if (cut == std::string::npos)
+              break;
+            if (indent.empty())
+              indent = std::string(first + 2, ' ');
+            const std::size_t next = line.find_first_not_of(' ', cut);
+            result += without_trailing_blanks(line.substr(0, cut)) + '\n';
+            line = next == std::string::npos ? "" : indent + line.substr(next);
+          }
+        result += line + '\n';
+      }
+    return result;
+  }
+
+
+
+  RunLog::RunLog(const bool is_root, const bool is_quiet)
+    : RunLog(is_root, std::cout, isatty(STDOUT_FILENO) == 1, is_quiet)
   {
   }
 
@@ -118,10 +180,12 @@ namespace squeal
 
   RunLog::RunLog(const bool    is_root,
                  std::ostream &console,
-                 const bool    is_terminal)
+                 const bool    is_terminal,
+                 const bool    is_quiet)
     : is_root(is_root)
     , console(console)
     , is_terminal(is_terminal)
+    , is_quiet(is_quiet)
   {
   }
 
@@ -144,12 +208,13 @@ namespace squeal
 
 
   void
-  RunLog::write(const std::string &lines)
+  RunLog::write(const std::string &lines, const Importance importance)
   {
     if (!is_root)
       return;
     show_transient("");
-    console << lines << std::flush;
+    if (!is_quiet || importance == Importance::result)
+      console << wrapped(lines) << std::flush;
     write_to_file(lines);
   }
 
@@ -173,7 +238,7 @@ namespace squeal
   void
   RunLog::show_transient(const std::string &text)
   {
-    if (!is_root || !is_terminal)
+    if (!is_root || !is_terminal || is_quiet)
       return;
     if (transient_width > 0)
       console << '\r' << std::string(transient_width, ' ') << '\r';
@@ -192,15 +257,34 @@ namespace squeal
 
 
   void
+  RunLog::result(const std::string &text)
+  {
+    write(!text.empty() && text.back() == '\n' ? text : text + '\n',
+          Importance::result);
+  }
+
+
+
+  void
   RunLog::heading(const std::string &text)
   {
-    write('\n' + text + '\n' + std::string(display_width(text), '-') + '\n');
+    write('\n' + text + '\n' +
+          std::string(std::min(display_width(text), columns_of_a_line), '-') +
+          '\n');
   }
 
 
 
   void
   RunLog::key_values(const Lines &lines)
+  {
+    write(aligned(lines));
+  }
+
+
+
+  std::string
+  RunLog::aligned(const Lines &lines)
   {
     std::size_t width = 0;
     for (const auto &[name, value] : lines)
@@ -210,7 +294,7 @@ namespace squeal
       text += without_trailing_blanks("  " + padded(name, width, true) + "  " +
                                       value) +
               '\n';
-    write(text);
+    return text;
   }
 
 
@@ -222,7 +306,7 @@ namespace squeal
         std::count(warning_texts.begin(), warning_texts.end(), text))
       return;
     warning_texts.push_back(text);
-    write("warning: " + text + '\n');
+    write("warning: " + text + '\n', Importance::result);
   }
 
 
@@ -245,7 +329,7 @@ namespace squeal
     std::snprintf(memory, sizeof(memory), "%.0f MB", peak_memory_mb());
     Lines lines = figures;
     lines.emplace_back("peak memory", memory);
-    key_values(lines);
+    write(aligned(lines), Importance::result);
 
     std::ostringstream table;
     timers.print(table);
@@ -294,8 +378,7 @@ namespace squeal
     try
       {
         const bool complete = n_steps == 0 || n_done >= n_steps;
-        log.info(what + ": " + std::to_string(n_done) +
-                 (complete ? " done in " : " done, ended after ") +
+        log.info(done() + (complete ? ", done in " : ", ended after ") +
                  format_duration(clock() - start));
       }
     catch (const std::exception &)
@@ -307,13 +390,21 @@ namespace squeal
 
 
   std::string
-  Progress::line(const double elapsed, const std::string &note) const
+  Progress::done() const
   {
     std::string text = what + ": " + std::to_string(n_done);
     if (n_steps > 0)
       text += " of " + std::to_string(n_steps) + " (" +
               std::to_string(100 * n_done / n_steps) + " %)";
-    text += ", " + format_duration(elapsed);
+    return text;
+  }
+
+
+
+  std::string
+  Progress::line(const double elapsed, const std::string &note) const
+  {
+    std::string  text    = done() + ", " + format_duration(elapsed);
     const double seconds = elapsed - first_report;
     if (n_steps > n_done && n_done > n_at_first &&
         seconds >= seconds_before_estimate)

@@ -103,6 +103,21 @@ namespace squeal
       return points;
     }
 
+    /** The meshes of the grid between those points. */
+    std::vector<std::array<unsigned int, 4>>
+    grid_quads(const ContactParameters &contact)
+    {
+      std::vector<std::array<unsigned int, 4>> quads;
+      const unsigned int                       n = contact.grid[1];
+      for (unsigned int i = 0; i + 1 < contact.grid[0]; ++i)
+        for (unsigned int j = 0; j + 1 < n; ++j)
+          {
+            const unsigned int first = n * i + j;
+            quads.push_back({{first, first + n, first + n + 1, first + 1}});
+          }
+      return quads;
+    }
+
     /** Share of its box by which the area of a rectangle may be off: rounded
      * coordinates of a mesh file. */
     constexpr double area_tolerance = 1e-3;
@@ -169,7 +184,10 @@ namespace squeal
       g.points = is_grid ? grid_points(face, box, contact) : face.points;
       g.areas  = face.areas;
       if (is_grid)
-        g.areas.assign(g.points.size(), face.total_area() / g.points.size());
+        {
+          g.areas.assign(g.points.size(), face.total_area() / g.points.size());
+          g.quads = grid_quads(contact);
+        }
       const auto side = evaluator.displacements(source, g.points, 1e-4);
       if (is_grid)
         check_grid_stands_on_face(contact, face, box, side.found);

@@ -145,6 +145,7 @@ namespace squeal
       ContactGeometry g;
       g.points      = coupling.nodes;
       g.areas       = coupling.weights;
+      g.quads       = coupling.quads;
       g.target_rows = coupling.target_rows;
       for (const auto &rows : coupling.source_rows)
         {

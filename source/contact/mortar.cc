@@ -317,6 +317,29 @@ namespace squeal
 
   namespace
   {
+    /** The pieces between nodes of faces whose nodes have these numbers, in the
+     * order of @p basis. */
+    std::vector<std::array<unsigned int, 4>>
+    quads_between(const FaceBasis                              &basis,
+                  const std::vector<std::vector<unsigned int>> &nodes)
+    {
+      const unsigned int                       p = basis.degree();
+      std::vector<std::array<unsigned int, 4>> quads;
+      for (const auto &face : nodes)
+        for (unsigned int j = 0; j < p; ++j)
+          for (unsigned int i = 0; i < p; ++i)
+            {
+              const unsigned int first = i + (p + 1) * j;
+              quads.push_back({{face[first],
+                                face[first + 1],
+                                face[first + p + 2],
+                                face[first + p + 1]}});
+            }
+      return quads;
+    }
+
+
+
     MortarCoupling
     make_coupling(const Discretization &d,
                   const PointEvaluator &evaluator,
@@ -345,6 +368,7 @@ namespace squeal
       MortarCoupling result;
       const auto     nodes =
         number_nodes(sources, result.nodes, result.source_rows);
+      result.quads = quads_between(basis, nodes);
       result.weights.resize(result.nodes.size(), 0.);
       result.normals =
         nodal_normals(basis, sources, nodes, result.nodes.size());

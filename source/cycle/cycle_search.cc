@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
+#include <squeal/transient/modal_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -212,7 +213,8 @@ namespace squeal
             share =
               std::max(share, 1. - state.forces[3 * j] / steady.forces[3 * j]);
           const double way = orbit.step * speed * model.speed_ratio[j];
-          for (unsigned int i = 0; i < orbit.n_steps() && way > 0.; ++i)
+          // In the first step the forces leave those of steady sliding.
+          for (unsigned int i = 1; i < orbit.n_steps() && way > 0.; ++i)
             {
               const Eigen::Vector3d moved =
                 (orbit.motions[i + 1] - orbit.motions[i]).segment<3>(3 * j);

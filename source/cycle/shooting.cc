@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/cycle/period_equations.h>
 #include <squeal/cycle/shooting.h>
 
 #include <Eigen/Eigenvalues>
@@ -12,182 +13,52 @@ namespace squeal
 {
   namespace
   {
-    /** A vibration below this share of the sliding speed is steady sliding. */
-    constexpr double at_rest = 1e-6;
     /** The period changes by no more than this share in an iteration. */
     constexpr double largest_change = 0.1;
+    /** Residual below which located changes are held where an iteration gains
+     * less than the share below: the steps jump a little where a change of one
+     * node disturbs what is told from the steps before another one. */
+    constexpr double hold_below = 1e-2, least_gain = 0.3;
     /** Shortest step of Newton's method over its full one. */
     constexpr double shortest_step = 1. / 64.;
 
-    /** State and period as one vector, each entry in the root of an energy. */
-    class Scaled
+    /** The best orbit along Newton's step @p change; @p full_only: its end
+     * alone. The residual is the largest number where there is none. */
+    PeriodicMotion
+    search_along(const PeriodMap        &map,
+                 const PeriodicMotion   &m,
+                 const ScaledMotion     &scaled,
+                 const Eigen::VectorXd  &change,
+                 const ShootingSettings &settings,
+                 const StepCorrections  *held,
+                 const bool              full_only)
     {
-    public:
-      Scaled(const ReducedContactModel &model,
-             const std::vector<int>    &r,
-             const double               period)
-        : rows(r)
-        , n(model.n_modes())
-        , scale(2 * n + r.size())
-      {
-        // Floating bodies have no stiffness of their own.
-        const double lowest = 2. * M_PI / period;
-        for (Eigen::Index k = 0; k < n; ++k)
-          {
-            scale[k] = std::sqrt(
-              std::max(model.omega_squared[k], 1e-4 * lowest * lowest));
-            scale[n + k] = 1.;
-          }
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          scale[2 * n + i] =
-            std::sqrt(std::max(model.flexibility(rows[i], rows[i]),
-                               std::numeric_limits<double>::min()));
-      }
-
-      Eigen::VectorXd
-      pack(const Eigen::VectorXd &q,
-           const Eigen::VectorXd &v,
-           const Eigen::VectorXd &lambda) const
-      {
-        Eigen::VectorXd x(scale.size());
-        x << q, v, lambda(rows);
-        return x.cwiseProduct(scale);
-      }
-
-      Eigen::VectorXd
-      difference(const MotionState &a, const MotionState &b) const
-      {
-        return pack(a.coordinates - b.coordinates,
-                    a.velocities - b.velocities,
-                    a.forces - b.forces);
-      }
-
-      MotionState
-      moved(const MotionState &start, const Eigen::VectorXd &change) const
-      {
-        const Eigen::VectorXd x      = change.cwiseQuotient(scale);
-        MotionState           result = start;
-        result.coordinates += x.head(n);
-        result.velocities += x.segment(n, n);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-          result.forces[rows[i]] += x[2 * n + i];
-        return result;
-      }
-
-      Eigen::MatrixXd
-      derivative(const Eigen::MatrixXd &D) const
-      {
-        return scale.asDiagonal() * D * scale.cwiseInverse().asDiagonal();
-      }
-
-    private:
-      const std::vector<int> rows;
-      const Eigen::Index     n;
-      Eigen::VectorXd        scale;
-    };
-
-    /** Of the motion about its mean, the largest energy norm. */
-    double
-    size_of(const ReducedContactModel &model, const Orbit &orbit)
-    {
-      MotionState mean = orbit.states.back();
-      for (std::size_t i = 1; i + 1 < orbit.states.size(); ++i)
+      // In a periodic motion the start's past is that of the end.
+      const ContactPast  past = m.orbit.past_of(settings.n_steps);
+      const Eigen::Index n    = change.size() - 1;
+      PeriodicMotion     best;
+      best.residual = std::numeric_limits<double>::max();
+      for (double step = std::min(1., largest_change / std::abs(change[n]));
+           step >= shortest_step;
+           step *= .5)
         {
-          mean.coordinates += orbit.states[i].coordinates;
-          mean.velocities += orbit.states[i].velocities;
-          mean.forces += orbit.states[i].forces;
+          PeriodicMotion next;
+          if (try_orbit(
+                map,
+                scaled.moved(m.orbit.states.front(), step * change.head(n)),
+                m.period * (1. + step * change[n]),
+                settings.n_steps,
+                past,
+                held,
+                next) &&
+              next.residual < best.residual)
+            best = std::move(next);
+          if (full_only || best.residual < (1. - .2 * step) * m.residual)
+            break;
         }
-      mean.coordinates /= orbit.n_steps();
-      mean.velocities /= orbit.n_steps();
-      mean.forces /= orbit.n_steps();
-      double result = 0.;
-      for (const MotionState &state : orbit.states)
-        result = std::max(result, energy_norm(model, state, mean));
-      return result;
-    }
-
-    /** Largest velocity of contact nodes over the sliding speed. */
-    double
-    vibration(const PeriodMap &map, const Orbit &orbit)
-    {
-      double result = 0.;
-      for (const MotionState &state : orbit.states)
-        result = std::max(result,
-                          (map.reduced_model().participation * state.velocities)
-                            .cwiseAbs()
-                            .maxCoeff());
-      return result / std::abs(map.sliding_speed());
-    }
-
-    /** Newton's step (state, period) from the orbit at hand. */
-    Eigen::VectorXd
-    newton_step(const PeriodMap        &map,
-                const PeriodicMotion   &m,
-                const Scaled           &scaled,
-                const std::vector<int> &rows)
-    {
-      const Orbit          &orbit = m.orbit;
-      const Eigen::MatrixXd D     = scaled.derivative(
-        map.derivative(orbit, rows, PeriodMap::Changes::at_steps));
-      const MotionState    &start = orbit.states.front(), &end = orbit.end();
-      const MotionState    &before = orbit.states[orbit.n_steps() - 1];
-      const Eigen::VectorXd end_rate =
-        scaled.pack(end.velocities,
-                    map.acceleration(end),
-                    (end.forces - before.forces) / orbit.step);
-      const Eigen::VectorXd start_rate =
-        scaled.pack(start.velocities,
-                    map.acceleration(start),
-                    Eigen::VectorXd::Zero(start.forces.size()));
-      const Eigen::Index n = D.rows();
-      Eigen::MatrixXd    A = Eigen::MatrixXd::Zero(n + 1, n + 1);
-      A.topLeftCorner(n, n).setIdentity();
-      A.topLeftCorner(n, n) -= D;
-      // The period in shares of itself.
-      A.col(n).head(n)    = -m.period * end_rate;
-      A.row(n).head(n)    = start_rate.transpose() / start_rate.norm();
-      Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n + 1);
-      rhs.head(n)         = scaled.difference(end, start);
-      return A.partialPivLu().solve(rhs);
-    }
-
-    /** The orbit that starts there with what it misses; false where a step has
-     * no solution. */
-    bool
-    try_orbit(const PeriodMap   &map,
-              const MotionState &start,
-              const double       period,
-              const unsigned int n_steps,
-              PeriodicMotion    &m)
-    {
-      try
-        {
-          m.orbit = map.run(start, period, n_steps);
-        }
-      catch (const ComputationError &)
-        {
-          return false;
-        }
-      m.period   = period;
-      m.residual = energy_norm(map.reduced_model(), m.orbit.end(), start) /
-                   size_of(map.reduced_model(), m.orbit);
-      return std::isfinite(m.residual);
+      return best;
     }
   } // namespace
-
-
-
-  double
-  energy_norm(const ReducedContactModel &model,
-              const MotionState         &a,
-              const MotionState         &b)
-  {
-    const Eigen::VectorXd q      = a.coordinates - b.coordinates,
-                          lambda = a.forces - b.forces;
-    return std::sqrt((a.velocities - b.velocities).squaredNorm() +
-                     model.omega_squared.dot(q.cwiseAbs2()) +
-                     lambda.dot(model.flexibility * lambda));
-  }
 
 
 
@@ -239,17 +110,19 @@ namespace squeal
         const ShootingSettings &settings)
   {
     PeriodicMotion m;
-    if (!try_orbit(map, start, period, settings.n_steps, m))
+    if (!try_orbit(map, start, period, settings.n_steps, {}, nullptr, m))
       return m;
+    StepCorrections held;
+    bool            is_held = false;
     for (;; ++m.iterations)
       {
         m.history.push_back(m.residual);
-        if (vibration(map, m.orbit) < at_rest)
+        if (is_steady(map, m.orbit))
           {
             m.status = CycleStatus::steady_sliding;
             return m;
           }
-        if (m.residual <= settings.tolerance)
+        if (m.residual <= settings.tolerance && m.orbit.past.is_known())
           {
             m.status = CycleStatus::converged;
             return m;
@@ -257,33 +130,38 @@ namespace squeal
         if (m.iterations >= settings.iterations)
           return m;
         const std::vector<int> rows = map.closed_rows(m.orbit);
-        const Scaled           scaled(map.reduced_model(), rows, m.period);
-        const Eigen::VectorXd  change = newton_step(map, m, scaled, rows);
+        const ScaledMotion     scaled(map.reduced_model(), rows, m.period);
+        const PeriodEquations  equations(map,
+                                        m,
+                                        scaled,
+                                        rows,
+                                        is_held ? StatusChanges::held
+                                                 : StatusChanges::located);
+        const Eigen::VectorXd  change = equations.solve();
         if (!change.allFinite())
           return m;
-        const double   turn = std::abs(change[change.size() - 1]);
-        double         step = std::min(1., largest_change / turn);
-        PeriodicMotion best;
-        best.residual = std::numeric_limits<double>::max();
-        for (; step >= shortest_step; step *= .5)
+        const bool     may_hold     = !is_held && m.residual < hold_below;
+        PeriodicMotion best         = search_along(map,
+                                           m,
+                                           scaled,
+                                           change,
+                                           settings,
+                                           is_held ? &held : nullptr,
+                                           may_hold);
+        const bool     has_improved = best.residual < m.residual;
+        if (may_hold && !(best.residual < least_gain * m.residual))
           {
-            PeriodicMotion next;
-            if (try_orbit(map,
-                          scaled.moved(m.orbit.states.front(),
-                                       step * change.head(change.size() - 1)),
-                          m.period * (1. + step * change[change.size() - 1]),
-                          settings.n_steps,
-                          next) &&
-                next.residual < best.residual)
-              best = std::move(next);
-            if (best.residual < (1. - .2 * step) * m.residual)
-              break;
+            held    = (has_improved ? best : m).orbit.corrections;
+            is_held = true;
           }
-        if (!(best.residual < m.residual))
+        else if (!has_improved)
           return m;
-        m.orbit    = std::move(best.orbit);
-        m.period   = best.period;
-        m.residual = best.residual;
+        if (has_improved)
+          {
+            m.orbit    = std::move(best.orbit);
+            m.period   = best.period;
+            m.residual = best.residual;
+          }
       }
   }
 
@@ -311,11 +189,9 @@ namespace squeal
   floquet_multipliers(const PeriodMap &map, const PeriodicMotion &motion)
   {
     const std::vector<int> rows = map.closed_rows(motion.orbit);
-    const Scaled           scaled(map.reduced_model(), rows, motion.period);
+    const ScaledMotion     scaled(map.reduced_model(), rows, motion.period);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-      scaled.derivative(
-        map.derivative(motion.orbit, rows, PeriodMap::Changes::located)),
-      false);
+      scaled.derivative(map.derivative(motion.orbit, rows)), false);
     if (solver.info() != Eigen::Success)
       throw ComputationError("the multipliers of a periodic motion do not "
                              "converge");

@@ -2,6 +2,7 @@
 #include <squeal/output/contact_output.h>
 
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
@@ -32,15 +33,6 @@ namespace squeal
     return direction_text(d, std::abs(d[2]) < 1e-6 ? 2 : 3);
   }
 
-  std::string
-  sliding_text_on_map(const ContactGeometry &g)
-  {
-    return FaceAxes(g).is_global() ? "to " + sliding_text(g)
-                                   : "upwards in the picture";
-  }
-
-
-
   std::vector<std::array<double, 3>>
   node_points(const ContactGeometry &g)
   {
@@ -53,16 +45,35 @@ namespace squeal
   ContactMap
   contact_map(const ContactGeometry &g)
   {
-    const FaceAxes axes(g);
-    if (axes.is_global())
-      return ContactMap(node_points(g), g.areas);
-    std::vector<std::array<double, 2>> places;
+    const FaceAxes              axes(g);
+    const dealii::Tensor<1, 3> &first  = axes.directions()[0],
+                               &second = axes.directions()[1],
+                               sliding = mean_frame(g).sliding;
+    DrawnFace face;
+    face.points = node_points(g);
+    face.areas  = g.areas;
+    face.quads  = g.quads;
     for (const auto &x : g.points)
-      {
-        const auto place = axes.place(x);
-        places.push_back({{place[0], place[1]}});
-      }
-    return ContactMap(node_points(g), g.areas, places);
+      face.places.push_back({axes.place(x)[0], axes.place(x)[1]});
+    face.sliding = {sliding * first, sliding * second};
+    if (!axes.is_global())
+      face.axes = {{"across the sliding", "along the sliding"}};
+    return ContactMap(face);
+  }
+
+
+
+  double
+  pressure_on_map(const double pressure)
+  {
+    return pressure > 0. ? 1e-6 * pressure
+                         : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  std::vector<std::string>
+  status_names()
+  {
+    return {"open", "stick", "slip"};
   }
 
 
@@ -86,8 +97,8 @@ namespace squeal
                       {"traction_y_pa", Type::real, "Pa", "target on source"},
                       {"gap_m", Type::real, "m", "opening"},
                       {"normal_n", Type::real, "N", "force of the node"}});
-    const auto q              = tractions(g, forces);
-    const char *const names[] = {"open", "stick", "slip"};
+    const auto q     = tractions(g, forces);
+    const auto names = status_names();
     for (std::size_t j = 0; j < g.points.size(); ++j)
       table.add_row({j,
                      g.points[j][0],

@@ -41,13 +41,17 @@ namespace squeal
     {
       if (!context.is_root)
         return "";
-      const SceneParameters &scene = context.parameters.scene;
-      const unsigned int     disc  = disc_body(scene);
-      ShapePicture           picture =
+      const SceneParameters   &scene = context.parameters.scene;
+      const unsigned int       disc  = disc_body(scene);
+      std::vector<std::string> names;
+      for (const auto &body : scene.bodies)
+        names.push_back(body.name);
+      ShapePicture picture =
         make_shape_picture(quads,
                            disc,
                            context.parameters.output.slip_display_scale * size,
-                           contact_face_looks_down(scene, disc));
+                           contact_face_looks_down(scene, disc),
+                           names);
       picture.title    = title;
       picture.subtitle = subtitle;
       context.output.file("plots/" + file + ".png");
@@ -66,17 +70,18 @@ namespace squeal
     const auto &p = context.parameters;
     ShapeWriter writer(
       *model.discretization(), context.output, shape_options(p));
-    const Block full = model.linearized().expand(solution.modes.shapes);
-    Progress    progress(
-      context.log, "shapes", solution.n_up_to(p.eigen.highest_frequency));
+    const Block        full  = model.linearized().expand(solution.modes.shapes);
+    const unsigned int end   = solution.n_up_to(p.eigen.highest_frequency);
+    unsigned int       begin = 0;
+    while (begin < end &&
+           solution.modes.frequency(begin) < p.eigen.lowest_frequency)
+      ++begin;
+    Progress     progress(context.log, "shapes", end - begin);
     std::string  first;
     unsigned int number = 0;
-    for (unsigned int i = 0; i < solution.n_up_to(p.eigen.highest_frequency);
-         ++i)
+    for (unsigned int i = begin; i < end; ++i)
       {
-        const double f = solution.modes.frequency(i);
-        if (f < p.eigen.lowest_frequency)
-          continue;
+        const double      f    = solution.modes.frequency(i);
         const std::string name = shape_name(++number, f, false);
         writer.write_shape(name,
                            full.col(i),

@@ -4,6 +4,7 @@
 
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
@@ -105,6 +106,39 @@ namespace squeal
           }
       }
 
+      /** The axis that branches of limit cycles are followed along. */
+      void
+      check_branch(const std::vector<SweepAxisParameters> &axes)
+      {
+        if (axes.empty())
+          return;
+        if (axes.size() > 1)
+          refuse_entry(
+            "Sweep",
+            "Axes",
+            "has more than one: a branch of limit cycles is followed "
+            "over one axis");
+        const SweepAxisParameters &axis    = axes.front();
+        const std::string          section = "Sweep/Axis " + axis.name;
+        for (const std::string &entry : axis.entries)
+          if (!is_friction_entry(entry))
+            refuse_entry(section,
+                         "Entries",
+                         "has " + in_quotes(entry) +
+                           ": branches of limit cycles are followed over "
+                           "coefficients of friction");
+        if (axis.scale != SweepAxisParameters::Scale::linear)
+          refuse_entry(
+            section, "Scale", "must be linear for branches of limit cycles");
+        for (std::size_t i = 0; i < axis.from.size(); ++i)
+          if (!(axis.from[i] >= 0.) ||
+              !(axis.to[std::min(i, axis.to.size() - 1)] > axis.from[i]))
+            refuse_entry(section,
+                         "From",
+                         "must be at least 0 and below 'To' for branches of "
+                         "limit cycles");
+      }
+
       /** Periodic motions are those of the reduced model in the fixed frame
        * with one coefficient of friction at all slip rates. */
       void
@@ -138,8 +172,7 @@ namespace squeal
           refuse_entry("Transient",
                        "Cut-off",
                        "must not be below 'Eigenvalues/Highest frequency'");
-        if (!p.sweep.axes.empty())
-          refuse_entry("Sweep", "Axes", "must be empty for limit cycles");
+        check_branch(p.sweep.axes);
       }
 
       void

@@ -18,6 +18,9 @@ namespace squeal
   {
     namespace fs = std::filesystem;
 
+    // Longer names and values are not aligned: the others stay near each other.
+    constexpr std::size_t widest_column = 30;
+
     /** Opens and closes the sections of a parameter file as entries of other
      * sections follow. */
     class SectionWriter
@@ -83,6 +86,23 @@ namespace squeal
         fs::absolute(file).lexically_normal().parent_path();
       return fs::path(name).lexically_proximate(folder).string();
     }
+
+    /** The value of an entry as written to @p file, which names files as seen
+     * from its own folder. */
+    std::string
+    written_value(const prm::Allowed &allowed,
+                  const std::string  &file,
+                  const std::string  &value)
+    {
+      if (allowed.kind() != prm::Allowed::Kind::file)
+        return value;
+      if (!allowed.is_list())
+        return relative_to(file, value);
+      std::vector<std::string> names = prm::split(value, ',');
+      for (std::string &name : names)
+        name = relative_to(file, name);
+      return prm::join(names, ", ");
+    }
   } // namespace
 
 
@@ -94,23 +114,36 @@ namespace squeal
   {
     std::vector<std::array<std::string, 3>> rows = {
       {{"entry", "value", "default"}}};
+    std::string section;
     for (const auto &used : used_entries)
       {
-        const std::string standard =
-          generic.find(generic_path(used.first))->default_value;
-        if (used.second != standard)
-          rows.push_back({{used.first, used.second, standard}});
+        const Schema::Entry &entry = *generic.find(generic_path(used.first));
+        if (used.second == entry.default_value)
+          continue;
+        if (section_of(used.first) != section)
+          {
+            section = section_of(used.first);
+            rows.push_back({{section, "", ""}});
+          }
+        rows.push_back({{std::string(section.empty() ? 0 : 2, ' ') + entry.name,
+                         used.second,
+                         entry.default_value}});
       }
 
     std::array<std::size_t, 2> width{{0, 0}};
     for (const auto &row : rows)
-      for (std::size_t i = 0; i < width.size(); ++i)
-        width[i] = std::max(width[i], row[i].size());
+      if (!row[1].empty() || !row[2].empty())
+        for (std::size_t i = 0; i < width.size(); ++i)
+          width[i] = std::max(width[i], std::min(row[i].size(), widest_column));
     for (const auto &row : rows)
       {
         std::string line;
         for (std::size_t i = 0; i < width.size(); ++i)
-          line += row[i] + std::string(width[i] - row[i].size() + 2, ' ');
+          {
+            line += row[i] + "  ";
+            if (row[i].size() < width[i])
+              line += std::string(width[i] - row[i].size(), ' ');
+          }
         line += row[2];
         line.erase(line.find_last_not_of(' ') + 1);
         out << line << '\n';
@@ -133,9 +166,7 @@ namespace squeal
             *generic.find(generic_path(used.first));
           writer.enter(prm::section_of(used.first));
           writer.set(entry.name,
-                     entry.allowed.kind() == prm::Allowed::Kind::file
-                       ? relative_to(file, used.second)
-                       : used.second);
+                     written_value(entry.allowed, file, used.second));
         }
       writer.enter("");
     });

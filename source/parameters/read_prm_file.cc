@@ -13,6 +13,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "drop_included.h"
+
 namespace squeal
 {
   namespace prm
@@ -191,6 +193,16 @@ namespace squeal
           return tree;
         }
 
+        /** Another tree in place of this one. */
+        void
+        become(PrmTree &&changed)
+        {
+          tree = std::move(changed);
+          index.clear();
+          for (std::size_t i = 0; i < tree.entries.size(); ++i)
+            index[tree.entries[i].path] = i;
+        }
+
       private:
         PrmTree                                      tree;
         std::unordered_map<std::string, std::size_t> index;
@@ -214,6 +226,7 @@ namespace squeal
           std::vector<RawSection> open; /**< sections, the innermost last */
           IndexedTree             own;
           IndexedTree             included;
+          std::vector<RawSection> dropped; /**< of what was included */
         };
 
         void read_line(const std::string &line,
@@ -225,6 +238,9 @@ namespace squeal
         void read_include(const std::string &name,
                           const Location    &location,
                           File              &file);
+        void read_drop(const std::string &name,
+                       const Location    &location,
+                       File              &file) const;
         void open_section(const std::string &name,
                           const Location    &location,
                           File              &file) const;
@@ -308,6 +324,27 @@ namespace squeal
 
 
       void
+      PrmReader::read_drop(const std::string &name,
+                           const Location    &location,
+                           File              &file) const
+      {
+        if (name.empty())
+          refuse(location, "'drop' without the name of a section or an entry");
+        const std::string section = innermost(file.open);
+        const std::string path    = path_of(section, name);
+        PrmTree           tree    = *file.included;
+        if (!drop_path(tree, path))
+          refuse(location,
+                 "'drop' of " + in_quotes(path) +
+                   ": nothing of that name was included before this line" +
+                   did_you_mean(name, names_below(tree, section)));
+        file.included.become(std::move(tree));
+        file.dropped.push_back({path, location});
+      }
+
+
+
+      void
       PrmReader::open_section(const std::string &name,
                               const Location    &location,
                               File              &file) const
@@ -338,6 +375,8 @@ namespace squeal
           read_set(rest, location, file);
         else if (keyword == "include")
           read_include(rest, location, file);
+        else if (keyword == "drop")
+          read_drop(normal_path(rest), location, file);
         else if (keyword == "subsection")
           open_section(normal_path(rest), location, file);
         else if (keyword == "end" && rest.empty())
@@ -347,12 +386,12 @@ namespace squeal
             file.open.pop_back();
           }
         else
-          refuse(
-            location,
-            in_quotes(line) +
-              " is not understood; a line starts with 'set', "
-              "'subsection', 'end', 'include' or '#'" +
-              did_you_mean(keyword, {"set", "subsection", "end", "include"}));
+          refuse(location,
+                 in_quotes(line) +
+                   " is not understood; a line starts with 'set', "
+                   "'subsection', 'end', 'include', 'drop' or '#'" +
+                   did_you_mean(
+                     keyword, {"set", "subsection", "end", "include", "drop"}));
       }
 
 
@@ -408,6 +447,10 @@ namespace squeal
         if (is_empty)
           throw InputError(name + ": sets no entry: the file is empty");
 
+        PrmTree tree = *file.included;
+        for (const RawSection &section : file.dropped)
+          take_from_list(tree, *file.own, section.path);
+        file.included.become(std::move(tree));
         file.included.add(*file.own);
         return *file.included;
       }

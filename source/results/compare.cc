@@ -8,7 +8,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <ostream>
+#include <sstream>
+
+#include "compare_summary.h"
 
 namespace squeal
 {
@@ -259,14 +263,14 @@ namespace squeal
 
     /** The parameters that shape the result and differ, if both runs left a
      * record. */
-    void
-    print_differing_parameters(const Run &a, const Run &b, std::ostream &out)
+    std::optional<Table>
+    differing_parameters(const Run &a, const Run &b)
     {
       const std::string path_a = (fs::path(a.directory) / "run.json").string();
       const std::string path_b = (fs::path(b.directory) / "run.json").string();
       std::error_code   ignored;
       if (!fs::exists(path_a, ignored) || !fs::exists(path_b, ignored))
-        return;
+        return {};
       const RunRecord record_a = read_run_record(path_a);
       const RunRecord record_b = read_run_record(path_b);
       std::map<std::string, std::pair<std::string, std::string>> values;
@@ -281,11 +285,7 @@ namespace squeal
         if (both.first != both.second && name.find("Output") != 0 &&
             name.find("Result checks/") != 0)
           table.add_row({name, both.first, both.second});
-      out << '\n';
-      if (table.n_rows() == 0)
-        out << "All parameters that shape the result are the same.\n";
-      else
-        table.print(out);
+      return table;
     }
 
     void
@@ -296,6 +296,29 @@ namespace squeal
       out << title << ": " << (items.empty() ? "none" : "") << '\n';
       for (const std::string &item : items)
         out << "  " << item << '\n';
+    }
+
+    void
+    print_all(const RunComparison        &result,
+              const std::optional<Table> &parameters,
+              std::ostream               &out)
+    {
+      if (parameters && parameters->n_rows() == 0)
+        out << "\nAll parameters that shape the result are the same.\n";
+      else if (parameters)
+        {
+          out << '\n';
+          parameters->print(out);
+        }
+      out << "\nPairs matched by "
+          << (result.by_shape ? "shape (MAC)" : "name and nearest eigenvalue")
+          << ":\n";
+      result.table.print(out);
+      if (!result.table.has_column("dsigma"))
+        return;
+      out << '\n';
+      print_list("New instabilities", result.new_instabilities, out);
+      print_list("Vanished instabilities", result.vanished_instabilities, out);
     }
   } // namespace
 
@@ -387,7 +410,8 @@ namespace squeal
   RunComparison
   compare_runs(const std::string &directory_a,
                const std::string &directory_b,
-               std::ostream      &out)
+               std::ostream      &out,
+               const bool         all)
   {
     for (const std::string &directory : {directory_a, directory_b})
       if (!fs::is_directory(directory))
@@ -421,19 +445,16 @@ namespace squeal
                       point);
       }
 
+    const std::optional<Table> parameters = differing_parameters(a, b);
+    std::ostringstream         whole;
+    print_all(result, parameters, whole);
+    const std::string text = whole.str();
     out << "A: " << directory_a << "\nB: " << directory_b << '\n';
-    print_differing_parameters(a, b, out);
-    out << "\nPairs matched by "
-        << (result.by_shape ? "shape (MAC)" : "name and nearest eigenvalue")
-        << ":\n";
-    result.table.print(out);
-    if (with_sigma)
-      {
-        out << '\n';
-        print_list("New instabilities", result.new_instabilities, out);
-        print_list(
-          "Vanished instabilities", result.vanished_instabilities, out);
-      }
+    if (all || std::count(text.begin(), text.end(), '\n') + 2 <=
+                 static_cast<long>(most_compared_lines))
+      out << text;
+    else
+      print_summary(result, parameters ? &*parameters : nullptr, out);
     return result;
   }
 } // namespace squeal

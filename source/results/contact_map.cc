@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/files.h>
 #include <squeal/results/contact_map.h>
+#include <squeal/results/map_style.h>
 #include <squeal/results/vtk_xml.h>
 
 #include <algorithm>
@@ -19,17 +20,6 @@ namespace squeal
     constexpr double reach = 2.;
 
     constexpr std::uint8_t vtk_vertex = 1, vtk_polygon = 7;
-
-    std::vector<PlanarPoint>
-    in_plane(const std::vector<std::array<double, 3>> &points)
-    {
-      std::vector<PlanarPoint> result;
-      for (const auto &p : points)
-        result.push_back({p[0], p[1]});
-      return result;
-    }
-
-
 
     /** Ticks of both axes, mm: with equal scales a narrow face has little room
      * for numbers. */
@@ -65,53 +55,186 @@ namespace squeal
 
 
 
-    /** Closed outlines of the cells, mm, at the height of their values. */
     std::string
-    outline_data(const std::vector<std::vector<PlanarPoint>> &cells,
-                 const std::vector<double>                   &values)
+    place_text(const PlanarPoint &place)
+    {
+      return plot_number(1e3 * place[0]) + ' ' + plot_number(1e3 * place[1]);
+    }
+
+    bool
+    has_value(const ContactMap::Panel &panel, const std::size_t point)
+    {
+      const double v = panel.values[point];
+      return std::isfinite(v) &&
+             (panel.kinds.empty() ||
+              panel.kinds.at(static_cast<std::size_t>(v)) != "open");
+    }
+
+    /** Closed polygons of the cells that have a value, or none, in mm. */
+    std::string
+    cell_data(const std::vector<PointCell> &cells,
+              const ContactMap::Panel      &panel,
+              const bool                    with_value)
     {
       std::string data;
-      for (std::size_t j = 0; j < cells.size(); ++j)
-        {
-          for (std::size_t k = 0; k <= cells[j].size() && !cells[j].empty();
-               ++k)
-            {
-              const PlanarPoint &corner = cells[j][k % cells[j].size()];
-              data += plot_number(1e3 * corner[0]) + ' ' +
-                      plot_number(1e3 * corner[1]) + ' ' +
-                      plot_number(values[j]) + '\n';
-            }
-          data += '\n';
-        }
+      for (const auto &[point, corners] : cells)
+        if (!corners.empty() && has_value(panel, point) == with_value)
+          {
+            for (std::size_t k = 0; k <= corners.size(); ++k)
+              data += place_text(corners[k % corners.size()]) + ' ' +
+                      plot_number(panel.values[point]) + '\n';
+            data += '\n';
+          }
       return data;
     }
+
+    /** Range of the colours of a panel. */
+    std::array<double, 2>
+    colour_range(const ContactMap::Panel &panel)
+    {
+      if (panel.lower < panel.upper)
+        return {{panel.lower, panel.upper}};
+      double lower = 0., upper = 0.;
+      for (const double v : panel.values)
+        if (std::isfinite(v))
+          {
+            lower = std::min(lower, v);
+            upper = std::max(upper, v);
+          }
+      return {{lower, lower < upper ? upper : lower + 1.}};
+    }
+
+    bool
+    share_a_bar(const std::vector<ContactMap::Panel> &panels)
+    {
+      return panels.size() > 1 &&
+             std::all_of(panels.begin(), panels.end(), [&](const auto &p) {
+               return p.label == panels[0].label && p.kinds.empty() &&
+                      panels[0].kinds.empty() &&
+                      colour_range(p) == colour_range(panels[0]);
+             });
+    }
+
+    /** Palette, range and bar of a panel. */
+    std::string
+    colours_of(const ContactMap::Panel &panel)
+    {
+      const std::string label = "set cblabel " + in_quotes(panel.label) + "\n";
+      if (!panel.kinds.empty())
+        return label + palette_of_kinds(panel.kinds);
+      const auto range = colour_range(panel);
+      return label + "set palette maxcolors 0\n" + sequential_palette() +
+             "\nset cbtics autofreq\nset cbrange [" + plot_number(range[0]) +
+             ":" + plot_number(range[1]) + "]";
+    }
+
+    /** The longest arrow, whatever the panel and the cell of the node: those
+     * of one traction are of one length. */
+    double
+    longest_arrow(const std::vector<ContactMap::Panel> &panels)
+    {
+      double longest = 0.;
+      for (const auto &panel : panels)
+        for (std::size_t j = 0; j < panel.arrows_x.size(); ++j)
+          longest =
+            std::max(longest, std::hypot(panel.arrows_x[j], panel.arrows_y[j]));
+      return longest;
+    }
+
+    /** Drawn as @p length, m, where they are as long as @p longest. */
+    std::string
+    arrow_data(const DrawnFace         &face,
+               const ContactMap::Panel &panel,
+               const double             length,
+               const double             longest)
+    {
+      std::string arrows;
+      for (std::size_t j = 0; j < panel.arrows_x.size() && longest > 0.; ++j)
+        arrows += place_text(face.places[j]) + ' ' +
+                  place_text({length / longest * panel.arrows_x[j],
+                              length / longest * panel.arrows_y[j]}) +
+                  '\n';
+      return arrows;
+    }
+
+    /** The outline of the face, mm; empty where no quads tell it. */
+    std::string
+    outline_data(const DrawnFace &face)
+    {
+      std::string data;
+      for (const auto &[a, b] : outline_of(face.quads))
+        data += place_text(face.places[a]) + '\n' + place_text(face.places[b]) +
+                "\n\n";
+      return data;
+    }
+
+    /** An arrow in the strip above the panels, and what it means. */
+    std::string
+    sliding_arrow(const PlanarPoint &sliding, const Drawing &drawing)
+    {
+      const double length = std::hypot(sliding[0], sliding[1]);
+      if (length == 0.)
+        return "";
+      const double half = 15. / length, x = 34., y = drawing.height - 26.;
+      const auto   screen = [&](const double sign) {
+        return "screen " +
+               plot_number((x + sign * half * sliding[0]) / drawing.width) +
+               ",screen " +
+               plot_number((y + sign * half * sliding[1]) / drawing.height);
+      };
+      return "set arrow 1 from " + screen(-1.) + " to " + screen(1.) +
+             " filled size screen " + plot_number(11. / drawing.width) +
+             ",22 lw 3 lc rgb '#333333' front\nset label 1 'the target slides' "
+             "at screen " +
+             plot_number(60. / drawing.width) + ",screen " +
+             plot_number(y / drawing.height) + " left front";
+    }
+
+    /** Draws the data above each other, each in its way; empty ones not. */
+    std::string
+    plot_command(
+      const std::array<std::pair<std::string, std::string>, 4> &layers,
+      Drawing                                                  &drawing)
+    {
+      std::string command;
+      for (const auto &[data, way] : layers)
+        if (!data.empty())
+          command +=
+            (command.empty() ? "plot " : ", ") + drawing.add_data(data) + way;
+      return command;
+    }
+
+    /** Places the bar that all panels share beside them. */
+    std::string
+    shared_bar(const Drawing &drawing, const double right, const double top)
+    {
+      return "set colorbox user origin screen " +
+             plot_number(right + 25. / drawing.width) + ",screen " +
+             plot_number(0.15 * top) + " size screen " +
+             plot_number(28. / drawing.width) + ",screen " +
+             plot_number(0.7 * top);
+    }
+
+    constexpr int panel_width = 560, panel_height = 520, strip = 52, bar = 150;
   } // namespace
 
 
 
-  ContactMap::ContactMap(const std::vector<std::array<double, 3>> &p,
-                         const Values                             &areas)
-    : ContactMap(p, areas, in_plane(p))
+  ContactMap::ContactMap(const DrawnFace &drawn)
+    : face(drawn)
+    , cells(quarter_cells(face.places, face.quads))
   {
-    axis_labels =
-      "set xlabel 'x in mm'\nset ylabel 'y in mm (sliding)' offset -1";
-  }
-
-  ContactMap::ContactMap(const std::vector<std::array<double, 3>> &p,
-                         const Values                             &areas,
-                         const std::vector<std::array<double, 2>> &where)
-    : points(p)
-    , areas(areas)
-    , places(where.begin(), where.end())
-    , axis_labels(
-        "set xlabel 'across the sliding in mm'\nset ylabel 'along the "
-        "sliding in mm' offset -1")
-    , polygons(delaunay_polygons(places))
-  {
+    for (const auto &quad : face.quads)
+      polygons.emplace_back(quad.begin(), quad.end());
+    if (!face.quads.empty())
+      return;
+    polygons = delaunay_polygons(face.places);
     std::vector<double> reaches;
-    for (const double area : areas)
+    for (const double area : face.areas)
       reaches.push_back(reach * std::sqrt(area));
-    cells = nearest_cells(places, reaches);
+    const auto nearest = nearest_cells(face.places, reaches);
+    for (std::size_t j = 0; j < nearest.size(); ++j)
+      cells.push_back({j, nearest[j]});
   }
 
 
@@ -124,62 +247,50 @@ namespace squeal
   {
     const unsigned int columns =
       std::min<std::size_t>(n_columns, panels.size());
-    const unsigned int rows = (panels.size() + columns - 1) / columns;
+    const unsigned int rows    = (panels.size() + columns - 1) / columns;
+    const bool         one_bar = share_a_bar(panels);
     Drawing            drawing;
-    drawing.width  = 620 * columns;
-    drawing.height = 560 * rows;
-    drawing.add("set multiplot layout " + std::to_string(rows) + "," +
-                std::to_string(columns));
-    drawing.add("set palette defined (0 '#ffffff', 0.25 '#c6dbef', 0.5 "
-                "'#6baed6', 0.75 '#2171b5', 0.9 '#d55e00', 1 '#7f2704')");
-    drawing.add("set view map\nset size ratio -1\nunset key\nunset ztics");
+    drawing.width      = panel_width * columns + (one_bar ? bar : 0);
+    drawing.height     = panel_height * rows + strip;
+    const double right = double(panel_width * columns) / drawing.width,
+                 top   = double(panel_height * rows) / drawing.height;
+    drawing.add("set multiplot");
+    drawing.add("set size ratio -1\nunset key");
     drawing.add("set style fill solid noborder");
-    drawing.add(axis_labels);
-    drawing.add(ticks_of(places));
-    // One scale for all arrows: those of one traction are of one length,
-    // whatever the panel and the cell of the node.
-    double longest = 0.;
-    for (const Panel &panel : panels)
-      for (std::size_t j = 0; j < panel.arrows_x.size(); ++j)
-        longest =
-          std::max(longest, std::hypot(panel.arrows_x[j], panel.arrows_y[j]));
-    const double area = std::accumulate(areas.begin(), areas.end(), 0.);
-    const double length =
-      std::min(2.4 * std::sqrt(area / areas.size()), 0.3 * std::sqrt(area));
-    for (const Panel &panel : panels)
+    drawing.add("set xlabel " + in_quotes(face.axes[0] + " in mm") +
+                "\nset ylabel " + in_quotes(face.axes[1] + " in mm"));
+    drawing.add(ticks_of(face.places));
+    drawing.add(sliding_arrow(face.sliding, drawing));
+    const double longest = longest_arrow(panels);
+    const double area =
+      std::accumulate(face.areas.begin(), face.areas.end(), 0.);
+    const double length = std::min(2.4 * std::sqrt(area / face.areas.size()),
+                                   0.3 * std::sqrt(area));
+    const std::string outline = outline_data(face);
+    for (std::size_t k = 0; k < panels.size(); ++k)
       {
-        const auto ends =
-          std::minmax_element(panel.values.begin(), panel.values.end());
-        double lower = panel.lower, upper = panel.upper;
-        if (!(lower < upper))
-          {
-            lower = std::min(0., *ends.first);
-            upper = *ends.second > lower ? *ends.second : lower + 1.;
-          }
-        std::string arrows;
-        for (std::size_t j = 0; j < panel.arrows_x.size() && longest > 0.; ++j)
-          arrows +=
-            plot_number(1e3 * places[j][0]) + ' ' +
-            plot_number(1e3 * places[j][1]) + ' ' +
-            plot_number(1e3 * length / longest * panel.arrows_x[j]) + ' ' +
-            plot_number(1e3 * length / longest * panel.arrows_y[j]) + '\n';
+        const Panel &panel = panels[k];
+        drawing.add(
+          "set origin " + plot_number(right * (k % columns) / columns) + "," +
+          plot_number(top * (rows - 1 - k / columns) / rows) + "\nset size " +
+          plot_number(right / columns) + "," + plot_number(top / rows));
         drawing.add("set title " + in_quotes(panel.title));
-        drawing.add("set cblabel " + in_quotes(panel.label));
-        drawing.add("set cbrange [" + plot_number(lower) + ":" +
-                    plot_number(upper) + "]");
-        // Seen from above, where the height counts for the colour only.
-        drawing.add("set zrange [" + plot_number(std::min(0., *ends.first)) +
-                    ":" + plot_number(std::max(*ends.second, upper)) + "]");
-        const std::string outlines =
-          drawing.add_data(outline_data(cells, panel.values));
-        std::string command =
-          "splot " + outlines + " using 1:2:3 with polygons fc palette z, " +
-          outlines + " using 1:2:3 with lines lw 0.5 lc rgb '#cccccc'";
-        if (!arrows.empty())
-          command +=
-            ", " + drawing.add_data(arrows) +
-            " using 1:2:(0):3:4:(0) with vectors filled lc rgb 'black'";
-        drawing.add(command);
+        drawing.add(colours_of(panel));
+        if (one_bar && k == 0)
+          drawing.add(shared_bar(drawing, right, top));
+        else if (one_bar)
+          drawing.add("unset colorbox");
+        if (k == 1)
+          drawing.add("unset arrow 1\nunset label 1");
+        drawing.add(plot_command(
+          {{{cell_data(cells, panel, false),
+             " using 1:2 with polygons fc rgb " + no_value_colour()},
+            {cell_data(cells, panel, true),
+             " using 1:2:3 with polygons fc palette"},
+            {outline, " using 1:2 with lines lw 1.2 lc rgb '#333333'"},
+            {arrow_data(face, panel, length, longest),
+             " using 1:2:3:4 with vectors filled lc rgb 'black'"}}},
+          drawing));
       }
     drawing.add("unset multiplot");
     return plotter.draw(drawing, path);
@@ -196,7 +307,7 @@ namespace squeal
     std::vector<double>       coordinates;
     std::vector<std::int32_t> connectivity, offsets;
     std::vector<std::uint8_t> types;
-    for (const auto &point : points)
+    for (const auto &point : face.points)
       coordinates.insert(coordinates.end(), point.begin(), point.end());
     const auto add_cell = [&](const std::vector<int> &nodes,
                               const std::uint8_t      type) {
@@ -206,9 +317,9 @@ namespace squeal
     };
     for (const std::vector<int> &polygon : polygons)
       add_cell(polygon, vtk_polygon);
-    for (std::size_t j = 0; polygons.empty() && j < points.size(); ++j)
+    for (std::size_t j = 0; polygons.empty() && j < face.points.size(); ++j)
       add_cell({int(j)}, vtk_vertex);
-    grid.n_points = points.size();
+    grid.n_points = face.points.size();
     grid.n_cells  = types.size();
     grid.points   = vtk::data_array("points", 3, coordinates);
     grid.cells    = vtk::data_array("connectivity", 1, connectivity) +
@@ -216,7 +327,7 @@ namespace squeal
                  vtk::data_array("types", 1, types);
     for (const auto &[name, values] : fields)
       grid.point_data +=
-        vtk::data_array(name, values.size() / points.size(), values);
+        vtk::data_array(name, values.size() / face.points.size(), values);
     write_atomically(path,
                      [&](std::ostream &out) { vtk::write_vtu(out, grid); });
   }

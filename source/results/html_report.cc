@@ -7,82 +7,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <ostream>
+#include <sstream>
+
+#include "html_report_style.h"
 
 namespace squeal
 {
   namespace
   {
-    const char style[] = R"(
-:root { --ink: #1d2733; --faint: #5b6775; --rule: #d9dee4; --good: #00795a;
-  --bad: #b84a00; --neutral: #0072b2; }
-* { box-sizing: border-box; }
-body { margin: 0; background: #f4f6f8; color: var(--ink);
-  font: 15px/1.5 "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif; }
-main { max-width: 1180px; margin: 0 auto; padding: 2rem 2.5rem 3rem;
-  background: #fff; }
-h1 { font-size: 1.8rem; margin: 0; }
-.subtitle { color: var(--faint); margin: .2rem 0 1.4rem; }
-h2 { font-size: 1.25rem; margin: 2.4rem 0 .8rem; padding-bottom: .25rem;
-  border-bottom: 2px solid var(--rule); }
-.verdict { border-left: .5rem solid var(--neutral); background: #f4f7fa;
-  padding: 1rem 1.3rem; }
-.verdict.good { border-color: var(--good); }
-.verdict.bad { border-color: var(--bad); background: #fdf3ec; }
-.verdict strong { font-size: 1.35rem; color: var(--neutral); }
-.verdict.good strong { color: var(--good); }
-.verdict.bad strong { color: var(--bad); }
-.figures { display: flex; flex-wrap: wrap; gap: .5rem 2.2rem; margin: .7rem 0 0; }
-.figures div { min-width: 8rem; }
-.figures dt { color: var(--faint); font-size: .82rem; }
-.figures dd { margin: 0; font-weight: 600; }
-nav { margin: 1.2rem 0 0; font-size: .9rem; }
-nav a { color: var(--neutral); text-decoration: none; margin-right: 1.1rem; }
-/* A table that goes on beyond the right edge has a shadow there: a cover that
-   moves with the table hides it at the end. */
-.wide { overflow-x: auto; background:
-  linear-gradient(to left, #fff 40%, #fff0) 100% 0 / 3rem 100% local no-repeat,
-  linear-gradient(to left, #1d273340, #fff0) 100% 0 / 1rem 100% scroll
-    no-repeat; }
-table { border-collapse: collapse; font-size: .84rem; margin: .4rem 0; }
-caption { text-align: left; color: var(--faint); padding-bottom: .4rem; }
-th { text-align: left; vertical-align: bottom; font-weight: 600;
-  border-bottom: 2px solid var(--ink); padding: .25rem .7rem .25rem 0; }
-th small { display: block; font-weight: 400; color: var(--faint); }
-td { border-bottom: 1px solid var(--rule); padding: .2rem .7rem .2rem 0;
-  vertical-align: top; }
-th.number { text-align: right; padding-left: .7rem; vertical-align: bottom; }
-td.number { text-align: right; white-space: nowrap;
-  font-variant-numeric: tabular-nums; padding-left: .7rem; }
-tr.marked td { background: #fdeadd; font-weight: 600; }
-table.data td:not(.number) { min-width: 5.5em; }
-/* What a row is about stays in sight. */
-.wide th:first-child, .wide td:first-child { position: sticky; left: 0;
-  background: #fff; }
-.wide tr.marked td:first-child { background: #fdeadd; }
-td.ok { color: var(--good); font-weight: 600; }
-td.failed { color: var(--bad); font-weight: 600; }
-dl.legend { font-size: .8rem; color: var(--faint); columns: 2; margin: .3rem 0; }
-dl.legend div { break-inside: avoid; }
-dl.legend dt { display: inline; font-weight: 600; }
-dl.legend dd { display: inline; margin: 0; }
-dl.legend dd::after { content: ""; display: block; }
-.row { display: flex; flex-wrap: wrap; gap: 1rem 2%; }
-figure { margin: 1rem 0; width: 100%; }
-figure.narrow { width: 49%; }
-figure img { width: 100%; border: 1px solid var(--rule); }
-figcaption { color: var(--faint); font-size: .86rem; }
-pre { background: #f4f7fa; padding: .8rem 1rem; overflow-x: auto;
-  font-size: .86rem; }
-table.pairs td:first-child { color: var(--faint); }
-table.pairs td { overflow-wrap: anywhere; }
-@media print { body { background: #fff; font-size: 10.5pt; }
-  main { padding: 0; max-width: none; } nav { display: none; }
-  figure, tr, .verdict, pre { break-inside: avoid; } h2 { break-after: avoid; }
-  .wide { overflow: visible; background: none; } table { font-size: 7.5pt; }
-  table.data td { white-space: normal; } th, td { padding-right: .35rem; }
-  td.number, th.number { padding-left: .2rem; } }
-)";
+    // Of what fits beside each other on a page: characters, those between
+    // columns, and of a long text what is shown of it.
+    constexpr std::size_t page_width = 125, column_gap = 3, longest_text = 30;
 
     std::string
     escaped(const std::string &text)
@@ -127,7 +64,82 @@ table.pairs td { overflow-wrap: anywhere; }
                      "</dt> <dd>" + escaped(column.description) +
                      "</dd></div>\n";
         }
-      return items.empty() ? "" : "<dl class=\"legend\">\n" + items + "</dl>\n";
+      return items.empty()
+               ? ""
+               : "<details><summary>What the columns mean</summary>\n"
+                 "<dl class=\"legend\">\n" +
+                   items + "</dl></details>\n";
+    }
+
+    /** Characters that a column takes. */
+    std::size_t
+    width_of(const Table &table, const std::size_t column)
+    {
+      const ColumnTitle  title(table.columns()[column]);
+      std::istringstream words(title.name + " " + title.unit);
+      std::size_t        width = 0;
+      for (std::string word; words >> word;)
+        width = std::max(width, display_width(word));
+      for (std::size_t r = 0; r < table.n_rows(); ++r)
+        width = std::max(
+          width,
+          std::min(display_width(table.display(r, column)), longest_text));
+      return width + column_gap;
+    }
+
+    /** How many of the first @p columns fit beside each other, at least one. */
+    std::size_t
+    n_fitting(const Table &table, const std::vector<std::size_t> &columns)
+    {
+      std::size_t width = 0, n = 0;
+      for (const std::size_t c : columns)
+        {
+          width += width_of(table, c);
+          if (n > 0 && width > page_width)
+            break;
+          ++n;
+        }
+      return n;
+    }
+
+    /** Stands in the text until what is to be there is known. */
+    std::string
+    place(const std::string &kind, const std::size_t number)
+    {
+      return "<!-- " + kind + " " + std::to_string(number) + " -->";
+    }
+
+    void
+    fill(std::string &text, const std::string &at, const std::string &with)
+    {
+      const std::size_t found = text.find(at);
+      if (found != std::string::npos)
+        text.replace(found, at.size(), with);
+    }
+
+    std::string
+    link_to(const std::string &file)
+    {
+      return "<a href=\"" + escaped(file) + "\">" + escaped(file) + "</a>";
+    }
+
+    /** Links to the files of a picture as seen from @p folder. */
+    std::string
+    links_of_figure(const std::string &png, const std::filesystem::path &folder)
+    {
+      namespace fs = std::filesystem;
+      std::string     links;
+      std::error_code ignored;
+      for (const char *ending : {".png", ".svg"})
+        {
+          const fs::path file = fs::path(png).replace_extension(ending);
+          if (fs::is_regular_file(file, ignored))
+            links += " " + link_to(fs::absolute(file)
+                                     .lexically_normal()
+                                     .lexically_proximate(folder)
+                                     .string());
+        }
+      return links;
     }
   } // namespace
 
@@ -194,35 +206,84 @@ table.pairs td { overflow-wrap: anywhere; }
       shown.push_back(table.column_index(name));
     for (std::size_t c = 0; names.empty() && c < table.columns().size(); ++c)
       shown.push_back(c);
-    const auto class_of = [&](const std::size_t c) {
-      return table.columns()[c].type == Table::Type::text ? ""
-                                                          : " class=\"number\"";
+    const std::size_t n_shown = n_fitting(table, shown);
+    const auto        open    = [&](const char *tag, const std::size_t i) {
+      const bool is_number =
+        table.columns()[shown[i]].type != Table::Type::text;
+      const std::string classes =
+        std::string(is_number ? "number" : "") + (i < n_shown ? ""
+                                                            : is_number ? " more"
+                                                                        : "more");
+      return std::string("<") + tag +
+             (classes.empty() ? "" : " class=\"" + classes + "\"");
     };
 
+    const std::size_t number = shown_tables.size();
+    shown_tables.push_back({{}, table.n_rows()});
+    for (const std::size_t c : shown)
+      shown_tables.back().columns.push_back(table.columns()[c].name);
+    body += "<div class=\"table\">";
+    if (n_shown < shown.size())
+      {
+        const std::string id = "fold" + std::to_string(number);
+        body += "<input type=\"checkbox\" class=\"fold\" id=\"" + id +
+                "\"><label for=\"" + id + "\"> " +
+                std::to_string(shown.size() - n_shown) +
+                " more columns</label> ";
+      }
+    body += place("table", number);
     body +=
       "<div class=\"wide\" tabindex=\"0\"><table class=\"data\">\n<caption>" +
       escaped(caption) + "</caption>\n<thead><tr>";
-    for (const std::size_t c : shown)
+    for (std::size_t i = 0; i < shown.size(); ++i)
       {
-        const Table::Column &column = table.columns()[c];
+        const Table::Column &column = table.columns()[shown[i]];
         const ColumnTitle    title(column);
-        body += std::string("<th") + class_of(c) + " title=\"" +
-                escaped(column.description) + "\">" + escaped(title.name) +
-                "<small>" + escaped(title.unit) + "</small></th>";
+        body += open("th", i) + " title=\"" + escaped(column.description) +
+                "\">" + escaped(title.name) + "<small>" + escaped(title.unit) +
+                "</small></th>";
       }
     body += "</tr></thead>\n<tbody>\n";
     for (std::size_t r = 0; r < table.n_rows(); ++r)
       {
         const bool marked = r < highlighted.size() && highlighted[r];
         body += marked ? "<tr class=\"marked\">" : "<tr>";
-        for (const std::size_t c : shown)
-          body += std::string("<td") + class_of(c) + ">" +
-                  escaped(table.display(r, c)) + "</td>";
+        for (std::size_t i = 0; i < shown.size(); ++i)
+          {
+            const std::string text = escaped(table.display(r, shown[i]));
+            body +=
+              open("td", i) +
+              (display_width(text) > longest_text ? " title=\"" + text + "\""
+                                                  : "") +
+              ">" + text + "</td>";
+          }
         body += "</tr>\n";
       }
-    body += "</tbody></table></div>\n";
+    body += "</tbody></table></div></div>\n";
     if (with_legend)
       body += legend_of(table, shown);
+  }
+
+
+
+  void
+  HtmlReport::link_tables(const std::map<std::string, const Table *> &tables)
+  {
+    for (ShownTable &shown : shown_tables)
+      {
+        std::size_t fewest = std::numeric_limits<std::size_t>::max();
+        for (const auto &[name, table] : tables)
+          if (table->n_rows() >= shown.n_rows && table->n_rows() < fewest &&
+              std::all_of(shown.columns.begin(),
+                          shown.columns.end(),
+                          [&table = table](const std::string &column) {
+                            return table->has_column(column);
+                          }))
+            {
+              shown.link = name;
+              fewest     = table->n_rows();
+            }
+      }
   }
 
 
@@ -248,7 +309,9 @@ table.pairs td { overflow-wrap: anywhere; }
     body += std::string("<figure") + (narrow ? " class=\"narrow\"" : "") +
             "><img alt=\"" + escaped(caption) +
             "\" src=\"data:image/png;base64," + base64(read_file(path)) +
-            "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+            "\"><figcaption>" + escaped(caption) +
+            place("figure", figure_files.size()) + "</figcaption></figure>\n";
+    figure_files.push_back(path);
     if (narrow)
       body += end + mark;
   }
@@ -298,15 +361,23 @@ table.pairs td { overflow-wrap: anywhere; }
 
 
   void
-  HtmlReport::checks(const std::vector<ResultCheck> &results)
+  HtmlReport::checks(const RunRecord &record)
   {
     section("Result checks");
+    if (!record.void_checks.empty())
+      {
+        paragraph("Not checked, as --set '" + record.void_cause +
+                  "' changes what they expect:");
+        list(record.void_checks);
+      }
+    if (record.checks.empty())
+      return;
     body += "<div class=\"wide\" "
             "tabindex=\"0\"><table>\n<thead><tr><th></th><th>check</th>"
             "<th class=\"number\">got</th><th class=\"number\">expected</th>"
             "<th class=\"number\">tolerance</th><th></th></tr></thead>\n"
             "<tbody>\n";
-    for (const ResultCheck &check : results)
+    for (const ResultCheck &check : record.checks)
       body +=
         std::string("<tr>") +
         (check.passed ? "<td class=\"ok\">ok" : "<td class=\"failed\">FAILED") +
@@ -349,8 +420,8 @@ table.pairs td { overflow-wrap: anywhere; }
   void
   HtmlReport::run_record(const RunRecord &record, const std::string &command)
   {
-    if (!record.checks.empty())
-      checks(record.checks);
+    if (!record.checks.empty() || !record.void_checks.empty())
+      checks(record);
     if (!record.warnings.empty())
       {
         section("Warnings");
@@ -370,18 +441,29 @@ table.pairs td { overflow-wrap: anywhere; }
   void
   HtmlReport::write(const std::string &path) const
   {
+    namespace fs     = std::filesystem;
+    std::string text = body;
+    for (std::size_t i = 0; i < shown_tables.size(); ++i)
+      fill(text,
+           place("table", i),
+           shown_tables[i].link.empty() ? "" : link_to(shown_tables[i].link));
+    const fs::path folder = fs::absolute(path).lexically_normal().parent_path();
+    for (std::size_t i = 0; i < figure_files.size(); ++i)
+      fill(text, place("figure", i), links_of_figure(figure_files[i], folder));
     write_atomically(path, [&](std::ostream &out) {
       out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
              "<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
              "content=\"width=device-width, initial-scale=1\">\n<title>"
-          << escaped(title) << "</title>\n<style>" << style
+          << escaped(title) << "</title>\n<style>" << report_style
           << "</style>\n</head>\n<body>\n<main>\n<h1>" << escaped(title)
           << "</h1>\n<p class=\"subtitle\">" << escaped(subtitle) << "</p>\n"
           << verdict_box << "<nav>";
       for (std::size_t i = 0; i < section_titles.size(); ++i)
         out << "<a href=\"#" << anchor(i) << "\">" << escaped(section_titles[i])
             << "</a> ";
-      out << "</nav>\n" << body << "</main>\n";
+      out << "</nav>\n" << text << "</main>\n";
+      if (!shown_tables.empty())
+        out << sorting_script;
       for (const std::string &script : scripts)
         out << script;
       out << "</body>\n</html>\n";

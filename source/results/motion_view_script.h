@@ -64,6 +64,8 @@ figure.motion .key span { width: 9rem; height: .8rem; }
       this.light = light;
       this.scene.add(light, new THREE.AmbientLight(0xffffff, 0.62));
       this.bodies = data.bodies.map(body => this.add(body));
+      this.notes = [];
+      this.times = new Float32Array(this.base.length / 3);
       this.build(figure);
       this.choose(0);
       this.home();
@@ -119,8 +121,13 @@ figure.motion .key span { width: 9rem; height: .8rem; }
         const label = element('label', controls),
               box = element('input', label, {type: 'checkbox', checked: true});
         label.append(' ' + body.name);
+        this.notes.push(element('span', label));
         box.onchange = () => { this.bodies[i].visible = box.checked; };
       });
+      const own = element('label', controls);
+      this.own = element('input', own, {type: 'checkbox', checked: true});
+      own.append(' a scale of its own where a body hardly moves');
+      this.own.onchange = () => this.choose(+this.motion.value);
       const key = element('div', controls, {className: 'key'});
       element('i', key, {textContent: '-1'});
       element('span', key).style.background = 'linear-gradient(90deg,' +
@@ -157,9 +164,36 @@ figure.motion .key span { width: 9rem; height: .8rem; }
       const motion = this.data.motions[number];
       this.harmonic = motion.harmonic;
       this.frames = motion.frames.map(text => shorts(text, 1));
+      this.scale_bodies();
       // One period or one pass in two seconds.
       this.start = performance.now();
       this.share = 0;
+    }
+    // As still pictures: below a fifth of the largest motion 2, 5, 10 ... times.
+    scale_bodies() {
+      const size = i => Math.sqrt(this.harmonic
+        ? this.frames.reduce((s, f) => s + f[i] * f[i] + f[i + 1] * f[i + 1] +
+                                       f[i + 2] * f[i + 2], 0)
+        : Math.max(...this.frames.map(f => f[i] * f[i] + f[i + 1] * f[i + 1] +
+                                           f[i + 2] * f[i + 2])));
+      const points = this.data.bodies.map(
+        body => new Set(new Uint32Array(bytes(body.quads))));
+      const largest = points.map(set => {
+        let most = 0;
+        set.forEach(k => { most = Math.max(most, size(3 * k)); });
+        return most;
+      });
+      const all = Math.max(...largest);
+      points.forEach((set, b) => {
+        let times = 1;
+        if (this.own.checked && largest[b] < 0.2 * all &&
+            largest[b] > 1e-4 * all)
+          for (let power = 1; power * largest[b] <= all; power *= 10)
+            for (const digit of [1, 2, 5])
+              if (digit * power * largest[b] <= all) times = digit * power;
+        set.forEach(k => { this.times[k] = times; });
+        this.notes[b].textContent = times > 1 ? ', ' + times + ' times' : '';
+      });
     }
     displacement(i) {
       const f = this.frames;
@@ -181,7 +215,7 @@ figure.motion .key span { width: 9rem; height: .8rem; }
               c = table[Math.round(
                 128 * (1 + Math.min(1, Math.max(-1, value))))];
         for (let k = 0; k < 3; ++k) {
-          to[i + k] = this.base[i + k] + drawn * u[k];
+          to[i + k] = this.base[i + k] + drawn * this.times[i / 3] * u[k];
           paint[i + k] = c[k];
         }
       }
@@ -195,7 +229,7 @@ figure.motion .key span { width: 9rem; height: .8rem; }
             e = this.elevation * Math.PI / 180,
             eye = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a),
                    Math.sin(e)],
-            half = 0.75 * this.data.reach / this.zoom;
+            half = 1.0 * this.data.reach / this.zoom;
       if (width !== this.width) {
         this.width = width;
         this.renderer.setPixelRatio(window.devicePixelRatio);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 BOOST_GEOMETRY_REGISTER_STD_ARRAY_CS(cs::cartesian)
 
@@ -110,6 +111,102 @@ namespace squeal
         cells.push_back(cell);
       }
     return cells;
+  }
+
+
+
+  namespace
+  {
+    /** The quarter of a quad at one of its corners. */
+    struct Quarter
+    {
+      unsigned int from, to; /**< the corners of the edges that bound it */
+      PlanarPoint  centre;   /**< of the quad */
+    };
+
+    PlanarPoint
+    middle(const PlanarPoint &a, const PlanarPoint &b)
+    {
+      return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+    }
+
+    /** Takes from @p quarters those that follow each other round @p point. */
+    Polygon
+    next_cell(const std::vector<PlanarPoint> &points,
+              const std::size_t               point,
+              std::vector<Quarter>           &quarters)
+    {
+      // On the outline the first is one that follows no other.
+      const auto follows_none = [&](const Quarter &q) {
+        return std::none_of(quarters.begin(),
+                            quarters.end(),
+                            [&](const Quarter &r) { return r.to == q.from; });
+      };
+      auto next = std::find_if(quarters.begin(), quarters.end(), follows_none);
+      const bool is_on_outline = next != quarters.end();
+      if (!is_on_outline)
+        next = quarters.begin();
+      Polygon cell;
+      if (is_on_outline)
+        cell.push_back(points[point]);
+      unsigned int reached = next->from;
+      while (next != quarters.end())
+        {
+          cell.push_back(middle(points[point], points[next->from]));
+          cell.push_back(next->centre);
+          reached = next->to;
+          quarters.erase(next);
+          next =
+            std::find_if(quarters.begin(),
+                         quarters.end(),
+                         [&](const Quarter &q) { return q.from == reached; });
+        }
+      if (is_on_outline)
+        cell.push_back(middle(points[point], points[reached]));
+      return cell;
+    }
+  } // namespace
+
+
+
+  std::vector<PointCell>
+  quarter_cells(const std::vector<PlanarPoint>                 &points,
+                const std::vector<std::array<unsigned int, 4>> &quads)
+  {
+    std::vector<std::vector<Quarter>> quarters(points.size());
+    for (const auto &quad : quads)
+      {
+        const PlanarPoint centre =
+          middle(middle(points[quad[0]], points[quad[2]]),
+                 middle(points[quad[1]], points[quad[3]]));
+        for (unsigned int k = 0; k < 4; ++k)
+          quarters[quad[k]].push_back(
+            {quad[(k + 1) % 4], quad[(k + 3) % 4], centre});
+      }
+    std::vector<PointCell> cells;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      while (!quarters[j].empty())
+        cells.push_back({j, next_cell(points, j, quarters[j])});
+    return cells;
+  }
+
+
+
+  std::vector<std::array<unsigned int, 2>>
+  outline_of(const std::vector<std::array<unsigned int, 4>> &quads)
+  {
+    std::map<std::array<unsigned int, 2>, unsigned int> edges;
+    for (const auto &quad : quads)
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const unsigned int a = quad[k], b = quad[(k + 1) % 4];
+          ++edges[{std::min(a, b), std::max(a, b)}];
+        }
+    std::vector<std::array<unsigned int, 2>> result;
+    for (const auto &[edge, count] : edges)
+      if (count == 1)
+        result.push_back(edge);
+    return result;
   }
 
 

@@ -28,6 +28,9 @@ namespace squeal
   {
     constexpr char svg_terminal[] = "svg fontscale 1.333"; // as large as PNG
 
+    // Surfaces of many facets: 11 MB as SVG, a fortieth of that as PNG.
+    constexpr std::size_t largest_svg_data = 1 << 18; // bytes
+
     /** A folder of its own under the system's temporary one. */
     class TemporaryFolder
     {
@@ -223,9 +226,9 @@ namespace squeal
 
 
 
-  Plotter::Plotter(RunLog &log, const bool with_svg)
+  Plotter::Plotter(RunLog &log, Announce announce_svg)
     : log(log)
-    , with_svg(with_svg)
+    , announce_svg(std::move(announce_svg))
   {
     if (!log.on_root())
       return;
@@ -301,7 +304,13 @@ namespace squeal
   {
     if (!available)
       return false;
-    const bool png = draw_as(drawing, png_terminal, path + ".png");
-    return (!with_svg || draw_as(drawing, svg_terminal, path + ".svg")) && png;
+    const bool  png  = draw_as(drawing, png_terminal, path + ".png");
+    std::size_t size = 0;
+    for (const auto &[name, content] : drawing.data)
+      size += content.size();
+    if (!announce_svg || size > largest_svg_data)
+      return png;
+    announce_svg(path + ".svg");
+    return draw_as(drawing, svg_terminal, path + ".svg") && png;
   }
 } // namespace squeal

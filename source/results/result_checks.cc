@@ -258,7 +258,7 @@ namespace squeal
       return;
     log.heading("Result checks");
     for (const ResultCheck &check : checks)
-      log.info("  " + check.line());
+      log.result("  " + check.line());
   }
 
 

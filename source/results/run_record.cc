@@ -78,6 +78,11 @@ namespace squeal
       record.scene          = json.at("scene");
       record.parameter_file = json.at("parameter_file");
       record.n_ranks        = json.at("ranks");
+      // records of former versions have none of these
+      record.settings = json.value("settings", std::vector<std::string>());
+      record.void_checks =
+        json.value("void_checks", std::vector<std::string>());
+      record.void_cause     = json.value("void_cause", "");
       record.n_dofs         = json.at("dofs");
       record.dofs_of_bodies = to_pairs<std::size_t>(json.at("dofs_of_bodies"));
       record.figures        = to_pairs<std::string>(json.at("figures"));
@@ -132,11 +137,14 @@ namespace squeal
                        {"analysis", record.analysis},
                        {"scene", record.scene},
                        {"parameter_file", record.parameter_file},
+                       {"settings", record.settings},
                        {"ranks", record.n_ranks},
                        {"dofs", record.n_dofs},
                        {"dofs_of_bodies", from_pairs(record.dofs_of_bodies)},
                        {"figures", from_pairs(record.figures)},
                        {"result_checks", from_checks(record.checks)},
+                       {"void_checks", record.void_checks},
+                       {"void_cause", record.void_cause},
                        {"warnings", record.warnings},
                        {"wall_s", record.total_wall},
                        {"cpu_s", record.total_cpu},

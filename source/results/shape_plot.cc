@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/results/axis.h>
 #include <squeal/results/label_layout.h>
 #include <squeal/results/shape_plot.h>
@@ -118,6 +119,41 @@ namespace squeal
         }
     }
 
+    std::array<double, 2>
+    on_canvas(const std::array<double, 3> &x, const Viewpoint &viewpoint)
+    {
+      const auto place = project(x, viewpoint);
+      return {{place[0], place[1]}};
+    }
+
+    /** Appends thin grey lines: drawn first, they are seen where nothing
+     * covers them. */
+    void
+    add_lines_at_rest(std::string        &rows,
+                      const ShapePicture &picture,
+                      const Fit          &fit)
+    {
+      constexpr double       half_width = 0.9; // pixels
+      constexpr unsigned int grey       = 0x8a8f96;
+      for (const SpaceLine &line : picture.undeformed)
+        {
+          const auto a    = fit.pixels(on_canvas(line[0], picture.viewpoint)),
+                     b    = fit.pixels(on_canvas(line[1], picture.viewpoint));
+          const double dx = b[0] - a[0], dy = b[1] - a[1],
+                       size = std::hypot(dx, dy);
+          if (size < 1e-9)
+            continue;
+          const double nx = -half_width * dy / size,
+                       ny = half_width * dx / size;
+          add_pixel_quad(rows,
+                         {{{{a[0] - nx, a[1] - ny}},
+                           {{b[0] - nx, b[1] - ny}},
+                           {{b[0] + nx, b[1] + ny}},
+                           {{a[0] + nx, a[1] + ny}}}},
+                         grey);
+        }
+    }
+
     std::string
     path_data(const std::vector<CanvasPath> &paths, const Fit &fit)
     {
@@ -153,6 +189,41 @@ namespace squeal
                   plot_number(x / drawing.width) + ", screen " +
                   plot_number(y / drawing.height) + ' ' + align + " font " +
                   in_quotes("," + plot_number(size)) + " front " + more);
+    }
+
+    /** Names of the bodies beside their highest points, and how many times as
+     * far as the others they are drawn. */
+    void
+    add_names(Drawing            &drawing,
+              const ShapePicture &picture,
+              const Fit          &fit,
+              const PixelBox     &bounds)
+    {
+      std::vector<PointLabel> labels;
+      for (const PicturedBody &body : picture.bodies)
+        if (!body.name.empty())
+          {
+            const auto place =
+              fit.pixels(on_canvas(body.top, picture.viewpoint));
+            labels.push_back(
+              {place[0],
+               place[1],
+               body.name +
+                 (body.times > 1.
+                    ? " (motion drawn " + plot_number(body.times) + " times)"
+                    : std::string()),
+               {}});
+          }
+      place_labels(labels, {}, bounds, drawing.font_size);
+      drawing.add("set style textbox opaque noborder margins 0.6,0.4");
+      for (const PointLabel &label : labels)
+        add_text(drawing,
+                 0.5 * (label.box.x_min + label.box.x_max),
+                 0.5 * (label.box.y_min + label.box.y_max),
+                 label.text,
+                 "center",
+                 drawing.font_size,
+                 "boxed");
     }
 
     /** Adds the scale of colours in @p box to the quads. */
@@ -249,8 +320,11 @@ namespace squeal
     std::string rows;
     const auto  shape =
       view_from(picture.surface, picture.viewpoint, range, n_pieces);
-    add_quads(
-      rows, shape, Fit(shape, {2. * line, 2. * line, middle - line, top}));
+    const PixelBox oblique{2. * line, 2. * line, middle - line, top - line};
+    const Fit      fit(shape, oblique);
+    add_lines_at_rest(rows, picture, fit);
+    add_quads(rows, shape, fit);
+    add_names(drawing, picture, fit, {line, line, middle, top});
     add_colour_bar(drawing,
                    rows,
                    {right + font, 3. * line, right + 2.5 * font, top - line},
@@ -261,7 +335,12 @@ namespace squeal
     add_text(drawing,
              line,
              drawing.height - 2.2 * line,
-             picture.subtitle,
+             picture.subtitle +
+               (picture.drawn_largest > 0. && !picture.undeformed.empty()
+                  ? "; largest motion drawn as " +
+                      rounded_text(1e3 * picture.drawn_largest, 2) +
+                      " mm, grey: at rest"
+                  : std::string()),
              "left",
              font);
 

@@ -24,6 +24,10 @@ namespace squeal
               throw InputError("--set needs 'Section/Entry = value'");
             line.overrides.push_back(argv[i]);
           }
+        else if (word == "--quiet")
+          line.is_quiet = true;
+        else if (word == "--all")
+          line.shows_all = true;
         else if (word == "-h")
           line.action = "--help";
         else if (std::count(actions.begin(), actions.end(), word) > 0)
@@ -42,7 +46,8 @@ namespace squeal
   print_version(const std::string &name)
   {
     std::cout << name << " " << version::program << " (" << version::revision
-              << ")\n";
+              << ", " << version::build_type << ")\n  compiler "
+              << version::compiler << "\n";
     for (const auto &[library, number] : version::libraries)
       std::cout << "  " << library << " " << number << "\n";
     std::cout << "  OpenBLAS kernels " << blas_kernels::in_use() << "\n";

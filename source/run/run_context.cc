@@ -10,7 +10,7 @@ namespace squeal
   namespace
   {
     RunDescription
-    description_of(const Parameters &p)
+    description_of(const Parameters &p, const RunOptions &options)
     {
       int n_ranks;
       MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
@@ -22,14 +22,17 @@ namespace squeal
               p.result_checks,
               p.output.directory,
               p.output.overwrite,
-              static_cast<unsigned int>(n_ranks)};
+              static_cast<unsigned int>(n_ranks),
+              options};
     }
   } // namespace
 
 
 
-  RunContext::RunContext(const Parameters &p, const bool root)
-    : RunSession(description_of(p), *prm::GenericSchema(), root)
+  RunContext::RunContext(const Parameters &p,
+                         const bool        root,
+                         const RunOptions &options)
+    : RunSession(description_of(p, options), *prm::GenericSchema(), root)
     , parameters(p)
   {
   }

@@ -6,6 +6,7 @@
 #include <squeal/results/result_checks.h>
 #include <squeal/run/run_session.h>
 
+#include <filesystem>
 #include <sstream>
 
 namespace squeal
@@ -36,10 +37,16 @@ namespace squeal
                          const bool            root)
     : description(d)
     , is_root(root)
-    , log(root)
+    , log(root, d.options.is_quiet)
     , output(directory_of(d, root))
-    , plotter(log)
+    , plotter(log,
+              [this](const std::string &path) {
+                output.file(std::filesystem::path(path)
+                              .lexically_relative(output.path())
+                              .string());
+              })
     , interrupt_guard(d.directory, root)
+    , void_checks(find_void_checks(d.result_checks, d.options.settings))
   {
     const std::string failure = from_root("");
     if (!failure.empty())
@@ -56,22 +63,27 @@ namespace squeal
     record.analysis       = d.analysis;
     record.scene          = d.scene;
     record.parameter_file = d.parameter_file;
-    record.parameters     = d.used;
+    record.settings       = d.options.settings;
+    record.void_checks    = void_checks.names;
+    record.void_cause     = void_checks.cause;
+    record.parameters     = without_checks(d.used, void_checks.names);
     record.n_ranks        = d.n_ranks;
 
     log.heading("squeal " + std::string(version::program) + ": " + d.analysis +
                 (d.scene.empty() ? "" : " of scene " + d.scene));
     log.info("kernels of OpenBLAS: " + blas_kernels::in_use());
     std::ostringstream text;
-    prm::print_used(d.used, generic, text);
-    log.info(text.str());
+    prm::print_used(record.parameters, generic, text);
+    log.info("\nentries that differ from their defaults (all of them: " +
+             output.path() + "/parameters_used.prm)\n" + text.str());
     for (const auto &note : d.notes)
       log.warning(note);
     if (!output.is_owned())
       log.warning("the file system of '" + output.path() +
                   "' has no locks: do not start a second run in it");
     if (root)
-      prm::write_used(d.used, generic, output.file("parameters_used.prm"));
+      prm::write_used(
+        record.parameters, generic, output.file("parameters_used.prm"));
   }
 
 
@@ -94,13 +106,31 @@ namespace squeal
 
 
 
+  std::string
+  RunSession::commands() const
+  {
+    namespace fs             = std::filesystem;
+    const fs::path directory = fs::absolute(output.path()).lexically_normal();
+    return "# in the folder " + fs::current_path().string() + "\n" +
+           command_of_run(description.parameter_file,
+                          description.options.settings,
+                          description.n_ranks) +
+           "\n\n# by the entries as used, from any folder\n" +
+           command_of_run((directory / "parameters_used.prm").string(),
+                          {"Output directory = " + output.path() + "_again"},
+                          description.n_ranks);
+  }
+
+
+
   void
   RunSession::finish(HtmlReport *report, const std::string &open_this)
   {
     std::map<std::string, const Table *> views;
     for (const auto &[name, table] : tables)
       views[name] = table.get();
-    record.checks = evaluate_result_checks(description.result_checks, views);
+    record.checks = evaluate_result_checks(
+      without_checks(description.result_checks, void_checks.names), views);
     record.take_timings(timers);
     record.warnings = log.warnings();
     if (is_root)
@@ -112,8 +142,8 @@ namespace squeal
         write_run_record(record, output.file("run.json"));
         if (report)
           {
-            report->run_record(record,
-                               "./squeal run " + description.parameter_file);
+            report->run_record(record, commands());
+            report->link_tables(views);
             report->write(output.file("report.html"));
           }
       }
@@ -121,10 +151,13 @@ namespace squeal
     RunLog::Lines figures(record.figures.begin(), record.figures.end());
     log.summary(figures, timers);
     print_result_checks(record.checks, log);
-    log.info("results: " + output.path() +
-             (report ? ", read " + output.path() + "/report.html" : ""));
+    if (!void_checks.names.empty())
+      log.result((record.checks.empty() ? "\nresult checks: " : "  ") +
+                 void_checks.text());
+    log.result("results: " + output.path() +
+               (report ? ", read " + output.path() + "/report.html" : ""));
     if (!open_this.empty())
-      log.info("open this in ParaView: " + output.path() + "/" + open_this);
+      log.result("open this in ParaView: " + output.path() + "/" + open_this);
     require_passed(record.checks);
   }
 } // namespace squeal

@@ -167,6 +167,7 @@ namespace squeal
     step.duration        = dt;
     step.speed           = drive.speed(t - 0.5 * dt);
     friction.set(t, step);
+    prepare_step(step);
 
     Eigen::VectorXd       guess  = 3. * (lambda - lambda_1) + lambda_2;
     const ContactReport   report = solver.solve(step, guess);
@@ -183,6 +184,7 @@ namespace squeal
     u           = solver.motion();
     friction.keep(step, u, solver.status());
     ++n_steps;
+    finish_step(v);
     // The ledger sees external forces and motions of both ends.
     const Eigen::VectorXd load_before = load_now, motion_before = motion_now;
     load_now   = load;
@@ -191,6 +193,18 @@ namespace squeal
                      0.5 * (lambda + lambda_1).dot(motion - motion_before);
     update_ledger(q_before, v_before, lambda_1, u_before);
     return report;
+  }
+
+
+
+  void
+  ReducedTransient::prepare_step(ContactStep &)
+  {
+  }
+
+  void
+  ReducedTransient::finish_step(Eigen::VectorXd &)
+  {
   }
 
 

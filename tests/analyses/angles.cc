@@ -94,7 +94,7 @@ end
     words.push_back("angles.prm");
     const Outcome outcome = run_program(words);
     check(outcome.code == 0, "the run ends well: " + outcome.errors);
-    errors = outcome.errors + outcome.output;
+    errors = outcome.errors + unbroken(outcome.output);
     return read_csv("out/" + table);
   }
 } // namespace

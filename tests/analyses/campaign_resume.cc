@@ -118,7 +118,7 @@ end
 )");
     const Outcome outcome = run_program({program, "campaign.prm"});
     check(outcome.code == 0, "mu = " + frictions + " runs: " + outcome.errors);
-    output = outcome.output + outcome.errors;
+    output = unbroken(outcome.output) + outcome.errors;
     return rows_of("campaign/campaign.csv");
   }
 

@@ -27,7 +27,7 @@ namespace
   bool
   says(const std::string &text, const std::string &part)
   {
-    return text.find(part) != std::string::npos;
+    return unbroken(text).find(part) != std::string::npos;
   }
 
   /** A pad held by nothing, a disc held at its inner edge. */

@@ -7,6 +7,8 @@
 
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/output/headline_error.h>
+#include <squeal/output/headlines.h>
+#include <squeal/parameters/entry_traits.h>
 
 #include <limits>
 
@@ -76,6 +78,207 @@ namespace
     check(explained_verdict(f, squeal) == "unstable", "unstable says it all");
   }
 
+  using Type = Table::Type;
+
+  /** A table with columns of numbers or, where the name starts with '$' or '#',
+   * of texts or whole numbers. */
+  Table
+  table_of(const std::vector<std::string>       &names,
+           const std::vector<std::vector<Cell>> &rows)
+  {
+    Table table;
+    for (const std::string &name : names)
+      table.add_column({name.substr(name[0] == '$' || name[0] == '#' ? 1 : 0),
+                        name[0] == '$'   ? Type::text
+                        : name[0] == '#' ? Type::integer
+                                         : Type::real,
+                        "",
+                        ""});
+    for (const auto &row : rows)
+      table.add_row(row);
+    return table;
+  }
+
+  SweepAxisParameters
+  axis(const std::string &name, const std::vector<std::string> &entries)
+  {
+    SweepAxisParameters a;
+    a.name    = name;
+    a.entries = entries;
+    return a;
+  }
+
+  void
+  says(const std::string              &text,
+       const std::vector<std::string> &parts,
+       const std::string              &claim)
+  {
+    for (const std::string &part : parts)
+      check(has(text, part), claim + ": '" + part + "' in: " + text);
+  }
+
+  void
+  answers()
+  {
+    SceneParameters scene;
+    scene.contacts.resize(1);
+    scene.contacts[0].name  = "pad_disc";
+    const std::string mu    = "Scene/Contact pad_disc/Friction coefficient",
+                      e_pad = "Scene/Body pad/Young modulus";
+    SweepParameters sweep;
+    sweep.axes = {axis("e", {e_pad}), axis("mu", {mu})};
+
+    says(scatter_headline(table_of({"$event",
+                                    "#samples",
+                                    "probability",
+                                    "lower_95",
+                                    "upper_95",
+                                    "undecided"},
+                                   {{"any", 400, 0.7025, 0.656, 0.745, 0.01},
+                                    {"one", 400, 0.3, 0.25, 0.35, 0.}})),
+         {"70.2 %", "of 400 samples", "65.6 to 74.5 %", "1.00 %"},
+         "scatter says the probability with its interval");
+
+    const std::vector<std::string> suggested = {"frequency_hz",
+                                                "sigma_per_s",
+                                                "$entry",
+                                                "change_percent",
+                                                "direct_sigma_per_s",
+                                                "$verdict",
+                                                "$tunes_in"};
+    const std::string              density   = "Scene/Body disc/Density";
+    says(suggestion_headline(
+           table_of(suggested,
+                    {{5024., 80., e_pad, 1., 3., "still unstable", ""},
+                     {5024., 80., density, -2.7, -1., "stable", "3533 Hz"}}),
+           scene),
+         {"-2.70 % of rho_disc", "5024.0 Hz", "tunes in on the way 3533 Hz"},
+         "what to change says the first change that holds");
+    says(suggestion_headline(
+           table_of(suggested,
+                    {{5024., 80., e_pad, 1., 3., "still unstable", ""}}),
+           scene),
+         {"no single change", "5024.0 Hz"},
+         "or that there is none");
+
+    const std::vector<std::string> triggered = {
+      "mu", "$top", "$outcome", "worst_imbalance"};
+    says(trigger_headline(
+           table_of(triggered,
+                    {{0.5, "", "squeal by itself", 1e-6},
+                     {0.3, "", "squeal after the trigger", 3e-5},
+                     {0.2, "", "temporary after the trigger", Cell()},
+                     {0.1, "", "temporary after the trigger", 1e-7}}),
+           sweep,
+           scene),
+         {"of 4 runs 1 squeals by itself (mu = 0.5)",
+          "1 squeals after the trigger alone (mu = 0.3)",
+          "2 vibrate for a while after the trigger",
+          "3.0e-05"},
+         "triggered squeal says which run squeals after what");
+    says(trigger_headline(
+           table_of(triggered, {{0.1, "", "none", 1e-7}}), sweep, scene),
+         {"none of 1 run squeals"},
+         "or that none does");
+
+    says(
+      comparison_headline(table_of(
+        {"rate_difference", "frequency_difference_rel", "growth_rate_ci_per_s"},
+        {{0.3, 1e-4, 0.1}, {1.2, 2e-4, 0.2}, {Cell(), Cell(), Cell()}})),
+      {"1 of 2 growth rates", "1.2 of that", "0.020 %", "1 run without"},
+      "time against eigenvalues says the largest difference");
+
+    says(
+      campaign_headline(table_of({"$stable",
+                                  "$limit_cycle",
+                                  "frequency_hz",
+                                  "frequency_ci_hz",
+                                  "worst_imbalance"},
+                                 {{"no", "yes", 3100., 2., 1e-6},
+                                  {"no", "yes", 3400., 7., 1e-6},
+                                  {"yes", "no", Cell(), Cell(), 2e-6}})),
+      {"2 of 3 runs unstable", "2 with a limit cycle", "3100 to 3400", "7.0"},
+      "a campaign says what its runs end in");
+
+    says(
+      work_headline(table_of({"$ladder",
+                              "error_rel",
+                              "dofs",
+                              "dofs_over_least",
+                              "seconds",
+                              "$found"},
+                             {{"uniform", 1e-3, 3e5, 6.5, 70., "beyond"},
+                              {"adaptive", 1e-3, 47600., 1., 12., "between"},
+                              {"degree", 1e-3, Cell(), Cell(), Cell(), "-"}})),
+      {"0.100 %",
+       "47600 unknowns and 12.0 s by the ladder 'adaptive' (between)",
+       "6.50 times as many unknowns by 'uniform'",
+       "'degree' does not reach it"},
+      "work says what the asked error takes");
+    says(work_headline(table_of({"$ladder", "dofs"}, {{"a", Cell()}})),
+         {"no ladder"},
+         "or that nothing is known");
+
+    says(resonance_headline(table_of({"frequency_hz", "$name", "peak"},
+                                     {{1600., "(0,0)", 1e-7},
+                                      {1600., "(0,0)", 3e-7},
+                                      {5003., "(0,4)", 9e-7},
+                                      {2594., "(0,3)", Cell()}}),
+                            "m/N"),
+         {"resonances: 5003.0 Hz ((0,4), 9.00e-07 m/N), 1600.0 Hz ((0,0), "
+          "3.00e-07 m/N)"},
+         "responses name each resonance once, the largest first");
+
+    const std::vector<std::string> ranges = {"mu",
+                                             "lower",
+                                             "upper",
+                                             "at_lower_limit",
+                                             "at_upper_limit",
+                                             "peak_sigma_per_s",
+                                             "frequency_at_peak_hz"};
+    Table                          table;
+    for (const std::string &name : ranges)
+      table.add_column(
+        {name, has(name, "limit") ? Type::integer : Type::real, "", ""});
+    check(has(range_headline(table, sweep, scene),
+              "stable over the whole range of E_pad"),
+          "no range is said, too");
+    table.add_row({0.2, 1e10, 2e10, 0, 0, 12., 3500.});
+    table.add_row({0.5, 2.5e10, 5e10, 0, 1, 437., 5003.});
+    says(range_headline(table, sweep, scene),
+         {"E_pad from 2.5e+10 to 5e+10 Pa (to the highest tried)",
+          "at mu = 0.5:",
+          "437 1/s at 5003.0 Hz"},
+         "a sweep says the loudest range in words");
+  }
+
+  void
+  symbols()
+  {
+    SceneParameters scene;
+    scene.contacts.resize(2);
+    scene.contacts[0].name  = "lower";
+    scene.contacts[1].name  = "upper";
+    const std::string lower = "Scene/Contact lower/Friction coefficient",
+                      upper = "Scene/Contact upper/Friction coefficient";
+    check(axis_title({"Scene/Body pad/Young modulus"}, scene) == "E_pad in Pa",
+          "symbol with body and unit");
+    check(
+      axis_title({"Scene/Body pad/Young modulus", "Scene/Spring a/Stiffness"},
+                 scene) == "E_pad and 1 other in Pa",
+      "numbers that move together");
+    check(axis_title({lower}, scene) == "mu_lower" &&
+            axis_title({lower, upper}, scene) == "mu of all contacts",
+          "friction of one of two contacts, and of both");
+    scene.contacts.resize(1);
+    check(axis_title({lower}, scene) == "mu", "and of the only one");
+    check(axis_title({"Scene/Body pad/Position[1]"}, scene) ==
+            "pad position [1] in m",
+          "words where there is no letter");
+    check(axis_title({"Transient/Time step"}, scene) == "time step in s",
+          "of the analysis itself");
+  }
+
   void
   rates()
   {
@@ -93,11 +296,14 @@ namespace
     f.branches        = {good};
     f.leading         = 0;
     check(left_out_text(f).empty(), "nothing is left out of good fits");
+    check(has(growth_text(f), "grows by 1220 +- 0.500 1/s"),
+          "a rate is told with its error: " + growth_text(f));
     f.branches.push_back(bad);
     check(has(left_out_text(f), "1 of 2 pairs") &&
             has(left_out_text(f), "6636.7 Hz"),
           "what is left out is named: " + left_out_text(f));
     f.leading = 1;
+    check(growth_text(f).empty(), "a fit that tells no rate is none");
     check(has(reason_for_no_rate(f), "861.4 +- 1082 1/s"),
           "and why the leading pair has no rate: " + reason_for_no_rate(f));
     f.branches[1].fit = GrowthFit();
@@ -113,5 +319,7 @@ main()
 {
   errors();
   verdicts();
+  answers();
+  symbols();
   rates();
 }

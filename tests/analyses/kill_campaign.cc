@@ -92,10 +92,11 @@ namespace
       last = run_in(directory, program, c.prm);
     check(last.code == 0,
           c.name + " is killed and ends:" + story + " " + last.errors);
+    const std::string said = unbroken(last.output);
     tally.n_continued +=
-      last.output.find("continues from") != std::string::npos ||
-      last.output.find("runs are taken from") != std::string::npos ||
-      last.output.find("basis of an earlier run") != std::string::npos;
+      said.find("continues from") != std::string::npos ||
+      said.find("runs are taken from") != std::string::npos ||
+      said.find("basis of an earlier run") != std::string::npos;
     ++tally.n_chains;
     check_same_results(
       c.whole, comparable_results(directory + "/out"), c.name + story);

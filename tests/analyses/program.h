@@ -47,6 +47,22 @@ namespace squeal
       std::string output, errors;
     };
 
+    /** What a run has printed with its long lines in one piece again. */
+    inline std::string
+    unbroken(const std::string &text)
+    {
+      std::string result;
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text.compare(i, 3, "\n  ") == 0)
+          {
+            result += ' ';
+            i = text.find_first_not_of(' ', i + 1) - 1;
+          }
+        else
+          result += text[i];
+      return result;
+    }
+
     /**
      * Runs a program to its end. @p before (optional) is called in the new
      * process before the program starts, @p during in this one, with the

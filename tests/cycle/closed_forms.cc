@@ -8,6 +8,7 @@
 #include "worst.h"
 
 #include <squeal/cycle/harmonic_balance.h>
+#include <squeal/cycle/slip_origin.h>
 
 #include <cmath>
 #include <cstdio>
@@ -120,10 +121,69 @@ namespace
                 1e-3,
                 "wall: largest force");
   }
+
+  /** The time between the located closing and opening of steps that begin at
+   * the top of the flight, and what the motion misses after a period. */
+  void
+  wall_in_steps()
+  {
+    const ReducedContactModel m = mass_at_wall();
+    const PeriodMap           map(m, 0., 1., 1., 1e-13);
+    const double contact = M_PI + 2. * std::atan(1.), period = contact + 2.;
+    MotionState  start{Eigen::VectorXd::Constant(1, -.5),
+                      Eigen::VectorXd::Zero(1),
+                      Eigen::VectorXd::Zero(3)};
+    double       first = 0., last = 0., first_miss = 0., last_miss = 0.;
+    constexpr unsigned int coarse = 100, fine = 3200;
+    for (unsigned int n = coarse; n <= fine; n *= 2)
+      {
+        const Orbit orbit  = map.run(start, period, n);
+        double      closed = 0.;
+        for (unsigned int i = 2; i < n; ++i)
+          {
+            const ContactPast   past = orbit.past_of(i);
+            const ChangesInStep changes(m,
+                                        map.friction_coefficients(),
+                                        1.,
+                                        orbit.step,
+                                        orbit.states[i].forces,
+                                        orbit.motions[i],
+                                        past);
+            if (const auto share = changes.share(0, orbit.status[i][0]))
+              closed += (orbit.status[i][0] == ContactStatus::open ? 1. : -1.) *
+                        (i + *share) * orbit.step;
+          }
+        last      = std::abs(closed / contact - 1.);
+        last_miss = std::hypot(orbit.end().coordinates[0] + .5,
+                               orbit.end().velocities[0]);
+        if (n == coarse)
+          {
+            first      = last;
+            first_miss = last_miss;
+          }
+        std::printf("wall, %u steps: contact %.8f s (%.8f), misses %.2e after "
+                    "a period\n",
+                    n,
+                    closed,
+                    contact,
+                    last_miss);
+      }
+    const auto order = [&](const double a, const double b) {
+      return std::log(a / b) / std::log(double(fine) / coarse);
+    };
+    std::printf("wall: orders %.2f, %.2f\n",
+                order(first, last),
+                order(first_miss, last_miss));
+    check_below(last, 1e-5, "wall: contact time in steps");
+    check_below(1.9, order(first, last), "wall: order of the contact time");
+    check_below(last_miss, 1e-5, "wall: return after a period");
+    check_below(1.9, order(first_miss, last_miss), "wall: order of the return");
+  }
 } // namespace
 
 int
 main()
 {
   wall();
+  wall_in_steps();
 }

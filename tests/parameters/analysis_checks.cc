@@ -153,6 +153,20 @@ namespace
            {"'Transient/Integrator'", "must be reduced"});
     refuse("Limit cycle/Steps per period = 8",
            {"'Limit cycle/Steps per period' = '8'", "from 32 to"});
+    const auto branch = [&](const std::string &entry, const std::string &from) {
+      std::vector<std::string> all = scene;
+      all.insert(all.end(),
+                 {"Sweep/Axes = mu",
+                  "Sweep/Axis mu/Entries = " + entry,
+                  "Sweep/Axis mu/From = " + from,
+                  "Sweep/Axis mu/To = 0.6"});
+      return all;
+    };
+    const std::string mu = "Scene/Contact pad_disc/Friction coefficient";
+    read_parameters("example.prm", branch(mu, "0.1")).check();
+    check_change_refused(branch("Scene/Body pad/Young modulus", "0.1"),
+                         {"'Sweep/Axis mu/Entries'", "friction"});
+    check_change_refused(branch(mu, "0.7"), {"'Sweep/Axis mu/From'", "below"});
   }
 
 

@@ -132,15 +132,20 @@ namespace
     const std::size_t value    = lines.at(0).find("value");
     const std::size_t standard = lines.at(0).find("default");
     bool              found    = false;
+    std::string       section;
     for (const std::string &line : lines)
       {
-        check(line.at(value - 1) == ' ' && line.at(value) != ' ',
+        check(line.find("  ", 2) == std::string::npos ||
+                (line.at(value - 1) == ' ' && line.at(value) != ' '),
               "aligned: " + line);
-        if (prm::starts_with(line, "Scene/Body pad/Density "))
+        if (line[0] != ' ')
+          section = line;
+        if (section == "Scene/Body pad" && prm::starts_with(line, "  Density "))
           found =
             line.substr(value, 5) == "2500 " && line.substr(standard) == "7800";
         // as the default
-        check(!prm::starts_with(line, "Scene/Body disc/Height"),
+        check(section != "Scene/Body disc" ||
+                !prm::starts_with(line, "  Height"),
               "only what differs: " + line);
       }
     check(found, "entry, value and default of the pad's density");

@@ -178,6 +178,92 @@ namespace
 
 
   void
+  drops()
+  {
+    fs::create_directories("sub");
+    write_text("sub/scene.prm",
+               "subsection Scene\n"
+               "  set Name = brake\n"
+               "  set Bodies = disc, pad, support\n"
+               "  subsection Body pad\n"
+               "    set Density = 1\n"
+               "    subsection Deep\n"
+               "      set E = 1\n"
+               "    end\n"
+               "  end\n"
+               "  subsection Body pads\n"
+               "    set Density = 2\n"
+               "  end\n"
+               "end\n");
+    write_text("sub/pad.prm", "set Shape = block\n");
+    const std::string start = "include sub/scene.prm\n";
+
+    prm::PrmTree tree = tree_of(start + "drop Scene/Body pad\n");
+    check(value(tree, "Scene/Body pad/Density") == "(not set)" &&
+            value(tree, "Scene/Body pad/Deep/E") == "(not set)" &&
+            tree.find_section("Scene/Body pad") == nullptr,
+          "a section goes with all that is in it");
+    check(value(tree, "Scene/Bodies") == "disc, support",
+          "and its name leaves the list");
+    check(value(tree, "Scene/Body pads/Density") == "2" &&
+            value(tree, "Scene/Name") == "brake",
+          "what is called alike stays");
+
+    tree = tree_of(start + "subsection Scene\n"
+                           "  drop  Body  pad # and a new one\n"
+                           "  subsection Body pad\n"
+                           "    set Density = 3\n"
+                           "  end\n"
+                           "end\n");
+    check(value(tree, "Scene/Body pad/Density") == "3" &&
+            value(tree, "Scene/Body pad/Deep/E") == "(not set)" &&
+            value(tree, "Scene/Bodies") == "disc, pad, support",
+          "a section that is written again replaces the former one");
+
+    tree = tree_of(start + "subsection Scene\n"
+                           "  drop Body pad\n"
+                           "  subsection Body pad\n"
+                           "    include sub/pad.prm\n"
+                           "  end\n"
+                           "end\n");
+    check(value(tree, "Scene/Body pad/Shape") == "block" &&
+            value(tree, "Scene/Body pad/Density") == "(not set)",
+          "or one that is included behind the line");
+
+    tree = tree_of(start + "drop Scene/Name\n");
+    check(value(tree, "Scene/Name") == "(not set)" &&
+            value(tree, "Scene/Bodies") == "disc, pad, support",
+          "an entry goes alone");
+
+    write_text("sub/without.prm", "include scene.prm\ndrop Scene/Body pad\n");
+    tree = tree_of("include sub/without.prm\n"
+                   "subsection Scene\n  set Name = mine\nend\n");
+    check(value(tree, "Scene/Bodies") == "disc, support" &&
+            value(tree, "Scene/Name") == "mine",
+          "what an included file has dropped is not there");
+
+    check_file_refused(
+      start + "drop Scene/Body padd\n",
+      {"test.prm:2: ", "'Scene/Body padd'", "'Scene/Body pad'"},
+      "a name that was not included, with the nearest one");
+    check_file_refused(start + "subsection Scene\ndrop Body suport\nend\n",
+                       {"test.prm:3: ", "'Scene/Body suport'", "was included"},
+                       "a body without a section");
+    check_file_refused("drop Scene/Body pad\n" + start,
+                       {"test.prm:1: ", "before this line"},
+                       "a drop before the include");
+    check_file_refused(start + "drop Scene/Name\ndrop Scene/Name\n",
+                       {"test.prm:3: ", "'Scene/Name'"},
+                       "a second drop");
+    check_file_refused("set A = 1\ndrop A\n",
+                       {"test.prm:2: ", "'A'"},
+                       "an entry of the file itself");
+    check_file_refused(start + "drop\n", {"test.prm:2: "}, "no name");
+  }
+
+
+
+  void
   overrides()
   {
     const prm::RawEntry entry =
@@ -201,5 +287,6 @@ main()
   files_that_are_none();
   bad_lines();
   bad_includes();
+  drops();
   overrides();
 }

@@ -235,6 +235,53 @@ namespace
   }
 
   void
+  test_summary()
+  {
+    // two sweeps of 40 points with 20 pairs each that have little in common
+    for (const std::string name : {"i", "j"})
+      {
+        fs::create_directories(folder + name);
+        std::ofstream out(folder + name + "/eigenvalues.csv");
+        out << "point,index,sigma_per_s,frequency_hz,name\n";
+        for (int point = 0; point < 40; ++point)
+          for (int k = 1; k <= 20; ++k)
+            {
+              const bool other = name == "j" && (k > 10 || point == 7);
+              out << point << ',' << k << ',' << (other ? 5. : -5.) << ','
+                  << 1000. * k * (other && k == 12 && point == 20 ? 1.04 : 1.)
+                  << ",s" << k << '\n';
+            }
+        RunRecord record;
+        for (int i = 0; i < 30; ++i)
+          record.parameters.emplace_back("Scene/Entry " + std::to_string(i),
+                                         std::string(60, name[0]));
+        write_run_record(record, folder + name + "/run.json");
+      }
+    std::ostringstream brief, whole;
+    compare_runs(folder + "i", folder + "j", brief);
+    const RunComparison result =
+      compare_runs(folder + "i", folder + "j", whole, true);
+    std::istringstream lines(brief.str());
+    std::size_t        n = 0;
+    for (std::string line; std::getline(lines, line); ++n)
+      check(line.size() <= 80, "a summary has 80 columns: " + line);
+    check(n <= 40, "and 40 lines, not " + std::to_string(n));
+    check(brief.str().find("800 pairs are in both runs, 390 of them equal") !=
+              std::string::npos &&
+            brief.str().find("30 parameters differ:") != std::string::npos &&
+            brief.str().find("New instabilities: 410") != std::string::npos,
+          "it counts what is equal and what differs: " + brief.str());
+    const std::size_t largest = brief.str().find("The largest changes:");
+    check(brief.str().find("12480", largest) <
+            brief.str().find("... and 402 more", largest),
+          "and names the largest change");
+    const std::string all = whole.str();
+    check(result.table.n_rows() == 800 &&
+            std::count(all.begin(), all.end(), '\n') > 1200,
+          "--all prints every pair");
+  }
+
+  void
   test_refusals()
   {
     std::ostringstream out;
@@ -266,6 +313,7 @@ main()
   test_by_name();
   test_modes_only();
   test_sweep();
+  test_summary();
   test_refusals();
   fs::remove_all(folder);
 }

@@ -38,6 +38,7 @@ namespace
   {
     const std::string picture = std::string("\x89PNG\r\n\x1a\n") + "pixels";
     std::ofstream("html_report_test.png", std::ios::binary) << picture;
+    std::ofstream("html_report_test.svg") << "<svg/>";
 
     Table table({{"frequency_hz", Type::real, "Hz", "f = omega/2 pi", 6, 2},
                  {"residual_rel", Type::real, "", "", 3},
@@ -52,9 +53,11 @@ namespace
     record.parameters     = {{"Scene/Name", "<script>alert(1)</script>"}};
     record.warnings       = {"a warning"};
     ResultCheck check;
-    check.name    = "first pair";
-    check.reason  = "no row";
-    record.checks = {check};
+    check.name         = "first pair";
+    check.reason       = "no row";
+    record.checks      = {check};
+    record.void_checks = {"growth"};
+    record.void_cause  = "A/B = 1";
     Timers timers;
     {
       Timers::Section section(timers, "Solve: modes");
@@ -67,11 +70,20 @@ namespace
     report.section("Pairs");
     report.paragraph("text");
     report.table(table, "caption", {}, {false, true});
+    Table wide = table;
+    for (int i = 0; i < 20; ++i)
+      wide.add_column({"number_" + std::to_string(i), Type::real, "", ""});
+    report.table(wide, "wide");
+    report.table(
+      Table(std::vector<Table::Column>{{"elsewhere", Type::real, "", ""}}),
+      "in no file");
     report.figure("html_report_test.png", "one", true);
     report.figure("html_report_test.png", "two", true);
     report.figure("html_report_test.png", "three");
     report.figure("not_there.png", "four");
     report.run_record(record, "./squeal run prm/a.prm");
+    const Table fewer(wide.columns());
+    report.link_tables({{"all.csv", &wide}, {"other.csv", &fewer}});
     report.write(path);
     check_throws<std::exception>([&] { report.table(table, "", {"none"}); },
                                  "no column 'none'",
@@ -88,12 +100,34 @@ main()
 
   check(!has(html, "http:") && !has(html, "https:") && !has(html, "//cdn") &&
           !has(html, "url(") && !has(html, "@import") && !has(html, "<link") &&
-          !has(html, "<script"),
-        "there is no link out of the file and no script");
+          !has(html, "<script "),
+        "nothing is read from outside of the file");
+  check(count(html, "<script>") == 1 && count(html, "</script>") == 1 &&
+          has(html, "aria-sort"),
+        "one script sorts the tables");
   check(count(html, "src=\"") == count(html, "src=\"data:image/png;base64,"),
         "every picture is inside");
-  check(count(html, "href=\"") == count(html, "href=\"#part"),
-        "every link stays in the page");
+  check(count(html, "href=\"") ==
+          count(html, "href=\"#part") +
+            count(html, "href=\"html_report_test.png\"") +
+            count(html, "href=\"html_report_test.svg\"") +
+            count(html, "href=\"all.csv\""),
+        "links stay in the page or lead to files beside it");
+  check(count(html, "href=\"html_report_test.png\"") == 3 &&
+          count(html, "href=\"html_report_test.svg\"") == 3,
+        "every chart leads to its files");
+  check(count(html, "href=\"all.csv\"") == 2 && !has(html, "other.csv"),
+        "a table leads to the file that holds its columns and rows");
+  const std::size_t n_more = count(html, "<th class=\"number more\"");
+  check(n_more > 0 && n_more < 20 && count(html, "class=\"fold\"") == 1 &&
+          has(html,
+              "<label for=\"fold1\"> " + std::to_string(n_more) +
+                " more columns</label>"),
+        "columns that do not fit fold out");
+  check(count(html, "<!-- ") == count(html, "<!-- row -->"),
+        "no place is left unfilled");
+  check(has(html, "<li>growth</li>") && has(html, "--set 'A/B = 1'"),
+        "checks that a setting has made void are named with it");
   for (std::size_t i = 0; i < count(html, "href=\"#part"); ++i)
     check(has(html, "id=\"part" + std::to_string(i) + "\""),
           "link " + std::to_string(i) + " has its place");
@@ -122,4 +156,5 @@ main()
           "each <" + tag + "> is closed");
   std::filesystem::remove(path);
   std::filesystem::remove("html_report_test.png");
+  std::filesystem::remove("html_report_test.svg");
 }

@@ -132,6 +132,43 @@ main()
   check_close(area(cells[0]), 0.05 * 0.085, 1e-12, "a corner of a grid");
   check_close(area(cells[7]), 0.1 * 0.17, 1e-12, "inside a grid");
 
+  // An L of three squares, whose inner corner the hull would cover.
+  const std::vector<PlanarPoint>                 l      = {{0., 0.},
+                                                           {1., 0.},
+                                                           {2., 0.},
+                                                           {0., 1.},
+                                                           {1., 1.},
+                                                           {2., 1.},
+                                                           {0., 2.},
+                                                           {1., 2.}};
+  const std::vector<std::array<unsigned int, 4>> pieces = {
+    {{0, 1, 4, 3}}, {{1, 2, 5, 4}}, {{3, 4, 7, 6}}};
+  const auto quarters = quarter_cells(l, pieces);
+  check(quarters.size() == 8, "one cell a point of the L");
+  const double expected[] = {0.25, 0.5, 0.25, 0.5, 0.75, 0.25, 0.25, 0.25};
+  for (std::size_t j = 0; j < 8; ++j)
+    check_close(area(quarters[j].corners),
+                expected[quarters[j].point],
+                1e-12,
+                "quarters of the L, point " + std::to_string(j));
+  check(outline_of(pieces).size() == 8, "outline of the L");
+  // Two squares that touch at a corner give it two cells.
+  check(
+    quarter_cells(
+      {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}, {2., 1.}, {2., 2.}, {1., 2.}},
+      {{{0, 1, 2, 3}}, {{2, 4, 5, 6}}})
+        .size() == 8,
+    "two cells where squares touch");
+  double                                   sum = 0.;
+  std::vector<std::array<unsigned int, 4>> grid_quads;
+  for (unsigned int j = 0; j < 4; ++j)
+    for (unsigned int i = 0; i < 5; ++i)
+      grid_quads.push_back(
+        {{6 * j + i, 6 * j + i + 1, 6 * j + i + 7, 6 * j + i + 6}});
+  for (const auto &cell : quarter_cells(grid, grid_quads))
+    sum += area(cell.corners);
+  check_close(sum, 0.5 * 0.68, 1e-12, "quarters fill the grid");
+
   const std::vector<PlanarPoint> line = {{0., 0.}, {1., 1.}, {2., 2.}};
   check(delaunay_polygons(line).empty(), "a line has no polygons");
   check_close(area(nearest_cells(line, {0.5, 0.5, 0.5})[1]),

@@ -223,7 +223,8 @@ main()
   fs::create_directories(folder);
   std::ostringstream console;
   RunLog             log(true, console);
-  const Plotter      plotter(log, true);
+  unsigned int       n_announced = 0;
+  const Plotter      plotter(log, [&](const std::string &) { ++n_announced; });
   check(plotter.is_available(), "gnuplot is there: " + console.str());
   test_charts(plotter);
   test_low_frequencies(plotter);

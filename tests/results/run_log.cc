@@ -65,6 +65,84 @@ namespace
   }
 
   void
+  test_long_lines()
+  {
+    const std::string  path = "run_log_test.log", word(90, 'x');
+    std::ostringstream console;
+    RunLog             log(true, console);
+    log.open(path);
+    std::string line = "    ";
+    for (int i = 0; i < 40; ++i)
+      line += (i == 0 ? "wort" : " größe");
+    log.info(line);
+    log.info(word);
+    std::istringstream in(console.str());
+    std::string        joined;
+    std::size_t        n = 0;
+    for (std::string part; std::getline(in, part); ++n)
+      if (part != word)
+        {
+          check(display_width(part) <= 80 &&
+                  (display_width(part) > 70 || in.peek() == 'x'),
+                "a line is broken where 80 columns end: " + part);
+          check(part.substr(0, n == 0 ? 4 : 6) ==
+                  std::string(n == 0 ? 4 : 6, ' '),
+                "what follows stands further in");
+          joined += (joined.empty() ? "" : " ") + part.substr(n == 0 ? 4 : 6);
+        }
+    check("    " + joined == line, "no word is lost");
+    check(contains(console.str(), word), "a long word is left whole");
+    check(read_file(path) == line + '\n' + word + '\n',
+          "the file has the lines as they are");
+    std::filesystem::remove(path);
+  }
+
+  void
+  test_wide_tables()
+  {
+    const std::string                     name(30, 'n'), value(24, '1');
+    std::vector<std::vector<std::string>> rows = {
+      {"name", "a", "b", "c", "d"}, {name, value, value, value, value}};
+    std::ostringstream out;
+    print_aligned(out, rows);
+    std::istringstream in(out.str());
+    for (std::string line; std::getline(in, line);)
+      check(display_width(line) <= 80, "within 80 columns: " + line);
+    check(count(out.str(), name) == 4 && count(out.str(), value) == 4,
+          "columns that do not fit follow behind the first one once more");
+  }
+
+  void
+  test_quiet()
+  {
+    const std::string  path = "run_log_test.log";
+    std::ostringstream console;
+    RunLog             log(true, console, true, true);
+    log.open(path);
+    log.heading("Modes");
+    log.info("a detail");
+    log.warning("a warning");
+    log.result("results: out");
+    Timers timers;
+    log.summary({{"unstable pairs", "2"}}, timers);
+    double now = 0.;
+    {
+      Progress progress(log, "Sweep", 100, [&now] { return now; });
+      for (int i = 0; i < 100; ++i, now += 0.5)
+        progress.advance();
+    }
+    const std::string text = console.str(), file = read_file(path);
+    check(contains(text, "warning: a warning\nresults: out\n") &&
+            contains(text, "unstable pairs  2\n") &&
+            !contains(text, "detail") && !contains(text, "Modes") &&
+            !contains(text, "Sweep") && !contains(text, "total"),
+          "a quiet console shows results and warnings alone: " + text);
+    for (const char *part : {"a detail", "Modes\n-----", "total", "100 %"})
+      check(contains(file, part), std::string("the file has ") + part);
+    std::filesystem::remove(path);
+  }
+
+  void
   test_other_rank()
   {
     std::ostringstream console;
@@ -120,8 +198,9 @@ namespace
       const std::string text = console.str();
       check(contains(text, "Sweep: 10 of 100 (10 %), 5.0 s, about 45 s left\n"),
             "the first line after 5 s extrapolates the time left");
-      check(count(text, "\n") == 6 && contains(text, "100 done in 50 s\n"),
-            "then a line every 10 s and one at the end");
+      check(count(text, "\n") == 6 &&
+              contains(text, "Sweep: 100 of 100 (100 %), done in 50 s\n"),
+            "then a line every 10 s and one at the end, which says 100 %");
     }
     {
       std::ostringstream console;
@@ -178,6 +257,9 @@ int
 main()
 {
   test_lines();
+  test_long_lines();
+  test_wide_tables();
+  test_quiet();
   test_other_rank();
   test_unwritable();
   test_progress();

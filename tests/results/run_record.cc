@@ -30,6 +30,9 @@ namespace
     record.n_dofs         = 55123;
     record.dofs_of_bodies = {{"disc", 50000}, {"pad", 5123}};
     record.n_ranks        = 2;
+    record.settings       = {"Scene/Body pad/Density = 2600"};
+    record.void_checks    = {"growth"};
+    record.void_cause     = record.settings[0];
     record.warnings       = {"a \"quoted\" warning"};
     record.files          = {"modes.csv"};
     ResultCheck good, bad;
@@ -75,6 +78,10 @@ main()
           read.dofs_of_bodies == written.dofs_of_bodies &&
           read.warnings == written.warnings && read.n_ranks == 2,
         "entries come back in their order");
+  check(read.settings == written.settings &&
+          read.void_checks == written.void_checks &&
+          read.void_cause == written.void_cause,
+        "so do settings and the checks that they have made void");
   check(read.checks.size() == 2 && read.checks[0].got == 3520.01 &&
           read.checks[1].reason == "no row" && !read.checks[1].has_value,
         "so do the result checks");

@@ -22,12 +22,7 @@ namespace
 
   using Point = std::array<double, 3>;
 
-  struct TestQuad
-  {
-    std::array<Point, 4> corners;
-    std::array<Point, 4> displacements;
-    unsigned int         body;
-  };
+  using TestQuad = SurfaceQuad;
 
   /** The upper face of an annulus that moves as r^2 cos(m theta), held at its
    * inner edge but for rounding errors. */
@@ -177,6 +172,38 @@ namespace
       }
   }
 
+  /** Corners of a box of two cells along x, seen from outside. */
+  void
+  test_feature_edges()
+  {
+    std::vector<TestQuad> quads;
+    const auto            add = [&](const std::array<Point, 4> &corners) {
+      TestQuad quad{};
+      quad.corners = corners;
+      quads.push_back(quad);
+    };
+    for (const double x : {0., 1.})
+      for (const double z : {0., 1.})
+        {
+          add({{{{x, 0., z}},
+                {{x + 1., 0., z}},
+                {{x + 1., 1., z}},
+                {{x, 1., z}}}});
+          add({{{{x, z, 0.}},
+                {{x + 1., z, 0.}},
+                {{x + 1., z, 1.}},
+                {{x, z, 1.}}}});
+        }
+    for (const double x : {0., 2.})
+      add({{{{x, 0., 0.}}, {{x, 1., 0.}}, {{x, 1., 1.}}, {{x, 0., 1.}}}});
+    double sum = 0.;
+    for (const SpaceLine &line : feature_edges(quads, 35.))
+      sum += std::abs(line[1][0] - line[0][0]) +
+             std::abs(line[1][1] - line[0][1]) +
+             std::abs(line[1][2] - line[0][2]);
+    check_close(sum, 4 * (2. + 1. + 1.), 1e-12, "edges of a box of two cells");
+  }
+
   void
   test_picture()
   {
@@ -196,6 +223,31 @@ namespace
         highest.add(std::abs(corner[2]));
     check_close(
       highest.largest(), 0.01, 1e-12, "the largest displacement is as asked");
+
+    for (TestQuad &quad : quads)
+      for (Point &u : quad.displacements)
+        for (double &component : u)
+          component *= quad.body == 8 ? 0.03 : 1.;
+    const auto own = make_shape_picture(quads, 7, 0.01, false, {"", "x"});
+    check(own.bodies.size() == 9 && own.bodies[1].name == "x" &&
+            own.bodies[7].times == 1. && own.bodies[8].times == 20.,
+          "a body that hardly moves has a scale of its own");
+    Worst before, after;
+    for (std::size_t k = quads.size() - 6; k < quads.size(); ++k)
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          before.add(picture.surface[k].corners[i][2]);
+          after.add(own.surface[k].corners[i][2]);
+        }
+    check_close(after.largest() / before.largest(),
+                0.6,
+                1e-9,
+                "and no more than the largest motion");
+    check_close(own.surface[0].values[0],
+                picture.surface[0].values[0],
+                1e-12,
+                "colours are those of the true motion",
+                1.);
 
     std::ostringstream console;
     RunLog             log(true, console);
@@ -227,5 +279,6 @@ main()
   test_nodal_lines(2, 0.5 * pi, "along the mesh lines");
   test_outline();
   test_contact_face_below();
+  test_feature_edges();
   test_picture();
 }

@@ -24,7 +24,8 @@ namespace
   using namespace squeal::tribology;
 
   const char *const usage =
-    "usage: squeal-tribology [--set 'Section/Entry = value']... FILE.prm\n"
+    "usage: squeal-tribology [--quiet] [--set 'Section/Entry = value']... "
+    "FILE.prm\n"
     "       squeal-tribology --validate FILE.prm...\n"
     "       squeal-tribology --print-defaults | --print-documentation | "
     "--version | --help\n";
@@ -57,7 +58,7 @@ namespace
     if (needs_mpi(parameters))
       mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
         argc, argv, 1);
-    Context context(parameters);
+    Context context(parameters, {line.overrides, line.is_quiet});
     switch (parameters.analysis)
       {
       case TribologyParameters::Analysis::damage:

@@ -21,14 +21,23 @@ namespace squeal
 
   /** Prints @p rows as columns two blanks apart, the first row as heading with
    * a rule under it, each line led by @p indent. Column c is left aligned if
-   * @p left[c]; columns beyond the end of @p left are right aligned. */
+   * @p left[c]; columns beyond the end of @p left are right aligned. Columns that
+   * do not fit into 80 follow below, behind the first column once more. */
   void print_aligned(std::ostream                                &out,
                      const std::vector<std::vector<std::string>> &rows,
                      const std::vector<bool>                     &left = {true},
                      const std::string &indent                         = "  ");
 
+  /** @p text with its lines of more than @p width columns broken at blanks; what
+   * a line goes on with stands two columns further in. A word that is too long
+   * for a line is left whole, and so are lines without a single blank between
+   * words, such as rules. */
+  std::string wrapped(const std::string &text, std::size_t width = 80);
+
   /**
-   * What a run tells: on the console and, word for word, in its log file.
+   * What a run tells: on the console, where long lines are broken, and, word
+   * for word, in its log file. A quiet console shows results, warnings and
+   * errors alone; the file has everything.
    *
    * On ranks other than the root every call is silent. Until open() names the
    * file the lines are kept, so that the log starts with the first line of the
@@ -42,10 +51,13 @@ namespace squeal
 
     /** Writes to standard output; a progress line is rewritten in place where
      * that is a terminal. */
-    explicit RunLog(bool is_root);
+    explicit RunLog(bool is_root, bool is_quiet = false);
 
     /** Writes to @p console, treated as a terminal if @p is_terminal. */
-    RunLog(bool is_root, std::ostream &console, bool is_terminal = false);
+    RunLog(bool          is_root,
+           std::ostream &console,
+           bool          is_terminal = false,
+           bool          is_quiet    = false);
 
     /** Continues in the file @p path, which gets all lines so far. Throws
      * InputError if it cannot be written. */
@@ -53,6 +65,9 @@ namespace squeal
 
     /** One or more lines. */
     void info(const std::string &text);
+
+    /** One or more lines that a quiet console shows, too. */
+    void result(const std::string &text);
 
     /** A heading with a rule under it. */
     void heading(const std::string &text);
@@ -76,8 +91,17 @@ namespace squeal
   private:
     friend class Progress;
 
+    enum class Importance
+    {
+      usual,
+      result /**< shown on a quiet console, too */
+    };
+
     /** Adds complete lines to console and file. */
-    void write(const std::string &lines);
+    void write(const std::string &lines,
+               Importance         importance = Importance::usual);
+
+    static std::string aligned(const Lines &lines);
 
     /** Adds complete lines to the file, or keeps them for it. */
     void write_to_file(const std::string &lines);
@@ -88,6 +112,7 @@ namespace squeal
     bool                     is_root;
     std::ostream            &console;
     bool                     is_terminal;
+    bool                     is_quiet;
     std::string              path;
     std::ofstream            file;
     std::string              kept;
@@ -114,7 +139,8 @@ namespace squeal
              std::size_t        n_steps,
              Clock              clock = {});
 
-    /** Ends the progress line with the time taken if any was shown. */
+    /** Ends the progress, if any was shown, with a line that says how much is
+     * done, 100 % of a loop that came to its end, and the time taken. */
     ~Progress();
     Progress(const Progress &)            = delete;
     Progress &operator=(const Progress &) = delete;
@@ -123,6 +149,9 @@ namespace squeal
     void advance(std::size_t n_more = 1, const std::string &note = "");
 
   private:
+    /** "Sweep: 10 of 100 (10 %)" */
+    std::string done() const;
+
     std::string line(double elapsed, const std::string &note) const;
 
     RunLog     &log;

@@ -39,7 +39,10 @@ namespace squeal
   {
     std::vector<dealii::Point<3>> points;
     std::vector<double>           areas; /**< m^2 */
-    std::vector<ContactFrame>     frames;
+    /** Pieces of the source face between neighbouring points, by their numbers
+     * round each piece, as they are drawn; none between Gauss points. */
+    std::vector<std::array<unsigned int, 4>> quads;
+    std::vector<ContactFrame>                frames;
     /** |V| at the point over |V| at the centre of the source face. */
     std::vector<double>                speed_ratio;
     std::shared_ptr<const Functionals> normal, tangential, transverse;

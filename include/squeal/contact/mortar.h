@@ -20,6 +20,9 @@ namespace squeal
   {
     std::vector<dealii::Point<3>> nodes;   /**< source nodes, m */
     std::vector<double>           weights; /**< D_j, m^2 */
+    /** Pieces of the source face between neighbouring nodes, by their numbers,
+     * counter-clockwise seen from outside. */
+    std::vector<std::array<unsigned int, 4>> quads;
     /** Outward unit normals of the source face at its nodes, averaged over the
      * faces round each. */
     std::vector<dealii::Tensor<1, 3>> normals;

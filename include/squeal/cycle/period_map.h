@@ -2,55 +2,16 @@
 #ifndef squeal_cycle_period_map_h
 #define squeal_cycle_period_map_h
 
-#include <squeal/transient/reduced_transient.h>
+#include <squeal/cycle/period_derivative.h>
 
-#include <vector>
+#include <memory>
 
 namespace squeal
 {
-  /** What the later motion of a reduced model depends on. */
-  struct MotionState
-  {
-    Eigen::VectorXd coordinates; /**< q of the modes */
-    Eigen::VectorXd velocities;  /**< q' */
-    Eigen::VectorXd forces;      /**< lambda, N, three a node */
-  };
-
-  /** A motion of equal steps from time 0 on. */
-  struct Orbit
-  {
-    double step = 0.; /**< s */
-    /** At the start and after every step. */
-    std::vector<MotionState>     states;
-    std::vector<Eigen::VectorXd> motions; /**< B u, m, three a node */
-    /** After every step. */
-    std::vector<std::vector<ContactStatus>> status;
-    EnergyLedger                            ledger; /**< at the end */
-    unsigned int                            n_iterations = 0;
-
-    unsigned int
-    n_steps() const
-    {
-      return status.size();
-    }
-    const MotionState &
-    end() const
-    {
-      return states.back();
-    }
-  };
-
   /**
    * The motion of a reduced contact model over a time under constant loads,
-   * speeds and coefficients of friction, by the steps of ReducedTransient, and
+   * speeds and coefficients of friction, by the steps of LocatedTransient, and
    * its derivative with respect to where it starts.
-   *
-   * The derivative is that of the discrete steps with the statuses they have:
-   * open nodes keep lambda = 0; closed ones keep u_n; sticking ones keep all of
-   * u; at slipping ones the friction follows mu lambda_n and turns with the
-   * slip s, d lambda_t = mu d dlambda_n + (mu lambda_n/|s|) (1 - d d^T) ds,
-   * d = s/|s|. At a step that ends exactly where a status changes it is one of
-   * several (a generalised Jacobian).
    */
   class PeriodMap
   {
@@ -70,29 +31,24 @@ namespace squeal
               const double                        nodal_force,
               const double                        tolerance = 1e-10);
 
-    /** Throws ComputationError where a step has no solution, InputError for
-     * steps that are too long. */
-    Orbit run(const MotionState &start,
-              const double       time,
-              const unsigned int n_steps) const;
+    /** @p past: of the start; changes of status in the first steps are located
+     * where it is known, or are those of @p held. Throws ComputationError where a step has no solution,
+     * InputError for steps that are too long. */
+    Orbit run(const MotionState     &start,
+              const double           time,
+              const unsigned int     n_steps,
+              const ContactPast     &past = {},
+              const StepCorrections *held = nullptr) const;
 
     /** Rows of the forces that count at the start and the end of @p orbit:
      * those of nodes closed at one of them. */
     std::vector<int> closed_rows(const Orbit &orbit) const;
 
-    /** What a node that opens or closes does to the derivative of its step. */
-    enum class Changes
-    {
-      at_steps, /**< of the discrete steps as they are, for Newton's method */
-      located   /**< of the motion that they stand for: a force that a
-                     disturbance adds is there from where the node closes to
-                     where it opens, within the step. The orbit is periodic.
-                     Without that multipliers are of first order in the step */
-    };
-    /** d (q, v, lambda at @p rows)_end / d (q, v, lambda at @p rows)_start. */
-    Eigen::MatrixXd derivative(const Orbit            &orbit,
-                               const std::vector<int> &rows,
-                               const Changes           changes) const;
+    /** See period_derivative(). */
+    Eigen::MatrixXd derivative(
+      const Orbit            &orbit,
+      const std::vector<int> &rows,
+      const StatusChanges     changes = StatusChanges::located) const;
 
     /** d (q, v)/dt at a state, rows as there. */
     Eigen::VectorXd acceleration(const MotionState &state) const;

@@ -18,9 +18,6 @@ namespace squeal
    * "(0.5, 0.866, 0)" where it is along no axis. */
   std::string sliding_text(const ContactGeometry &geometry);
 
-  /** The same along the axes that maps of the face are drawn in. */
-  std::string sliding_text_on_map(const ContactGeometry &geometry);
-
   /** Node by node: place, area, status, pressure, tractions, gap. */
   Table contact_table(const ContactGeometry            &geometry,
                       const Eigen::VectorXd            &forces,
@@ -28,7 +25,14 @@ namespace squeal
                       const Eigen::VectorXd            &initial_gap,
                       const std::vector<ContactStatus> &status);
 
+  /** The face as its maps draw it: along FaceAxes. */
   ContactMap contact_map(const ContactGeometry &geometry);
+
+  /** A pressure, Pa, as maps show it: in MPa, NaN where there is none. */
+  double pressure_on_map(const double pressure);
+
+  /** Of the values of ContactStatus: "open", "stick", "slip". */
+  std::vector<std::string> status_names();
 
   std::vector<std::array<double, 3>> node_points(
     const ContactGeometry &geometry);

@@ -5,6 +5,7 @@
 #include <squeal/parameters/scene_parameters.h>
 
 #include <string>
+#include <vector>
 
 namespace squeal
 {
@@ -18,6 +19,19 @@ namespace squeal
    * Springs of @p scene tell whether theirs is that of points or of a bed. */
   std::string unit_of_entry(const std::string     &path,
                             const SceneParameters &scene);
+
+  /**
+   * What charts call the numbers that change together, @p paths: "E_pad", "mu",
+   * "pad position [1]"; "mu of all contacts" and "E_pad and 4 others" for
+   * several. A coefficient of friction tells its contact only where @p scene has
+   * several.
+   */
+  std::string symbol_of_entries(const std::vector<std::string> &paths,
+                                const SceneParameters          &scene);
+
+  /** The same with the unit, "E_pad in Pa". */
+  std::string axis_title(const std::vector<std::string> &paths,
+                         const SceneParameters          &scene);
 
   /** Whether the entry enters only by coefficients of affine parts. */
   bool is_affine_entry(const std::string &path);

@@ -58,18 +58,24 @@ namespace squeal
     /**
      * Reads a parameter file: "subsection NAME ... end", "set ENTRY = VALUE",
      * "include FILE" (relative to the including file, also inside a section),
-     * comments from '#' at the start of a line or after a blank, lines
-     * continued by a backslash at their end.
+     * "drop NAME", comments from '#' at the start of a line or after a blank,
+     * lines continued by a backslash at their end.
      *
      * Entries of a file override those of the files it includes, wherever the
      * include stands; of two included files the later one overrides the
      * earlier. A file that is included a second time in the same section adds
      * nothing.
      *
+     * "drop NAME" removes an entry, or a section with all that is in it, from
+     * what the file has included before that line; a member of a family, "drop
+     * Scene/Body pad", is taken from the list of names, too, unless the section
+     * is written again. NAME starts from the section that the line stands in.
+     *
      * Throws InputError, one line with file and line number, for a missing
      * file, a directory, a file that sets nothing, bytes that are no text, a
      * line that is not understood, sections that are not closed, an entry set
-     * twice in one file, and includes that lead back to themselves.
+     * twice in one file, a drop of what was not included, and includes that
+     * lead back to themselves.
      */
     PrmTree read_prm_file(const std::string &file);
 

@@ -62,12 +62,15 @@ namespace squeal
    * (eigenvalues.csv, or modes.csv if one of them has none), matches the pairs
    * of equal `point` and prints the table of frequency and sigma changes, the
    * parameters that differ, and new and vanished instabilities. A pair counts
-   * as unstable if sigma exceeds its own error estimate. Throws InputError for
-   * what is missing or cannot be read.
+   * as unstable if sigma exceeds its own error estimate. What would take more
+   * than 40 lines is summed up in as many: how many pairs are equal, those that
+   * differ most, the first of every list; with @p all everything is printed.
+   * Throws InputError for what is missing or cannot be read.
    */
   RunComparison compare_runs(const std::string &directory_a,
                              const std::string &directory_b,
-                             std::ostream      &out);
+                             std::ostream      &out,
+                             bool               all = false);
 } // namespace squeal
 
 #endif

@@ -5,6 +5,7 @@
 #include <squeal/results/run_record.h>
 #include <squeal/results/table.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@ namespace squeal
 {
   /**
    * One HTML file that can be mailed, printed and read without a network:
-   * styles and pictures are inside. Parts appear in the order in which they are
-   * added, under the last section(); a list of sections stands at the top.
+   * styles, pictures and what sorts the tables are inside. Links lead to the
+   * files beside it from which tables and charts can be taken. Parts appear in
+   * the order in which they are added, under the last section(); a list of
+   * sections stands at the top.
    */
   class HtmlReport
   {
@@ -37,10 +40,12 @@ namespace squeal
 
     void paragraph(const std::string &text);
 
-    /** The columns @p names of @p table (all if none is named), rounded; rows
-     * for which @p highlighted is true are tinted. The sentence of a column is
-     * shown when the mouse rests on its heading, and all of them below the
-     * table where @p with_legend is true. */
+    /** The columns @p names of @p table (all if none is named), rounded, one
+     * line a row; rows for which @p highlighted is true are tinted. A click on a
+     * heading sorts by it. The first columns that fit beside each other are
+     * shown, the others fold out. The sentence of a column is shown when the
+     * mouse rests on its heading, and all of them below the table where
+     * @p with_legend is true. */
     void table(const Table                    &table,
                const std::string              &caption,
                const std::vector<std::string> &names       = {},
@@ -56,6 +61,11 @@ namespace squeal
     /** Markup that moves, and the scripts behind it, which the page gets once
      * however often they are asked for. */
     void interactive(const std::string &markup, const std::string &scripts);
+
+    /** Says which files, by name beside the report, hold which tables: each
+     * table() of the report gets a link to the one with its columns and as many
+     * rows, else to one with its columns and more rows. */
+    void link_tables(const std::map<std::string, const Table *> &tables);
 
     /** Names and values in two columns. */
     void pairs(const RunRecord::Pairs &pairs, const std::string &caption);
@@ -74,7 +84,15 @@ namespace squeal
     void write(const std::string &path) const;
 
   private:
-    void checks(const std::vector<ResultCheck> &checks);
+    /** What is known of a table in the report when its file is looked for. */
+    struct ShownTable
+    {
+      std::vector<std::string> columns;
+      std::size_t              n_rows;
+      std::string              link = {};
+    };
+
+    void checks(const RunRecord &record);
     void timings(const RunRecord &record);
 
     std::string              title;
@@ -82,6 +100,8 @@ namespace squeal
     std::string              verdict_box;
     std::string              body;
     std::vector<std::string> scripts;
+    std::vector<ShownTable>  shown_tables;
+    std::vector<std::string> figure_files; /**< paths of their PNG */
     std::vector<std::string> section_titles;
   };
 } // namespace squeal

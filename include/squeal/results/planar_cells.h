@@ -23,6 +23,28 @@ namespace squeal
     const std::vector<PlanarPoint> &points,
     const std::vector<double>      &reach);
 
+  /** A polygon that stands for a point. */
+  struct PointCell
+  {
+    std::size_t              point;
+    std::vector<PlanarPoint> corners; /**< in order round it */
+  };
+
+  /**
+   * For each of the points what the @p quads between points, whatever outline
+   * they have as a whole, give it: a quarter of each, out to the middles of the
+   * edges and of the quad. Quarters that share an edge are one cell; a point in
+   * no quad has none.
+   */
+  std::vector<PointCell> quarter_cells(
+    const std::vector<PlanarPoint>                 &points,
+    const std::vector<std::array<unsigned int, 4>> &quads);
+
+  /** Edges that belong to one of the @p quads only: the outline. Numbers of
+   * points. */
+  std::vector<std::array<unsigned int, 2>> outline_of(
+    const std::vector<std::array<unsigned int, 4>> &quads);
+
   /**
    * The polygons between the points whose circumscribed circle holds no other
    * point (Delaunay): triangles, or more corners where more points lie on the

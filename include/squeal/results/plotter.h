@@ -2,6 +2,7 @@
 #ifndef squeal_results_plotter_h
 #define squeal_results_plotter_h
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,8 +66,13 @@ namespace squeal
   class Plotter
   {
   public:
-    /** With @p with_svg each picture is written as .svg too. */
-    explicit Plotter(RunLog &log, bool with_svg = false);
+    /** Is told the path of a file that is about to be written. */
+    using Announce = std::function<void(const std::string &path)>;
+
+    /** With @p announce_svg each picture is written as .svg, too, and
+     * announced; not one of more data than a quarter of a megabyte, as surfaces
+     * of many facets have. */
+    explicit Plotter(RunLog &log, Announce announce_svg = {});
 
     /** Writes @p path + ".png" (and ".svg"). Returns whether the picture is
      * there. Throws InputError if the file cannot be put in its place. */
@@ -80,7 +86,7 @@ namespace squeal
                  const std::string &path) const;
 
     RunLog     &log;
-    bool        with_svg;
+    Announce    announce_svg;
     bool        available = false;
     std::string png_terminal; /**< pngcairo, or png where that is missing */
   };

@@ -26,8 +26,10 @@ namespace squeal
     std::string analysis;
     std::string scene;
     std::string parameter_file;
-    Pairs       parameters; /**< every entry as used */
-    Pairs       figures;    /**< named results, "unstable pairs" "2" */
+    /** "Section/Entry = value" of each --set */
+    std::vector<std::string> settings;
+    Pairs                    parameters; /**< every entry as used */
+    Pairs       figures; /**< named results, "unstable pairs" "2" */
     std::size_t n_dofs = 0;
     std::vector<std::pair<std::string, std::size_t>> dofs_of_bodies;
     unsigned int                                     n_ranks = 1;
@@ -39,7 +41,9 @@ namespace squeal
 
     std::vector<std::string> warnings;
     std::vector<ResultCheck> checks;
-    std::vector<std::string> files; /**< names in the output directory */
+    std::vector<std::string> void_checks; /**< left out, by name */
+    std::string              void_cause; /**< the setting that made them void */
+    std::vector<std::string> files;      /**< names in the output directory */
 
     /** Takes times and memory as of now. */
     void take_timings(const Timers &timers);

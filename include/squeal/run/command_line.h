@@ -13,6 +13,8 @@ namespace squeal
   {
     std::string              action = "run"; /**< or the option that says it */
     std::vector<std::string> files, overrides;
+    bool                     is_quiet  = false; /**< --quiet */
+    bool                     shows_all = false; /**< --all */
   };
 
   /** Takes the words apart; @p actions are the options that a program knows.
@@ -21,7 +23,8 @@ namespace squeal
                                 char                          **argv,
                                 const std::vector<std::string> &actions);
 
-  /** Prints "name version (revision)" and the libraries. */
+  /** Prints "name version (revision, build type)", the compiler and the
+   * libraries. */
   void print_version(const std::string &name);
 
   /**

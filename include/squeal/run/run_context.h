@@ -11,7 +11,9 @@ namespace squeal
   class RunContext : public RunSession
   {
   public:
-    RunContext(const Parameters &parameters, const bool is_root);
+    RunContext(const Parameters &parameters,
+               const bool        is_root,
+               const RunOptions &options = {});
 
     const Parameters &parameters;
   };

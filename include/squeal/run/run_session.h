@@ -12,6 +12,7 @@
 #include <squeal/results/plotter.h>
 #include <squeal/results/run_record.h>
 #include <squeal/results/table.h>
+#include <squeal/run/settings.h>
 
 #include <map>
 #include <memory>
@@ -32,6 +33,7 @@ namespace squeal
     std::string                        directory;
     bool                               overwrite = false;
     unsigned int                       n_ranks   = 1;
+    RunOptions                         options   = {};
   };
 
   /**
@@ -71,8 +73,12 @@ namespace squeal
     void finish(HtmlReport *report, const std::string &open_this);
 
   private:
+    /** What repeats the run, as typed in a shell. */
+    std::string commands() const;
+
     InterruptGuard                                interrupt_guard;
     bool                                          is_finished = false;
+    const VoidChecks                              void_checks;
     std::map<std::string, std::unique_ptr<Table>> tables;
   };
 } // namespace squeal

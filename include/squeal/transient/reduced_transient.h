@@ -45,7 +45,21 @@ namespace squeal
     const Eigen::VectorXd &motion() const override;
     const std::vector<ContactStatus> &status() const override;
 
+  protected:
+    const ModalStep &
+    step_of_modes() const
+    {
+      return modes;
+    }
+
   private:
+    /** Called before the contact of a step is solved: may move what slip is
+     * counted from. */
+    virtual void prepare_step(ContactStep &step);
+    /** Called when it has been solved: may change the modes' velocities at the
+     * end of the step. */
+    virtual void finish_step(Eigen::VectorXd &velocity);
+
     Eigen::VectorXd external_forces(const double time) const;
     Eigen::VectorXd external_motion(const double time) const;
     void            update_ledger(const Eigen::VectorXd &q_before,

@@ -171,13 +171,14 @@ namespace squeal
     loudest.print(text);
     context.log.info(text.str());
 
-    const std::string verdict = verdict_of(loudest);
-    context.record.figures    = {
-         {"largest error of a pair, relative",
-          headline_error(
-         {error_of_column("reduction", all, "error_estimate_rel"),
-             error_of_column("mesh", all, "discretisation_error_rel")})},
-         {"unknowns", std::to_string(context.record.n_dofs)}};
+    const std::string error = headline_error(
+      {error_of_column("reduction", all, "error_estimate_rel"),
+       error_of_column("mesh", all, "discretisation_error_rel")});
+    const std::string verdict =
+      verdict_of(loudest) + "; largest error of a pair " + error;
+    context.record.figures = {
+      {"largest error of a pair, relative", error},
+      {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Rotor angles of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
     const auto sigma = loudest.reals("sigma_per_s");

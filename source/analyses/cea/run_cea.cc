@@ -158,12 +158,12 @@ namespace squeal
                   {"index",
                    "frequency_hz",
                    "sigma_per_s",
+                   "unstable",
+                   "name",
                    "damping_ratio",
                    "residual_rel",
                    "error_estimate_rel",
-                   "discretisation_error_rel",
-                   "unstable",
-                   "name"});
+                   "discretisation_error_rel"});
       log.info(text.str());
     }
 
@@ -245,7 +245,8 @@ namespace squeal
                       "lambda = sigma + i omega, sigma > 0 unstable");
     report.set_verdict(unstable.number ? HtmlReport::Verdict::bad
                                        : HtmlReport::Verdict::good,
-                       unstable.verdict(),
+                       unstable.verdict() + "; largest error of a pair " +
+                         largest_error(model, pairs, table),
                        context.record.figures);
     if (p.output.plots)
       {

@@ -2,6 +2,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/analyses/frequency_response/response_solution.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/universal_file.h>
@@ -219,9 +220,10 @@ namespace squeal
     report.set_verdict(
       worst > p.frequency_response.check_tolerance ? HtmlReport::Verdict::bad
                                                    : HtmlReport::Verdict::good,
-      n_checks ? "superposition within " + rounded_text(worst, 2) +
-                   " of direct solutions; mesh error not estimated"
-               : "not checked by direct solutions",
+      resonance_headline(participation, grid.unit) + "; " +
+        (n_checks ? "superposition within " + rounded_text(worst, 2) +
+                      " of direct solutions; mesh error not estimated"
+                  : "not checked by direct solutions"),
       context.record.figures);
     if (p.output.plots)
       {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/limit_cycle/branch_output.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace squeal
@@ -113,10 +117,84 @@ namespace squeal
         {"imbalance of the ledger", shown("imbalance")}};
     }
 
+    PeriodMap
+    map_of(const SteadyModel &about)
+    {
+      const PressedModel &pressed = about.pressed;
+      return {pressed.model(),
+              std::make_shared<const FrictionLaws>(pressed.nodes().laws()),
+              pressed.speed(),
+              about.sliding.resultant()[0] / pressed.model().n_nodes(),
+              contact_tolerance};
+    }
+
+    /** Steady sliding at one value of the parameter and the motions about it.
+     */
+    struct BranchMap
+    {
+      BranchMap(const SteadyModel &a)
+        : about(a)
+        , map(map_of(about))
+      {
+      }
+      const SteadyModel about;
+      const PeriodMap   map;
+    };
+
+    /** Throws InputError where the scene is not on the axis. */
+    void
+    require_on_axis(const Parameters &p)
+    {
+      const SweepAxisParameters &axis = p.sweep.axes.front();
+      const double               here = get_number(p, axis.entries.front());
+      if (here < axis.from.front() || here > axis.to.front())
+        throw InputError("Sweep/Axis " + axis.name + ": the scene's " +
+                         axis.entries.front() + " = " + rounded_text(here, 6) +
+                         " is outside: the branch starts there");
+    }
+
+    /** The branch of @p start over the axis. */
+    CycleBranch
+    branch_of(RunContext         &context,
+              const PressedModel &pressed,
+              const CycleResult  &start)
+    {
+      const Parameters                &p    = context.parameters;
+      const SweepAxisParameters       &axis = p.sweep.axes.front();
+      const SweepGrid                  grid(p);
+      std::shared_ptr<const BranchMap> kept[2];
+      double                           kept_at[2] = {-1., -1.};
+      const PeriodMaps                 maps = [&](const double parameter) {
+        for (const unsigned int i : {0u, 1u})
+          if (kept[i] && kept_at[i] == parameter)
+            return std::shared_ptr<const PeriodMap>(kept[i], &kept[i]->map);
+        kept[1]    = kept[0];
+        kept_at[1] = kept_at[0];
+        SweepPoint at(1);
+        at << parameter;
+        kept[0] = std::make_shared<const BranchMap>(
+          pressed.with_friction(friction_sizes(grid.scene(at).contacts))
+            .steady(p.preload.tolerance, context.timers));
+        kept_at[0] = parameter;
+        return std::shared_ptr<const PeriodMap>(kept[0], &kept[0]->map);
+      };
+      BranchSettings settings;
+      settings.lower    = axis.from.front();
+      settings.upper    = axis.to.front();
+      settings.n_points = axis.number;
+      settings.shooting = {
+        p.limit_cycle.steps, p.limit_cycle.iterations, p.limit_cycle.tolerance};
+      Timers::Section section(context.timers, "Solve: branch");
+      return follow_branch(
+        maps, start.motion, get_number(p, axis.entries.front()), settings);
+    }
+
     /** Tables and report of @p cycles; the first is the one that was asked
      * for. */
     void
-    report_cycles(RunContext &context, const std::vector<CycleResult> &cycles)
+    report_cycles(RunContext                       &context,
+                  const std::vector<CycleResult>   &cycles,
+                  const std::optional<CycleBranch> &branch)
     {
       const auto        &p     = context.parameters;
       const CycleResult &first = cycles.front();
@@ -149,6 +227,18 @@ namespace squeal
           report.section("Floquet multipliers");
           report.table(multipliers, "Multipliers above a thousandth");
         }
+      if (branch)
+        {
+          const std::string &name  = p.sweep.axes.front().name;
+          const Table        along = branch_table(*branch);
+          context.write_table("branch.csv", along);
+          context.log.info(branch_sentence(*branch, name));
+          report.section("Branch");
+          report.paragraph(branch_sentence(*branch, name));
+          if (p.output.plots && context.is_root)
+            draw_branch(context, *branch, name, report);
+          report.table(along, "Limit cycles along the branch");
+        }
       report.section("Cycles");
       report.table(all, "Limit cycles of the growing pairs");
       context.finish(p.output.report ? &report : nullptr, "");
@@ -163,6 +253,8 @@ namespace squeal
     Parameters p = context.parameters;
     for (auto &contact : p.scene.contacts)
       contact.state = ContactParameters::State::full;
+    if (!p.sweep.axes.empty())
+      require_on_axis(p);
     Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
@@ -193,12 +285,7 @@ namespace squeal
       throw ComputationError(
         "no pair of the band grows about steady sliding: there is nothing to "
         "start a limit cycle from");
-    const PeriodMap map(
-      pressed.model(),
-      std::make_shared<const FrictionLaws>(pressed.nodes().laws()),
-      pressed.speed(),
-      steady.resultant()[0] / pressed.model().n_nodes(),
-      contact_tolerance);
+    const PeriodMap          map = map_of(about);
     std::vector<CycleResult> cycles;
     {
       Timers::Section section(context.timers, "Solve: limit cycles");
@@ -209,6 +296,9 @@ namespace squeal
           progress.advance();
         }
     }
-    report_cycles(context, cycles);
+    std::optional<CycleBranch> branch;
+    if (!p.sweep.axes.empty() && cycles.front().has_converged())
+      branch = branch_of(context, pressed, cycles.front());
+    report_cycles(context, cycles, branch);
   }
 } // namespace squeal

@@ -48,17 +48,22 @@ namespace squeal
     std::ostringstream text;
     table.print(text, {"index", "frequency_hz", "name", "error_estimate_rel"});
     context.log.info(text.str());
+    const std::string error =
+      headline_error({error_of_column("mesh", table, "error_estimate_rel")});
     context.record.n_dofs  = model.n_unknowns();
     context.record.figures = {
       {"modes in the band", std::to_string(table.n_rows())},
-      {"largest error of a frequency, relative",
-       headline_error({error_of_column("mesh", table, "error_estimate_rel")})},
+      {"largest error of a frequency, relative", error},
       {"unknowns", std::to_string(model.n_unknowns())}};
 
     HtmlReport report("Modes of " + p.scene.name, "undamped, frictionless");
-    report.set_verdict(HtmlReport::Verdict::neutral,
-                       std::to_string(table.n_rows()) + " modes in the band",
-                       context.record.figures);
+    report.set_verdict(
+      HtmlReport::Verdict::neutral,
+      std::to_string(table.n_rows()) + " modes from " +
+        rounded_text(table.real(0, "frequency_hz"), 5) + " to " +
+        rounded_text(table.real(table.n_rows() - 1, "frequency_hz"), 5) +
+        " Hz; largest error of a frequency " + error,
+      context.record.figures);
     report.section("Modes");
     report.table(table, "Modes in the band");
     if (model.namer().n_coordinates() > 0)

@@ -5,6 +5,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/contact_output.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 
 #include <cmath>
@@ -95,9 +96,10 @@ namespace squeal
     {
       Chart chart;
       chart.title   = "Secant stiffness of pad and contact";
-      chart.x.label = "value of " + context.parameters.preload.stiffness_entry;
+      chart.x.label = axis_title({context.parameters.preload.stiffness_entry},
+                                 context.parameters.scene);
       chart.x.scale = AxisSettings::Scale::logarithmic;
-      chart.y.label = "N/m";
+      chart.y.label = "secant stiffness in N/m";
       chart.y.scale = AxisSettings::Scale::logarithmic;
       const auto     &contacts = context.parameters.scene.contacts;
       const LoadSteps columns(contacts);
@@ -156,21 +158,19 @@ namespace squeal
         {
           Timers::Section section(context.timers, "Write: charts");
           for (double &value : pressure)
-            value *= 1e-6;
+            value = pressure_on_map(value);
           const std::string name = "plots/pressure" + suffix;
           context.output.file(name + ".png");
           const std::string path = context.output.path() + "/" + name;
-          map.plot(
-            context.plotter,
-            {{"Contact pressure", "MPa", pressure, 0., 0., {}, {}},
-             {"0 open, 1 stick, 2 slip", "status", status, 0., 2., {}, {}}},
-            path);
+          map.plot(context.plotter,
+                   {{"Contact pressure", "MPa", pressure, 0., 0., {}, {}, {}},
+                    {"Status", "", status, 0., 0., status_names(), {}, {}}},
+                   path);
           report.section(is_one_of_several ? "Pressure of " + pair.name()
                                            : "Pressure");
           report.figure(path + ".png",
-                        "Pressure and status of the contact nodes; the "
-                        "target's surface moves " +
-                          sliding_text_on_map(g));
+                        "Pressure and status of the contact nodes; grey: "
+                        "open");
         }
       return open_this;
     }
@@ -346,7 +346,8 @@ namespace squeal
         p.scene.name,
       "pressure under the loads, compression positive");
     report.set_verdict(HtmlReport::Verdict::neutral,
-                       full_load_text(steps, pressed.nodes().n_nodes()),
+                       full_load_text(steps, pressed.nodes().n_nodes()) +
+                         "; mesh error not estimated",
                        context.record.figures);
     std::string open_this;
     if (context.is_root)

@@ -4,6 +4,7 @@
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/output/headline_error.h>
+#include <squeal/output/headlines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,18 +134,6 @@ namespace squeal
              rounded_text(totals.peak_sigma, 4) + " 1/s";
     }
 
-    void
-    print(RunContext                       &context,
-          const std::string                &heading,
-          const std::vector<const Table *> &tables)
-    {
-      std::ostringstream text;
-      for (const Table *table : tables)
-        table->print(text);
-      context.log.heading(heading);
-      context.log.info(text.str());
-    }
-
     /** Of the edges between points; ends of the sweep have no error. */
     std::string
     error_of_edges(const Table &ranges)
@@ -160,6 +149,49 @@ namespace squeal
       sources.push_back(
         error_of_column("mesh", ranges, "edge_error_discretisation"));
       return headline_error(sources);
+    }
+
+    /** Every axis, the one that is swept first. */
+    SweepParameters
+    all_axes(const std::vector<SweepScene> &scenes, const Parameters &p)
+    {
+      SweepParameters sweep = scenes.front().parameters.sweep;
+      for (const auto &axis : p.sweep.axes)
+        if (std::none_of(sweep.axes.begin(),
+                         sweep.axes.end(),
+                         [&](const auto &a) { return a.name == axis.name; }))
+          sweep.axes.push_back(axis);
+      return sweep;
+    }
+
+    /** The answer to what the sweep was asked most of all. */
+    std::string
+    headline(const std::vector<SweepScene> &scenes,
+             const SweepTables             &all,
+             const Totals                  &totals,
+             const Parameters              &p)
+    {
+      if (all.probabilities.n_rows())
+        return scatter_headline(all.probabilities);
+      const SweepParameters sweep = all_axes(scenes, p);
+      const std::string     ranges =
+        verdict(sweep.axes[0].name, all.ranges.n_rows(), totals);
+      if (all.suggestions.n_rows())
+        return suggestion_headline(all.suggestions, p.scene) + "; " + ranges;
+      return range_headline(all.ranges, sweep, p.scene) + "; " + ranges +
+             "; largest error of an edge " + error_of_edges(all.ranges);
+    }
+
+    void
+    print(RunContext                       &context,
+          const std::string                &heading,
+          const std::vector<const Table *> &tables)
+    {
+      std::ostringstream text;
+      for (const Table *table : tables)
+        table->print(text);
+      context.log.heading(heading);
+      context.log.info(text.str());
     }
 
     void
@@ -295,9 +327,7 @@ namespace squeal
     enter_figures(context, all, totals, scenes.size());
     report.set_verdict(all.ranges.n_rows() ? HtmlReport::Verdict::bad
                                            : HtmlReport::Verdict::good,
-                       verdict(scenes[0].parameters.sweep.axes[0].name,
-                               all.ranges.n_rows(),
-                               totals),
+                       headline(scenes, all, totals, p),
                        context.record.figures);
     write_report(context, report, all, has_shapes);
   }

@@ -3,6 +3,7 @@
 // The boundary of the unstable regions of two parameters.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 
 #include <algorithm>
@@ -137,8 +138,8 @@ namespace squeal
     Chart            chart;
     chart.title   = "Boundary of the unstable regions";
     chart.x.label = (grid.is_logarithmic(0) ? "log10 of " : "") +
-                    grid.axis(0).entries[0].substr(6);
-    chart.y.label = grid.axis(1).entries[0].substr(6);
+                    axis_title(grid.axis(0).entries, model.scene());
+    chart.y.label = axis_title(grid.axis(1).entries, model.scene());
     chart.x.lower = grid.lower(0);
     chart.x.upper = grid.upper(0);
     std::vector<double> frequencies;

@@ -37,12 +37,9 @@ namespace squeal
     std::string
     axis_label(const SweepModel &model, const unsigned int a)
     {
-      const auto       &axis = model.grid().axis(a);
-      const std::string unit = unit_of_entry(axis.entries[0], model.scene());
-      const std::string entry =
-        axis.entries[0].substr(axis.entries[0].find('/') + 1) +
-        (unit.empty() ? "" : " in " + unit);
-      return model.grid().is_logarithmic(a) ? "log10 of " + entry : entry;
+      const std::string title =
+        axis_title(model.grid().axis(a).entries, model.scene());
+      return model.grid().is_logarithmic(a) ? "log10 of " + title : title;
     }
 
     std::string
@@ -293,24 +290,22 @@ namespace squeal
   {
     if (!context.is_root)
       return;
-    const Plotter plotter(context.log, true);
-    const auto    draw = [&](const std::string        &kind,
+    const auto draw = [&](const std::string        &kind,
                           const std::string        &text,
                           const std::vector<Chart> &charts) {
       const std::string name    = kind + (scene.empty() ? "" : "_" + scene);
       const std::string caption = text + (title.empty() ? "" : "; " + title);
       context.output.file("plots/" + name + ".png");
-      context.output.file("plots/" + name + ".svg");
-      const std::string  path = context.output.path() + "/plots/" + name;
+      const std::string  path      = context.output.path() + "/plots/" + name;
       const unsigned int n_columns = charts.size() > 4   ? 3
-                                        : charts.size() > 1 ? 2
-                                                            : 1;
+                                     : charts.size() > 1 ? 2
+                                                         : 1;
       const unsigned int n_rows = (charts.size() + n_columns - 1) / n_columns;
-      plotter.draw(draw_charts(charts,
-                               n_columns == 1 ? 1400 : 900 * n_columns,
-                               n_columns == 1 ? 900 : 650 * n_rows,
-                               n_columns),
-                   path);
+      context.plotter.draw(draw_charts(charts,
+                                       n_columns == 1 ? 1400 : 900 * n_columns,
+                                       n_columns == 1 ? 900 : 650 * n_rows,
+                                       n_columns),
+                           path);
       report.figure(path + ".png", caption, false);
     };
     std::vector<Chart> frequencies, sigmas, loci;

@@ -3,6 +3,7 @@
 // How likely a brake squeals whose numbers scatter.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/sweep/first_order_index.h>
 
 #include <deal.II/base/mpi.h>
@@ -94,7 +95,9 @@ namespace squeal
       const unsigned int n_ranks =
         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       std::vector<double> values(3 * points.size(), 0.);
-      Progress progress(context.log, "scatter", points.size() / n_ranks);
+      // the root's own: the first ranks have one more where they do not divide
+      Progress progress(
+        context.log, "scatter", (points.size() + n_ranks - 1) / n_ranks);
       for (std::size_t i = rank; i < points.size(); i += n_ranks)
         {
           const Sample s    = worst_pair(model, points[i]);
@@ -150,7 +153,8 @@ namespace squeal
     }
 
     Chart
-    probability_chart(const SweepGrid               &grid,
+    probability_chart(const SceneParameters         &scene,
+                      const SweepGrid               &grid,
                       const unsigned int             a,
                       const std::vector<SweepPoint> &points,
                       const std::vector<double>     &unstable)
@@ -164,10 +168,9 @@ namespace squeal
           series.x.push_back(found.x);
           series.y.push_back(found.mean);
         }
-      chart.title = "probability of squeal";
-      chart.x.label =
-        (grid.is_logarithmic(a) ? "log10 of " : "") +
-        grid.axis(a).entries[0].substr(grid.axis(a).entries[0].find('/') + 1);
+      chart.title   = "probability of squeal";
+      chart.x.label = (grid.is_logarithmic(a) ? "log10 of " : "") +
+                      axis_title(grid.axis(a).entries, scene);
       chart.y.label = "share of unstable samples";
       chart.series.push_back(series);
       return chart;
@@ -244,7 +247,8 @@ namespace squeal
         drivers.push_back(
           {a, first_order_index(x, unstable), first_order_index(x, sigma)});
         if (!classes_of(x, unstable).empty())
-          result.charts.push_back(probability_chart(grid, a, points, unstable));
+          result.charts.push_back(
+            probability_chart(model.scene(), grid, a, points, unstable));
       }
     std::stable_sort(
       drivers.begin(), drivers.end(), [](const auto &a, const auto &b) {

@@ -3,6 +3,7 @@
 // Amplitude of the limit cycles of a campaign over growth rate and sliding
 // speed, the friction that is measured from outside, and ladders.
 
+#include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
@@ -121,18 +122,15 @@ namespace squeal
       const auto name = [&](const std::size_t i) {
         return curve_name(table, i, context.parameters.sweep.axes, axis.name);
       };
-      const auto all = [](const std::size_t) { return true; };
-      Chart      growth, amplitude;
-      growth.title      = "Growth rate over " + axis.entries.front();
-      growth.y.label    = "growth rate in 1/s";
-      amplitude.title   = "Vibration over " + axis.entries.front();
-      amplitude.y.label = "rms of the normal force in N";
+      const auto        all = [](const std::size_t) { return true; };
+      Chart             growth, amplitude;
+      const std::string over = shown_title(axis, context.parameters.scene);
+      growth.title           = "Growth rate over " + over;
+      growth.y.label         = "growth rate in 1/s";
+      amplitude.title        = "Vibration over " + over;
+      amplitude.y.label      = "rms of the normal force in N";
       for (Chart *chart : {&growth, &amplitude})
-        {
-          chart->x.label =
-            ColumnTitle(table.columns()[table.column_index(axis.name)])
-              .of_axis();
-        }
+        chart->x.label = over;
       const std::size_t n =
         fill(growth, table, axis.name, "growth_rate_per_s", all, name);
       fill(amplitude, table, axis.name, "rms_normal_n", all, name);

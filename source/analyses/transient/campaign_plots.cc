@@ -2,9 +2,9 @@
 
 // Pictures of a campaign of transients beside the eigenvalue analyses.
 
+#include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/results/chart.h>
-#include <squeal/results/column_title.h>
 #include <squeal/run/run_context.h>
 
 #include <algorithm>
@@ -84,19 +84,17 @@ namespace squeal
 
     /** Where each way of looking finds growth, for one top. */
     Chart
-    stability_chart(const Table       &table,
-                    const std::string &top,
-                    const std::string &x,
-                    const std::string &y,
-                    const bool         is_first)
+    stability_chart(const Table           &table,
+                    const std::string     &top,
+                    const SceneParameters &scene,
+                    const SweepParameters &sweep,
+                    const bool             is_first)
     {
       Chart chart;
-      chart.title      = (top.empty() ? "" : "top " + top + ": ") + "unstable";
-      const auto label = [&](const std::string &name) {
-        return ColumnTitle(table.columns()[table.column_index(name)]).of_axis();
-      };
-      chart.x.label     = label(x);
-      chart.y.label     = label(y);
+      chart.title = (top.empty() ? "" : "top " + top + ": ") + "unstable";
+      const std::string &x = sweep.axes[0].name, &y = sweep.axes[1].name;
+      chart.x.label     = shown_title(sweep.axes[0], scene);
+      chart.y.label     = shown_title(sweep.axes[1], scene);
       chart.legend      = is_first ? Chart::Legend::above : Chart::Legend::none;
       const auto series = [](const std::string        &label,
                              const ChartSeries::Marker marker,
@@ -155,7 +153,6 @@ namespace squeal
     void
     draw_stability(RunContext &context, const Table &table, HtmlReport &report)
     {
-      const auto              &axes = context.parameters.sweep.axes;
       std::vector<std::string> tops;
       for (std::size_t i = 0; i < table.n_rows(); ++i)
         if (const std::string top = table.text(i, "top");
@@ -163,8 +160,11 @@ namespace squeal
           tops.push_back(top);
       std::vector<Chart> charts;
       for (const auto &top : tops)
-        charts.push_back(stability_chart(
-          table, top, axes[0].name, axes[1].name, charts.empty()));
+        charts.push_back(stability_chart(table,
+                                         top,
+                                         context.parameters.scene,
+                                         context.parameters.sweep,
+                                         charts.empty()));
       if (charts.empty())
         return;
       context.output.file("plots/stability.png");

@@ -239,6 +239,18 @@ namespace squeal
 
 
 
+  std::string
+  shown_title(const SweepAxisParameters &axis, const SceneParameters &scene)
+  {
+    if (axis.shown_as == SweepAxisParameters::ShownAs::common_logarithm)
+      return "log10 of " + axis_title(axis.entries, scene);
+    const std::string unit = shown_unit(axis, scene);
+    return symbol_of_entries(axis.entries, scene) +
+           (unit.empty() ? "" : " in " + unit);
+  }
+
+
+
   std::vector<std::vector<CampaignRun>>
   campaign_groups(const Parameters &p)
   {

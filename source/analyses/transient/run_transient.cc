@@ -303,6 +303,7 @@ namespace squeal
         : f.verdict == "stable" ? HtmlReport::Verdict::good
                                 : HtmlReport::Verdict::neutral,
         explained_verdict(f, trigger) +
+          (growth_text(f).empty() ? "" : ", " + growth_text(f)) +
           (f.has_limit_cycle ? ", limit cycle at " : ", limit cycle: ") +
           limit_cycle_text(f),
         context.record.figures);

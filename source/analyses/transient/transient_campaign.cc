@@ -10,6 +10,7 @@
 #include <squeal/base/root_action.h>
 #include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/results/column_title.h>
 #include <squeal/run/finished_runs.h>
@@ -408,14 +409,17 @@ namespace squeal
     /** "12 runs", and of how many a limit cycle stands beside stable sliding:
      * "stable" alone would deny it. */
     std::string
-    campaign_verdict(const Table &table)
+    campaign_verdict(const Table &table, const Parameters &p)
     {
-      std::string  text = std::to_string(table.n_rows()) + " runs";
+      if (table.has_column("rate_difference"))
+        return comparison_headline(table);
+      if (!table.has_column("outcome"))
+        return campaign_headline(table);
+      std::string  text = trigger_headline(table, p.sweep, p.scene);
       unsigned int n    = 0;
-      if (table.has_column("outcome"))
-        for (std::size_t i = 0; i < table.n_rows(); ++i)
-          n += table.text(i, "stable") == "yes" &&
-               table.text(i, "outcome") == "squeal after the trigger";
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        n += table.text(i, "stable") == "yes" &&
+             table.text(i, "outcome") == "squeal after the trigger";
       if (n > 0)
         text += ", " + std::to_string(n) +
                 " of them stable about steady sliding that squeal after the "
@@ -441,7 +445,7 @@ namespace squeal
       HtmlReport report("Transients of " + p.scene.name,
                         "over the axes of the campaign");
       report.set_verdict(HtmlReport::Verdict::neutral,
-                         campaign_verdict(table),
+                         campaign_verdict(table, p),
                          context.record.figures);
       if (results.keeps_phases)
         context.write_table("phases.csv", all_phases(results, runs));

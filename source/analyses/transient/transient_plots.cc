@@ -200,10 +200,10 @@ namespace squeal
           panel.label = "MPa";
           for (std::size_t j = 0; j < n; ++j)
             {
-              panel.values.push_back(1e-6 * h.pressure[n * i + j]);
+              panel.values.push_back(pressure_on_map(h.pressure[n * i + j]));
               panel.arrows_x.push_back(h.traction[2 * (n * i + j)]);
               panel.arrows_y.push_back(h.traction[2 * (n * i + j) + 1]);
-              upper = std::max(upper, panel.values.back());
+              upper = std::max(upper, 1e-6 * h.pressure[n * i + j]);
             }
           panels.push_back(panel);
         }
@@ -232,9 +232,8 @@ namespace squeal
         file + ".png",
         (is_one_of_several ? "Contact pressure of " + pair.name()
                            : std::string("Contact pressure")) +
-          " over the last period, white: none; arrows: tractions on the pad, "
-          "on one scale; the target's surface moves " +
-          sliding_text_on_map(pair.geometry));
+          " over the last period, grey: none; arrows: tractions on the pad, "
+          "on one scale");
     }
   } // namespace
 

@@ -31,6 +31,18 @@ namespace squeal
 
 
   std::string
+  growth_text(const TransientFigures &f)
+  {
+    if (f.leading < 0 || !f.branches[f.leading].fit.is_valid)
+      return "";
+    const BranchResult &b = f.branches[f.leading];
+    return (b.fit.rate > 0. ? "grows by " : "decays by ") + rate_text(b.fit) +
+           " at " + rounded_text(b.frequency, 5) + " Hz";
+  }
+
+
+
+  std::string
   left_out_text(const TransientFigures &f)
   {
     unsigned int n = 0;

@@ -2,6 +2,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/analyses/updating/updating_model.h>
 #include <squeal/base/files.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/text.h>
 #include <squeal/results/chart.h>
 
@@ -77,6 +78,28 @@ namespace squeal
                          n.correlation});
         }
       return table;
+    }
+
+    /** "E_disc = 2.057e11 Pa (95 %: 2.02e11 to 2.09e11)" of every number. */
+    std::string
+    numbers_text(const Parameters &p, const UpdatingFit &fit)
+    {
+      std::string text;
+      for (std::size_t i = 0; i < fit.numbers.size(); ++i)
+        {
+          const FittedNumber &n       = fit.numbers[i];
+          const auto         &entries = p.updating.numbers[i].entries;
+          const std::string   unit    = unit_of_entry(entries[0], p.scene);
+          text += (text.empty() ? "" : ", ") +
+                  symbol_of_entries(entries, p.scene) + " = " +
+                  rounded_text(n.value, 4) + (unit.empty() ? "" : " " + unit);
+          text += n.is_identified && std::isfinite(n.interval_lower) &&
+                      std::isfinite(n.interval_upper)
+                    ? " (" + rounded_text(n.interval_lower, 3) + " to " +
+                        rounded_text(n.interval_upper, 3) + ")"
+                    : " (not determined)";
+        }
+      return text;
     }
 
     Table
@@ -264,11 +287,13 @@ namespace squeal
 
     HtmlReport report("Updating of " + p.scene.name,
                       "numbers of the scene fitted to measured frequencies");
-    report.set_verdict(
-      fit.has_converged && n_unknown == 0 ? HtmlReport::Verdict::good
-                                          : HtmlReport::Verdict::bad,
-      "rms error " + before + " % before, " + after + " % after the fit",
-      context.record.figures);
+    report.set_verdict(fit.has_converged && n_unknown == 0
+                         ? HtmlReport::Verdict::good
+                         : HtmlReport::Verdict::bad,
+                       "rms error " + before + " % before, " + after +
+                         " % after the fit: " + numbers_text(p, fit) +
+                         "; mesh error not estimated",
+                       context.record.figures);
     if (p.output.plots)
       {
         Timers::Section section(context.timers, "Write: charts");

@@ -7,6 +7,8 @@
 #include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/model/cea_solution.h>
+#include <squeal/output/headline_error.h>
+#include <squeal/output/headlines.h>
 #include <squeal/results/cost_at_error.h>
 #include <squeal/results/plots.h>
 
@@ -374,6 +376,13 @@ namespace squeal
 
     HtmlReport report("Work and precision of " + context.parameters.scene.name,
                       "error against cost");
+    report.set_verdict(
+      HtmlReport::Verdict::neutral,
+      work_headline(costs) + "; errors are those against " +
+        (finest ? "the costliest rung" : "the given values"),
+      {{"largest error of a rung, relative",
+        rounded_text(error_of_column("", table, "error_rel").second, 2)},
+       {"rungs", std::to_string(rungs.size())}});
     report.section("Ladder");
     report.table(table, "Settings");
     report.table(costs, "Cost of an error");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/results/map_style.h>
 #include <squeal/tribology/damage/map_picture.h>
 
 #include <algorithm>
@@ -9,15 +10,6 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Dark to light, told apart in grey too (viridis, five supports). */
-    const std::string sequential = "set palette defined (0 '#440154', 1 "
-                                   "'#3b528b', 2 '#21918c', 3 '#5ec962', "
-                                   "4 '#fde725')";
-    const std::string two_sided =
-      "set palette defined (-1 '#0072b2', 0 '#f7f7f7', 1 '#d55e00')";
-
-
-
     struct Range
     {
       double lower = 1e300, upper = -1e300;
@@ -60,7 +52,7 @@ namespace squeal::tribology
     set_colours(Drawing &drawing, const FaceMap &map)
     {
       const Range range = range_of(map);
-      drawing.add(map.diverging ? two_sided : sequential);
+      drawing.add(map.diverging ? two_sided_palette() : sequential_palette());
       drawing.add(map.logarithmic ? "set logscale cb" : "unset logscale cb");
       drawing.add("set cbrange [" + plot_number(range.lower) + ":" +
                   plot_number(range.upper) + "]");
@@ -111,7 +103,8 @@ namespace squeal::tribology
         std::string plot;
         if (!grey.str().empty())
           plot = drawing.add_data(grey.str()) +
-                 " using 1:2:3:4:5:6 with boxxyerror lc rgb '#d0d0d0'";
+                 " using 1:2:3:4:5:6 with boxxyerror lc rgb " +
+                 no_value_colour();
         if (!data.str().empty())
           plot += (plot.empty() ? "" : ", ") + drawing.add_data(data.str()) +
                   " using 1:2:3:4:5:6:7 with boxxyerror lc palette";

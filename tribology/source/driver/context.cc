@@ -7,7 +7,7 @@ namespace squeal::tribology
   namespace
   {
     RunDescription
-    description_of(const TribologyParameters &p)
+    description_of(const TribologyParameters &p, const RunOptions &options)
     {
       return {choice_name(p.analysis),
               p.name,
@@ -16,14 +16,16 @@ namespace squeal::tribology
               p.notes,
               p.result_checks,
               p.output.directory,
-              p.output.overwrite};
+              p.output.overwrite,
+              1,
+              options};
     }
   } // namespace
 
 
 
-  Context::Context(const TribologyParameters &p)
-    : RunSession(description_of(p), *GenericTribologySchema(), true)
+  Context::Context(const TribologyParameters &p, const RunOptions &options)
+    : RunSession(description_of(p, options), *GenericTribologySchema(), true)
     , parameters(p)
   {
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/text.h>
 #include <squeal/results/table.h>
+#include <squeal/run/settings.h>
 #include <squeal/tribology/driver/study_report.h>
 #include <squeal/tribology/statistics/quantity_text.h>
 
@@ -79,6 +80,13 @@ namespace squeal::tribology
       cv::resize(image, small, cv::Size(), scale, scale, cv::INTER_AREA);
       cv::imwrite(to, small);
       return to;
+    }
+
+    std::string
+    command_of(const RunRecord &record)
+    {
+      return command_of_run(
+        record.parameter_file, record.settings, record.n_ranks);
     }
   } // namespace
 
@@ -219,8 +227,8 @@ namespace squeal::tribology
   {
     std::string text;
     for (const Run &run : runs)
-      text += "./squeal run " + run.record.parameter_file + "\n";
-    report.code(text + "./squeal run " + last.parameter_file + "\n");
+      text += command_of(run.record) + "\n";
+    report.code(text + command_of(last) + "\n");
   }
 
 

@@ -32,6 +32,10 @@ namespace squeal
    * where its name ends in "_mpa", none of a logarithm. */
   std::string shown_unit(const SweepAxisParameters &axis,
                          const SceneParameters     &scene);
+
+  /** What charts call it, with that unit: "E_pad in GPa". */
+  std::string shown_title(const SweepAxisParameters &axis,
+                          const SceneParameters     &scene);
 } // namespace squeal
 
 #endif

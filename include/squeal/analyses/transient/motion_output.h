@@ -16,8 +16,8 @@ namespace squeal
                          const Parameters        &parameters);
 
   /** Writes motion.pvd and contact.pvd of the record's frames, whose @p motion
-   * is that of motion_of_frames(); returns the name of the first, "" where there
-   * are no frames. Collective. */
+   * is that of motion_of_frames(); returns the name of the first, "" where
+   * there are no frames. Collective. */
   std::string write_animation(RunContext              &context,
                               const Model             &model,
                               const PreparedTransient &prepared,

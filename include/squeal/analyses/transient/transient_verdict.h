@@ -16,6 +16,10 @@ namespace squeal
   /** Whether a vibration stays, by itself or after a trigger. */
   bool squeals(const TransientFigures &figures, const TriggerOutcome &trigger);
 
+  /** "grows by 1220 +- 0.5 1/s at 6683 Hz" of the leading pair; empty where its
+   * fit tells no rate. */
+  std::string growth_text(const TransientFigures &figures);
+
   /** Why the leading pair has no growth rate. */
   std::string reason_for_no_rate(const TransientFigures &figures);
 

@@ -11,7 +11,8 @@ namespace squeal::tribology
   class Context : public RunSession
   {
   public:
-    explicit Context(const TribologyParameters &parameters);
+    explicit Context(const TribologyParameters &parameters,
+                     const RunOptions          &options = {});
 
     const TribologyParameters &parameters;
   };

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_limit_cycle_branch_output_h
+#define squeal_analyses_limit_cycle_branch_output_h
+
+#include <squeal/cycle/cycle_branch.h>
+#include <squeal/results/table.h>
+
+#include <string>
+
+namespace squeal
+{
+  class RunContext;
+  class HtmlReport;
+
+  /** One row for each point, from one end to the other. */
+  Table branch_table(const CycleBranch &branch);
+
+  /** One sentence: the range, folds and stability. */
+  std::string branch_sentence(const CycleBranch &branch,
+                              const std::string &parameter);
+
+  /** Amplitude, frequency and largest multiplier over the parameter. */
+  void draw_branch(RunContext        &context,
+                   const CycleBranch &branch,
+                   const std::string &parameter,
+                   HtmlReport        &report);
+} // namespace squeal
+
+#endif

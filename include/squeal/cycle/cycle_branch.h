@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_cycle_cycle_branch_h
+#define squeal_cycle_cycle_branch_h
+
+#include <squeal/cycle/cycle_search.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  struct BranchSettings
+  {
+    double           lower = 0., upper = 1.; /**< of the parameter */
+    unsigned int     n_points = 50;          /**< at most, to either side */
+    ShootingSettings shooting;
+    /** Of the parameter to the first neighbour, over its range. */
+    double first_step = 0.01;
+    /** Of a step along the branch, as the root of the squares of the change of
+     * the state over the size of the motion, of the relative change of the
+     * period and of that of the parameter over its range. */
+    double largest_step = 0.2, smallest_step = 1e-4;
+  };
+
+  /** Why a branch goes no further. */
+  enum class BranchEnd
+  {
+    range,  /**< the parameter has left it */
+    points, /**< there are as many as were asked for */
+    onset,  /**< no node changes its status any more: beyond, the motion is the
+               linear one, of any smaller size at one parameter */
+    not_found /**< the iterations do not converge */
+  };
+
+  struct BranchPoint
+  {
+    double         parameter = 0.;
+    PeriodicMotion motion;
+    /** Their error is what the trivial one misses 1 by: nothing is known of
+     * half the steps. */
+    FloquetMultipliers multipliers;
+    CycleFigures       figures;
+    /** The parameter turns back here: it is an extremum of the points. */
+    bool is_fold = false;
+    /** Changes of status of all nodes in a period. */
+    unsigned int n_changes = 0;
+  };
+
+  /** Periodic motions along the branch, from one end to the other. */
+  struct CycleBranch
+  {
+    std::vector<BranchPoint> points;
+    BranchEnd first_end = BranchEnd::not_found, last_end = BranchEnd::not_found;
+  };
+
+  std::string branch_end_text(const BranchEnd end);
+
+  /** The motions of a model for every value of the parameter. All share the
+   * modes, so that states can be compared. */
+  using PeriodMaps = std::function<std::shared_ptr<const PeriodMap>(double)>;
+
+  /**
+   * The branch of periodic motions through @p start at @p parameter, to both
+   * sides, by steps of limited length along it (pseudo-arc-length): beside the
+   * state and the period the parameter is an unknown, so that the branch turns
+   * back at folds. How the end of a period changes with the parameter is a
+   * difference quotient.
+   *
+   * Keller 1977; Seydel, Practical Bifurcation and Stability Analysis.
+   */
+  CycleBranch follow_branch(const PeriodMaps     &maps,
+                            const PeriodicMotion &start,
+                            const double          parameter,
+                            const BranchSettings &settings);
+} // namespace squeal
+
+#endif

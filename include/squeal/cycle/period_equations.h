@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_cycle_period_equations_h
+#define squeal_cycle_period_equations_h
+
+#include <squeal/cycle/shooting.h>
+
+namespace squeal
+{
+  /** States at the rows of the forces that count as vectors whose entries are
+   * the roots of energies. */
+  class ScaledMotion
+  {
+  public:
+    ScaledMotion(const ReducedContactModel &model,
+                 const std::vector<int>    &rows,
+                 const double               period);
+
+    Eigen::VectorXd pack(const Eigen::VectorXd &q,
+                         const Eigen::VectorXd &v,
+                         const Eigen::VectorXd &lambda) const;
+    Eigen::VectorXd difference(const MotionState &a,
+                               const MotionState &b) const;
+    MotionState     moved(const MotionState     &start,
+                          const Eigen::VectorXd &change) const;
+    Eigen::MatrixXd derivative(const Eigen::MatrixXd &D) const;
+
+  private:
+    const std::vector<int> rows;
+    const Eigen::Index     n;
+    Eigen::VectorXd        scale;
+  };
+
+  /** Of a motion about its mean, the largest energy norm. */
+  double motion_size(const ReducedContactModel &model, const Orbit &orbit);
+
+  /** Whether nothing vibrates. */
+  bool is_steady(const PeriodMap &map, const Orbit &orbit);
+
+  /** The orbit of a period that starts at @p start with what it misses; false
+   * where a step has no solution. @p past, @p held: see PeriodMap::run(). */
+  bool try_orbit(const PeriodMap       &map,
+                 const MotionState     &start,
+                 const double           period,
+                 const unsigned int     n_steps,
+                 const ContactPast     &past,
+                 const StepCorrections *held,
+                 PeriodicMotion        &motion);
+
+  /** The equations of shooting linearised about a motion: that it is where it
+   * started after a period, and that the start does not move along it. Unknowns
+   * are the scaled state and the period in shares of itself. */
+  class PeriodEquations
+  {
+  public:
+    PeriodEquations(const PeriodMap        &map,
+                    const PeriodicMotion   &motion,
+                    const ScaledMotion     &scaled,
+                    const std::vector<int> &rows,
+                    const StatusChanges     changes);
+
+    Eigen::VectorXd solve() const;
+
+    /** With a number more, which moves the end of the period by @p by_number a
+     * unit, and the equation @p row * change = @p value. */
+    Eigen::VectorXd solve_with(const Eigen::VectorXd &by_number,
+                               const Eigen::VectorXd &row,
+                               const double           value) const;
+
+  private:
+    Eigen::MatrixXd A;
+    Eigen::VectorXd rhs;
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/limit_cycle/branch_output.h>
+#include <squeal/results/chart.h>
+#include <squeal/results/html_report.h>
+#include <squeal/run/run_context.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+
+    std::string
+    stability_of(const BranchPoint &x)
+    {
+      return x.multipliers.is_stable()     ? "stable"
+             : x.multipliers.is_unstable() ? "unstable"
+                                           : "at its limit";
+    }
+
+    /** The points of each stability over the parameter, and a line through all
+     * of them. */
+    Chart
+    branch_chart(const CycleBranch                                &branch,
+                 const std::string                                &parameter,
+                 const std::string                                &what,
+                 const std::function<double(const BranchPoint &)> &value)
+    {
+      Chart chart;
+      chart.x.label = parameter;
+      chart.y.label = what;
+      ChartSeries line;
+      line.style = ChartSeries::Style::lines;
+      line.ink   = Ink::grey;
+      for (const BranchPoint &x : branch.points)
+        {
+          line.x.push_back(x.parameter);
+          line.y.push_back(value(x));
+        }
+      chart.series.push_back(line);
+      const std::pair<const char *, Ink> kinds[] = {
+        {"stable", Ink::blue},
+        {"unstable", Ink::vermillion},
+        {"at its limit", Ink::orange}};
+      for (const auto &[kind, ink] : kinds)
+        {
+          ChartSeries points;
+          points.label  = kind;
+          points.ink    = ink;
+          points.hollow = ink != Ink::blue;
+          for (const BranchPoint &x : branch.points)
+            if (stability_of(x) == kind)
+              {
+                points.x.push_back(x.parameter);
+                points.y.push_back(value(x));
+              }
+          if (!points.x.empty())
+            chart.series.push_back(points);
+        }
+      return chart;
+    }
+  } // namespace
+
+
+
+  Table
+  branch_table(const CycleBranch &branch)
+  {
+    Table table(
+      {{"parameter", Type::real, "", "number that the branch runs over", 8},
+       {"frequency_hz", Type::real, "Hz", "1/period", 8},
+       {"dominant_line_hz",
+        Type::real,
+        "Hz",
+        "largest harmonic of the normal force"},
+       {"mean_normal_n", Type::real, "N", "mean normal force"},
+       {"rms_normal_n", Type::real, "N", "of the normal force about its mean"},
+       {"rms_tangential_n",
+        Type::real,
+        "N",
+        "of the tangential force about its mean"},
+       {"stability", Type::text, "", "by the Floquet multipliers"},
+       {"largest_multiplier",
+        Type::real,
+        "",
+        "in size, of those beside the trivial one"},
+       {"trivial_multiplier_error",
+        Type::real,
+        "",
+        "what the multiplier of the motion itself is off 1",
+        3},
+       {"is_fold", Type::integer, "", "1 where the parameter turns back"},
+       {"n_changes", Type::integer, "", "changes of status in a period"},
+       {"n_opening", Type::integer, "", "nodes that open in a period"},
+       {"n_sticking", Type::integer, "", "nodes that stick in a period"},
+       {"residual",
+        Type::real,
+        "",
+        "what the state misses after a period, over the motion",
+        3},
+       {"n_iterations", Type::integer, "", "of Newton's method"}});
+    for (const BranchPoint &x : branch.points)
+      {
+        const CycleFigures &f = x.figures;
+        table.add_row({x.parameter,
+                       f.frequency,
+                       f.largest_harmonic * f.frequency,
+                       f.mean_normal,
+                       f.rms_normal,
+                       f.rms_tangential,
+                       stability_of(x),
+                       x.multipliers.largest,
+                       std::abs(x.multipliers.trivial - 1.),
+                       x.is_fold ? 1 : 0,
+                       x.n_changes,
+                       f.n_opening,
+                       f.n_sticking,
+                       x.motion.residual,
+                       x.motion.iterations});
+      }
+    return table;
+  }
+
+
+
+  std::string
+  branch_sentence(const CycleBranch &branch, const std::string &parameter)
+  {
+    const auto [low, high] = std::minmax_element(
+      branch.points.begin(),
+      branch.points.end(),
+      [](const auto &a, const auto &b) { return a.parameter < b.parameter; });
+    const auto count = [&](const std::string &kind) {
+      return std::to_string(std::count_if(
+        branch.points.begin(), branch.points.end(), [&](const auto &x) {
+          return stability_of(x) == kind;
+        }));
+    };
+    const auto folds = std::count_if(branch.points.begin(),
+                                     branch.points.end(),
+                                     [](const auto &x) { return x.is_fold; });
+    return "limit cycles at " + parameter + " = " +
+           rounded_text(low->parameter, 5) + " to " +
+           rounded_text(high->parameter, 5) + ": " +
+           std::to_string(branch.points.size()) + " points, " +
+           count("stable") + " stable, " + count("unstable") + " unstable, " +
+           std::to_string(folds) +
+           " folds; ends: " + branch_end_text(branch.first_end) + ", " +
+           branch_end_text(branch.last_end);
+  }
+
+
+
+  void
+  draw_branch(RunContext        &context,
+              const CycleBranch &branch,
+              const std::string &parameter,
+              HtmlReport        &report)
+  {
+    Chart amplitude =
+            branch_chart(branch,
+                         parameter,
+                         "rms of the normal force, N",
+                         [](const auto &x) { return x.figures.rms_normal; }),
+          frequency =
+            branch_chart(branch,
+                         parameter,
+                         "frequency, Hz",
+                         [](const auto &x) { return x.figures.frequency; }),
+          multiplier = branch_chart(
+            branch, parameter, "largest multiplier", [](const auto &x) {
+              return x.multipliers.largest;
+            });
+    amplitude.title  = "Limit cycles along the branch";
+    frequency.legend = multiplier.legend = Chart::Legend::none;
+    ReferenceLine one;
+    one.value        = 1.;
+    multiplier.lines = {one};
+    context.output.file("plots/branch.png");
+    const std::string path = context.output.path() + "/plots/branch";
+    context.plotter.draw(
+      draw_charts({amplitude, frequency, multiplier}, 1400, 1500), path);
+    report.figure(path + ".png",
+                  "Amplitude, frequency and the largest Floquet multiplier "
+                  "along the branch");
+  }
+} // namespace squeal

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/output/headlines.h>
+#include <squeal/parameters/entry_traits.h>
+#include <squeal/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Four digits without zeros at the end. */
+    std::string
+    brief(const double value)
+    {
+      return shortest_text(std::stod(rounded_text(value, 4)));
+    }
+
+    std::string
+    percent(const double share)
+    {
+      return rounded_text(100. * share, 3);
+    }
+
+    std::string
+    counted(const std::size_t n, const std::string &word)
+    {
+      return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
+    }
+
+    /** "mu = 0.2", with the unit of the entry. */
+    std::string
+    with_value(const SweepAxisParameters &axis,
+               const SceneParameters     &scene,
+               const double               value)
+    {
+      const std::string unit = unit_of_entry(axis.entries.at(0), scene);
+      return symbol_of_entries(axis.entries, scene) + " = " + brief(value) +
+             (unit.empty() ? "" : " " + unit);
+    }
+
+    /** The values of the axes of a run, in words. */
+    std::string
+    run_name(const Table           &table,
+             const std::size_t      row,
+             const SweepParameters &sweep,
+             const SceneParameters &scene)
+    {
+      std::string name;
+      for (const auto &axis : sweep.axes)
+        if (table.has_column(axis.name))
+          {
+            // in the unit of the table, which may be another one than the
+            // entry's
+            const std::string unit =
+              table.columns()[table.column_index(axis.name)].unit;
+            name += (name.empty() ? "" : ", ") +
+                    symbol_of_entries(axis.entries, scene) + " = " +
+                    brief(table.real(row, axis.name)) +
+                    (unit.empty() ? "" : " " + unit);
+          }
+      if (table.has_column("top") && !table.text(row, "top").empty())
+        name += (name.empty() ? "top " : ", top ") + table.text(row, "top");
+      return name;
+    }
+
+    /** The largest value of a column; NaN without any. */
+    double
+    largest(const Table &table, const std::string &column)
+    {
+      double value = std::nan("");
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        if (!table.is_missing(i, column) &&
+            !(std::abs(table.real(i, column)) <= value))
+          value = std::abs(table.real(i, column));
+      return value;
+    }
+  } // namespace
+
+
+
+  std::string
+  scatter_headline(const Table &t)
+  {
+    if (t.n_rows() == 0)
+      return "no samples were drawn";
+    const double doubt = t.real(0, "undecided");
+    return "squeals in " + percent(t.real(0, "probability")) + " % of " +
+           t.display(0, t.column_index("samples")) +
+           " samples (95 %: " + percent(t.real(0, "lower_95")) + " to " +
+           percent(t.real(0, "upper_95")) + " %); the sigma of " +
+           percent(doubt) + " % of them is below its own error";
+  }
+
+
+
+  std::string
+  suggestion_headline(const Table &t, const SceneParameters &scene)
+  {
+    if (t.n_rows() == 0)
+      return "nothing squeals: there is nothing to change";
+    // the rows of the loudest pair come first, its smallest change leading
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (t.text(i, "verdict") == "stable")
+        {
+          const double      change = t.real(i, "change_percent");
+          const std::string tuned  = t.text(i, "tunes_in");
+          return (change > 0. ? "+" : "") + rounded_text(change, 3) + " % of " +
+                 symbol_of_entries({t.text(i, "entry")}, scene) +
+                 " ends the squeal at " +
+                 rounded_text(t.real(i, "frequency_hz"), 5) + " Hz (sigma " +
+                 rounded_text(t.real(i, "sigma_per_s"), 4) +
+                 " 1/s; a direct solution with it: " +
+                 rounded_text(t.real(i, "direct_sigma_per_s"), 3) + " 1/s)" +
+                 (tuned.empty() ? ", and tunes in no other pair"
+                                : ", and tunes in on the way " + tuned);
+        }
+    return "no single change that was tried ends the squeal at " +
+           rounded_text(t.real(0, "frequency_hz"), 5) + " Hz";
+  }
+
+
+
+  std::string
+  trigger_headline(const Table           &table,
+                   const SweepParameters &sweep,
+                   const SceneParameters &scene)
+  {
+    constexpr std::size_t most_named = 3;
+    std::string           text;
+    std::size_t           n_told = 0;
+    for (const auto &[outcome, words] :
+         {std::pair{"squeal by itself", "by itself"},
+          {"squeal after the trigger", "after the trigger alone"},
+          {"temporary after the trigger", "for a while after the trigger"}})
+      {
+        std::vector<std::string> runs;
+        for (std::size_t i = 0; i < table.n_rows(); ++i)
+          if (table.text(i, "outcome") == outcome)
+            runs.push_back(run_name(table, i, sweep, scene));
+        if (runs.empty())
+          continue;
+        n_told += runs.size();
+        text +=
+          (text.empty() ? "of " + counted(table.n_rows(), "run") + " " : "; ") +
+          std::to_string(runs.size()) +
+          (std::string(outcome).rfind("squeal", 0) == 0
+             ? (runs.size() == 1 ? " squeals " : " squeal ")
+             : (runs.size() == 1 ? " vibrates " : " vibrate ")) +
+          words;
+        if (runs.size() <= most_named)
+          text += " (" + prm::join(runs, "; ") + ")";
+      }
+    if (text.empty())
+      text = "none of " + counted(table.n_rows(), "run") + " squeals";
+    else if (n_told < table.n_rows())
+      text += "; " + std::to_string(table.n_rows() - n_told) + " stay quiet";
+    return text + "; largest imbalance of an energy ledger " +
+           rounded_text(largest(table, "worst_imbalance"), 2);
+  }
+
+
+
+  std::string
+  campaign_headline(const Table &t)
+  {
+    std::size_t n_unstable = 0, n_cycles = 0;
+    double      low = HUGE_VAL, high = 0.;
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      {
+        n_unstable += t.text(i, "stable") == "no";
+        if (t.text(i, "limit_cycle") != "yes")
+          continue;
+        ++n_cycles;
+        if (!t.is_missing(i, "frequency_hz"))
+          {
+            low  = std::min(low, t.real(i, "frequency_hz"));
+            high = std::max(high, t.real(i, "frequency_hz"));
+          }
+      }
+    std::string text = std::to_string(n_unstable) + " of " +
+                       counted(t.n_rows(), "run") +
+                       " unstable about steady sliding, " +
+                       std::to_string(n_cycles) + " with a limit cycle";
+    if (high > 0.)
+      text += " at " + rounded_text(low, 4) +
+              (high > low ? " to " + rounded_text(high, 4) : "") +
+              " Hz, known to " +
+              rounded_text(largest(t, "frequency_ci_hz"), 2) + " Hz";
+    return text + "; largest imbalance of an energy ledger " +
+           rounded_text(largest(t, "worst_imbalance"), 2);
+  }
+
+
+
+  std::string
+  comparison_headline(const Table &t)
+  {
+    std::size_t n = 0, n_within = 0;
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (!t.is_missing(i, "rate_difference") &&
+          std::isfinite(t.real(i, "rate_difference")))
+        {
+          ++n;
+          n_within += t.real(i, "rate_difference") <= 1.;
+        }
+    if (n == 0)
+      return "no growth rate of " + counted(t.n_rows(), "run") +
+             " could be fitted";
+    return std::to_string(n_within) + " of " + counted(n, "growth rate") +
+           " in time within 2 % or 3 1/s of the eigenvalue analysis (largest "
+           "difference " +
+           rounded_text(largest(t, "rate_difference"), 2) +
+           " of that), frequencies within " +
+           rounded_text(100. * largest(t, "frequency_difference_rel"), 2) +
+           " %; fits known to " +
+           rounded_text(largest(t, "growth_rate_ci_per_s"), 2) + " 1/s" +
+           (n < t.n_rows()
+              ? "; " + counted(t.n_rows() - n, "run") + " without a rate"
+              : "");
+  }
+
+
+
+  std::string
+  work_headline(const Table &t)
+  {
+    std::size_t best = t.n_rows();
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (!t.is_missing(i, "dofs") &&
+          (best == t.n_rows() || t.real(i, "dofs") < t.real(best, "dofs")))
+        best = i;
+    if (t.n_rows() == 0 || best == t.n_rows())
+      return "no ladder tells what the asked error takes";
+    std::string text =
+      "an error of " + percent(t.real(best, "error_rel")) + " % takes " +
+      rounded_text(t.real(best, "dofs"), 3) + " unknowns" +
+      (t.is_missing(best, "seconds")
+         ? ""
+         : " and " + rounded_text(t.real(best, "seconds"), 3) + " s") +
+      " by the ladder '" + t.text(best, "ladder") + "' (" +
+      t.text(best, "found") + ")";
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (i != best)
+        text += t.is_missing(i, "dofs_over_least")
+                  ? "; '" + t.text(i, "ladder") + "' does not reach it"
+                  : "; " + rounded_text(t.real(i, "dofs_over_least"), 3) +
+                      " times as many unknowns by '" + t.text(i, "ladder") +
+                      "'";
+    return text;
+  }
+
+
+
+  std::string
+  resonance_headline(const Table &t, const std::string &unit)
+  {
+    constexpr std::size_t    most_named = 3;
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (!t.is_missing(i, "peak"))
+        rows.push_back(i);
+    std::stable_sort(
+      rows.begin(), rows.end(), [&](const std::size_t i, const std::size_t j) {
+        return t.real(i, "peak") > t.real(j, "peak");
+      });
+    // the same mode answers at many points: each is named once
+    std::vector<std::string> told, texts;
+    for (const std::size_t i : rows)
+      {
+        const std::string frequency =
+          rounded_text(t.real(i, "frequency_hz"), 5);
+        if (texts.size() == most_named ||
+            std::find(told.begin(), told.end(), frequency) != told.end())
+          continue;
+        told.push_back(frequency);
+        texts.push_back(frequency + " Hz (" + t.text(i, "name") + ", " +
+                        rounded_text(t.real(i, "peak"), 3) + " " + unit + ")");
+      }
+    return texts.empty() ? "no resonance in the band"
+                         : "largest resonances: " + prm::join(texts, ", ");
+  }
+
+
+
+  std::string
+  range_headline(const Table           &t,
+                 const SweepParameters &sweep,
+                 const SceneParameters &scene)
+  {
+    const SweepAxisParameters &axis = sweep.axes.at(0);
+    const std::string          name = symbol_of_entries(axis.entries, scene);
+    if (t.n_rows() == 0)
+      return "stable over the whole range of " + name;
+    std::size_t loudest = 0;
+    for (std::size_t i = 1; i < t.n_rows(); ++i)
+      if (t.real(i, "peak_sigma_per_s") > t.real(loudest, "peak_sigma_per_s"))
+        loudest = i;
+    const std::string unit  = unit_of_entry(axis.entries.at(0), scene);
+    const bool        below = t.integer(loudest, "at_lower_limit") != 0,
+               above        = t.integer(loudest, "at_upper_limit") != 0;
+    std::string text        = "loudest for " + name + " from " +
+                       brief(t.real(loudest, "lower")) + " to " +
+                       brief(t.real(loudest, "upper")) +
+                       (unit.empty() ? "" : " " + unit) +
+                       (below && above ? " (all that was tried)"
+                        : below        ? " (from the lowest tried on)"
+                        : above        ? " (to the highest tried)"
+                                       : "");
+    for (std::size_t a = 1; a < sweep.axes.size(); ++a)
+      if (t.has_column(sweep.axes[a].name))
+        text +=
+          (a == 1 ? " at " : ", ") +
+          with_value(sweep.axes[a], scene, t.real(loudest, sweep.axes[a].name));
+    return text + ": sigma up to " +
+           brief(t.real(loudest, "peak_sigma_per_s")) + " 1/s at " +
+           rounded_text(t.real(loudest, "frequency_at_peak_hz"), 5) + " Hz";
+  }
+} // namespace squeal

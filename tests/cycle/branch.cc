@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Branches of periodic motions over the coefficient of friction of a mass whose
+// two modes couple on a belt: where they begin, against what the linear motion
+// and the first change of status predict, and what they have elsewhere, against
+// long transients.
+
+#include "cycle/two_modes.h"
+#include "scenes.h"
+#include "worst.h"
+
+#include <squeal/cycle/cycle_branch.h>
+#include <squeal/cycle/cycle_search.h>
+#include <squeal/transient/linearized_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  constexpr unsigned int n_steps = 600;
+
+  LinearizedMotion
+  about_sliding(const ReducedContactModel &m,
+                const double               mu,
+                const double               speed)
+  {
+    return linearize(m, steady_sliding(m, mu), mu, speed);
+  }
+
+  /** Where the largest growth rate is nothing. */
+  double
+  critical_friction(const ReducedContactModel &m, const double speed)
+  {
+    double low = .1, high = .5;
+    while (high - low > 1e-12)
+      {
+        const double middle = .5 * (low + high);
+        (about_sliding(m, middle, speed).lambda.real().maxCoeff() > 0. ? high
+                                                                       : low) =
+          middle;
+      }
+    return high;
+  }
+
+  /** Of the normal force of the linear motion at the critical friction, rms at
+   * the amplitude at which the first node opens or sticks. */
+  double
+  predicted_rms(const ReducedContactModel &m,
+                const double               mu,
+                const double               speed)
+  {
+    const PeriodMap        map(m, mu, speed, 1., 1e-12);
+    const SteadySliding    steady = steady_sliding(m, mu);
+    const LinearizedMotion linear = linearize(m, steady, mu, speed);
+    Eigen::Index           k      = 0;
+    double                 best   = -1e300;
+    for (Eigen::Index i = 0; i < linear.lambda.size(); ++i)
+      if (linear.lambda[i].imag() > 0. && linear.lambda[i].real() > best)
+        {
+          best = linear.lambda[i].real();
+          k    = i;
+        }
+    const double amplitude =
+      change_amplitudes(map, steady, linear, k, 20000).front();
+    const Eigen::Index    n = m.n_modes();
+    const Eigen::VectorXd x = .5 * amplitude * linear.right.col(k).real();
+    const MotionState     start{
+      steady.coordinates + x.head(n), x.segment(n, n), steady.forces};
+    // At half the amplitude all is linear.
+    return 2. * figures_of(
+                  map.run(start, 2. * M_PI / linear.lambda[k].imag(), 20000))
+                  .rms;
+  }
+
+  void
+  print(const CycleBranch &branch, const std::string &name)
+  {
+    for (const BranchPoint &x : branch.points)
+      {
+        const Figures f = figures_of(x.motion.orbit);
+        std::printf("%s: mu %.6f, %.6f Hz, rms %.6f N, largest multiplier "
+                    "%.5f, trivial %+.1e, %u changes, %u iterations%s\n",
+                    name.c_str(),
+                    x.parameter,
+                    f.frequency,
+                    f.rms,
+                    x.multipliers.largest,
+                    x.multipliers.trivial.real() - 1.,
+                    x.n_changes,
+                    x.motion.iterations,
+                    x.is_fold ? ", fold" : "");
+      }
+    std::printf("%s: ends by %s, %s\n",
+                name.c_str(),
+                branch_end_text(branch.first_end).c_str(),
+                branch_end_text(branch.last_end).c_str());
+  }
+
+  CycleBranch
+  branch_of(const ReducedContactModel &m,
+            const PeriodMaps          &maps,
+            const double               start_at)
+  {
+    const auto  map = maps(start_at);
+    const Orbit tail =
+      map->run(later(*map, disturbed(steady_sliding(m, start_at)), 600., .02),
+               20.,
+               2000);
+    const auto     return_ = recurrence(m, tail, 2., 8.);
+    BranchSettings s;
+    s.lower                = .2;
+    s.upper                = .7;
+    s.n_points             = 400;
+    s.largest_step         = .02;
+    s.shooting.n_steps     = n_steps;
+    s.shooting.tolerance   = 1e-8;
+    const PeriodicMotion x = shoot(*map, tail.end(), return_.first, s.shooting);
+    check(x.status == CycleStatus::converged, "the start of the branch");
+    return follow_branch(maps, x, start_at, s);
+  }
+
+  /** From the onset, on either side of the first change of status. */
+  void
+  check_onset(const CycleBranch &branch, const double mu, const double rms)
+  {
+    check(branch.first_end == BranchEnd::onset, "the branch begins at onset");
+    const BranchPoint &linear = branch.points[0], &next = branch.points[1];
+    const double       below = figures_of(linear.motion.orbit).rms,
+                 above       = figures_of(next.motion.orbit).rms;
+    std::printf("onset: mu %.8f (%.8f), rms %.6f to %.6f N (%.6f)\n",
+                linear.parameter,
+                mu,
+                below,
+                above,
+                rms);
+    check_close(linear.parameter, mu, 1e-4, "friction of the onset");
+    check_below(above, 1.03 * below, "the onset is resolved");
+    check_below(below, 1.01 * rms, "amplitude of the onset, linear side");
+    check_below(rms, 1.01 * above, "amplitude of the onset, other side");
+  }
+
+  /** At points that are stable, against transients. */
+  void
+  check_transients(const ReducedContactModel &m,
+                   const PeriodMaps          &maps,
+                   const CycleBranch         &branch)
+  {
+    Worst frequency, rms;
+    for (const double share : {.5, .75, 1.})
+      {
+        const auto i =
+          static_cast<std::size_t>(share * (branch.points.size() - 2));
+        const BranchPoint &x = branch.points[i];
+        if (!(x.multipliers.largest < .95))
+          continue;
+        const auto   map    = maps(x.parameter);
+        const double period = x.motion.period;
+        MotionState  state  = disturbed(steady_sliding(m, x.parameter));
+        const Orbit  tail =
+          map->run(later(*map, state, 800., .01), 3. * period, 6000);
+        const auto    back = recurrence(m, tail, .5 * period, 2.5 * period);
+        const Orbit   one  = map->run(tail.end(), back.first, 4000);
+        const Figures t = figures_of(one), c = figures_of(x.motion.orbit);
+        std::printf("mu %.4f: transient %.6f Hz, %.6f N; branch %.6f Hz, "
+                    "%.6f N\n",
+                    x.parameter,
+                    t.frequency,
+                    t.rms,
+                    c.frequency,
+                    c.rms);
+        frequency.add(std::abs(c.frequency / t.frequency - 1.));
+        rms.add(std::abs(c.rms / t.rms - 1.));
+      }
+    check_below(frequency.largest(), 1e-3, "frequency of long transients");
+    check_below(rms.largest(), 1e-2, "rms of long transients");
+  }
+
+  void
+  branch(const double speed, const std::string &name)
+  {
+    const ReducedContactModel m    = two_modes();
+    const PeriodMaps          maps = [&](const double mu) {
+      return std::make_shared<const PeriodMap>(m, mu, speed, 1., 1e-12);
+    };
+    const double critical = critical_friction(m, speed);
+    const double rms      = predicted_rms(m, critical, speed);
+    std::printf("%s: critical friction %.8f, rms there %.6f N\n",
+                name.c_str(),
+                critical,
+                rms);
+    const CycleBranch b = branch_of(m, maps, .5);
+    print(b, name);
+    check_onset(b, critical, rms);
+    check_transients(m, maps, b);
+    // Where a change of status is about to vanish the multipliers themselves
+    // jump: a few points may be off by more.
+    Worst               worst;
+    std::vector<double> trivial;
+    for (const BranchPoint &x : b.points)
+      {
+        trivial.push_back(std::abs(x.multipliers.trivial - 1.));
+        worst.add(trivial.back());
+      }
+    check_below(worst.largest(), 1e-2, "trivial multiplier on the branch");
+    std::sort(trivial.begin(), trivial.end());
+    check_below(trivial[trivial.size() * 19 / 20],
+                1e-3,
+                "trivial multiplier at 95 % of the points");
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  const std::string which = argc > 1 ? argv[1] : "";
+  if (which == "separating")
+    branch(3., which);
+  else if (which == "sticking")
+    branch(.3, which);
+  else
+    check(false, "an argument: separating or sticking");
+}
