@@ -160,6 +160,12 @@ namespace squeal
     reduced.extend(directions);
   }
 
+  void
+  CertifiedSolver::answer_with(std::shared_ptr<const ShiftedInverse> other)
+  {
+    others.push_back(std::move(other));
+  }
+
   DensePairs
   CertifiedSolver::solve_reduced()
   {
@@ -282,21 +288,28 @@ namespace squeal
         compress(space, right.vectors, right_scales(pairs.residual), 0.1)));
     const Eigen::VectorXd tolerances =
       Eigen::VectorXd::Constant(pairs.size(), options.residual_tolerance);
-    Block all = inverse.solve(
-      compress(space, right.vectors, right_scales(tolerances), 0.3));
+    const Block residual_directions =
+      compress(space, right.vectors, right_scales(tolerances), 0.3);
+    Block all = inverse.solve(residual_directions);
     // The responses to the inertia forces too: two steps of the Krylov space
     // for one evaluation of the residuals.
-    all = side_by_side(all, inverse.solve(pencil.multiply_mass(all)));
+    if (others.empty())
+      all = side_by_side(all, inverse.solve(pencil.multiply_mass(all)));
+    for (const auto &other : others)
+      all = side_by_side(all, other->solve(residual_directions));
     // Left residuals enter the eigenvalue's error only as a product with the
     // right ones: the square root of the tolerance is enough for them.
     if (residuals.left.vectors.cols() > 0)
-      all = side_by_side(
-        all,
-        inverse.solve_transposed(compress(
+      {
+        const Block left_directions = compress(
           space,
           residuals.left.vectors,
           std::sqrt(options.residual_tolerance) * residuals.left.denominators,
-          0.3)));
+          0.3);
+        all = side_by_side(all, inverse.solve_transposed(left_directions));
+        for (const auto &other : others)
+          all = side_by_side(all, other->solve(left_directions));
+      }
     return reduced.extend(std::move(all));
   }
 

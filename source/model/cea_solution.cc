@@ -82,32 +82,35 @@ namespace squeal
       return solution;
     }
 
-    /** Adds the modes with the moduli at the end of the band, if the basis does
-     * not hold as many below it as the inertia of the factor counts. */
+    /** Adds the modes with the moduli at both ends of the band. Those below its
+     * upper end must be as many as the inertia of the factor counts. */
     void
-    take_modes_at_end_of_band(const FrequencyPencil &pencil,
-                              const EigenParameters &p,
-                              CertifiedSolver       &solver,
-                              RunLog                &log)
+    take_modes_at_ends_of_band(const FrequencyPencil &pencil,
+                               const EigenParameters &p,
+                               CertifiedSolver       &solver,
+                               RunLog                &log)
     {
-      const double         f      = p.highest_frequency;
-      const Pencil         at_end = pencil.merged_at(f);
-      const ShiftedInverse inverse(at_end, std::pow(2. * M_PI * f, 2));
-      const unsigned int   n = inverse.n_modes_below();
+      const double f = p.highest_frequency;
+      ModeOptions  options;
+      options.tolerance = p.mode_tolerance;
+      unsigned int n    = 0;
+      for (const double end : {p.lowest_frequency, f})
+        {
+          const Pencil at_end  = pencil.merged_at(end);
+          const auto   inverse = std::make_shared<const ShiftedInverse>(
+            at_end, std::pow(2. * M_PI * f, 2));
+          solver.extend(undamped_modes(at_end, *inverse, options).shapes);
+          n = inverse->n_modes_below();
+          solver.answer_with(inverse);
+        }
       log.info("  " + std::to_string(n) +
                " modes below the end of the band with the moduli there, by "
                "the inertia of the factor");
-      if (pencil.n_modes_below(solver.basis(), f) >= n)
-        return;
-      ModeOptions options;
-      options.tolerance = p.mode_tolerance;
-      solver.extend(undamped_modes(at_end, inverse, options).shapes);
       if (pencil.n_modes_below(solver.basis(), f) < n)
         throw ComputationError(
           "the basis misses a mode with the moduli at the end of the band: "
           "change Eigenvalues/Highest frequency a little");
     }
-
   } // namespace
 
 
@@ -131,7 +134,7 @@ namespace squeal
                                    p.eigen.highest_frequency);
     CertifiedSolver         solver(
       pencil.pencil(), *modes.inverse, modes.modes, &finder);
-    take_modes_at_end_of_band(pencil, p.eigen, solver, log);
+    take_modes_at_ends_of_band(pencil, p.eigen, solver, log);
     return solve_certified(solver, p.eigen, log);
   }
 

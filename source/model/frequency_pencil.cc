@@ -35,17 +35,35 @@ namespace squeal
       return -1u;
     }
 
-    /** Whether the stiffness of two bodies has the same coefficients at every
-     * frequency. */
+    /** Whether two terms of bodies with tables have the same coefficients at
+     * every frequency: those of one table and temperature, by the same
+     * function. Friction of an eliminated contact has others than the stiffness
+     * that it comes from. */
     bool
-    are_alike(const SceneParameters &scene,
-              const unsigned int     a,
-              const unsigned int     b)
+    are_alike(const AffineTerm      &a,
+              const unsigned int     body_of_a,
+              const AffineTerm      &b,
+              const unsigned int     body_of_b,
+              const SceneParameters &scene)
     {
-      const auto &p = scene.bodies[a], &q = scene.bodies[b];
-      return p.modulus_table_file == q.modulus_table_file &&
-             p.temperature == q.temperature &&
-             p.stiffness_damping == q.stiffness_damping;
+      const auto &p = scene.bodies[body_of_a], &q = scene.bodies[body_of_b];
+      if (p.modulus_table_file != q.modulus_table_file ||
+          p.temperature != q.temperature ||
+          a.matrix->is_symmetric() != b.matrix->is_symmetric())
+        return false;
+      for (const double factor : {1., .37, 2.3})
+        {
+          SceneParameters other = scene;
+          for (const unsigned int body : {body_of_a, body_of_b})
+            {
+              other.bodies[body].young_modulus = factor * p.young_modulus;
+              other.bodies[body].table_loss_factor =
+                p.table_loss_factor / factor;
+            }
+          if (!are_equal(a.coefficients(other), b.coefficients(other)))
+            return false;
+        }
+      return true;
     }
 
     /** A term of the operator @p sum with the coefficients of @p like. */
@@ -79,7 +97,7 @@ namespace squeal
             continue;
           }
         const auto same = std::find_if(own.begin(), own.end(), [&](auto &o) {
-          return are_alike(scene, o.first, b);
+          return are_alike(*o.second.front(), o.first, term, b, scene);
         });
         if (same == own.end())
           own.push_back({b, {&term}});

@@ -250,10 +250,9 @@ namespace
   }
 
   void
-  against_direct()
+  against_direct(const Parameters &p)
   {
-    write_table("rubber.csv", storage, loss);
-    const Solved solved(brake());
+    const Solved solved(p);
     check(solved.pairs.size() > 8, "pairs in the band");
     bool  grows = false;
     Worst difference, residual;
@@ -327,7 +326,24 @@ main(int argc, char **argv)
   if (test == "sandwich")
     sandwich();
   else if (test == "brake")
-    against_direct();
+    {
+      write_table("rubber.csv", storage, loss);
+      against_direct(brake());
+    }
+  else if (test == "mortar")
+    {
+      // The pad's own table enters the friction of the eliminated contact.
+      write_table("rubber.csv", storage, loss);
+      write_table(
+        "pad.csv",
+        [](const double f) { return 1e3 * storage(f); },
+        [](const double f) { return .1 * loss(f); });
+      Parameters p                         = brake();
+      p.scene.bodies[1].modulus_table_file = "pad.csv";
+      p.scene.contacts[0].formulation = ContactParameters::Formulation::mortar;
+      p.scene.contacts[0].friction_coefficient = .4;
+      against_direct(p);
+    }
   else
     constant();
 }

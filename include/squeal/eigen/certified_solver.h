@@ -7,6 +7,7 @@
 #include <squeal/eigen/sliding_inverse.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace squeal
@@ -82,6 +83,11 @@ namespace squeal
     /** Adds directions to the space before it is solved in. */
     void extend(const Block &directions);
 
+    /** Lets every enrichment answer the residuals with the frictionless inverse
+     * of other moduli, too; it is kept. One inverse alone would take a round
+     * for each part that the moduli of a pair are away from its own. */
+    void answer_with(std::shared_ptr<const ShiftedInverse> other);
+
     /** To be called once. Pairs with frequency in the band (real eigenvalues
      * where the band starts at 0). Throws ComputationError where the tolerance
      * is not met within the allowed enrichments. */
@@ -126,7 +132,9 @@ namespace squeal
     const Pencil        &pencil;
     const SlidingInverse inverse;
     PairFinder          *finder;
-    ReducedBasis         reduced;
+    /** Of other moduli. */
+    std::vector<std::shared_ptr<const ShiftedInverse>> others;
+    ReducedBasis                                       reduced;
     /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
      * one scene hardly change it from one basis to the next. */
     Eigen::VectorXd              rounding_sizes;
