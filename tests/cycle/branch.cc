@@ -41,9 +41,9 @@ namespace
     while (high - low > 1e-12)
       {
         const double middle = .5 * (low + high);
-        (about_sliding(m, middle, speed).lambda.real().maxCoeff() > 0. ? high
-                                                                       : low) =
-          middle;
+        const bool   grows =
+          (about_sliding(m, middle, speed).lambda.real().array() > 0.).any();
+        (grows ? high : low) = middle;
       }
     return high;
   }
