@@ -77,6 +77,48 @@ namespace squeal
         }
       return bodies;
     }
+    /** Whether the quad lies in a plane across z: at the height of its first
+     * corner, to @p tolerance. */
+    bool
+    is_level(const SurfaceQuad &quad, const double tolerance)
+    {
+      return std::all_of(
+        quad.corners.begin(), quad.corners.end(), [&](const Place &x) {
+          return std::abs(x[2] - quad.corners[0][2]) <= tolerance;
+        });
+    }
+
+    /** Height of the disc's face that others touch, the one farthest up, or
+     * down where it @p looks_down; the end of the disc where none does. A hat
+     * or a flange may stand beyond it. */
+    double
+    height_of_face(const std::vector<SurfaceQuad> &quads,
+                   const unsigned int              disc_body,
+                   const bool                      looks_down,
+                   const double                    tolerance)
+    {
+      std::vector<double> others;
+      for (const SurfaceQuad &quad : quads)
+        if (quad.body != disc_body && is_level(quad, tolerance))
+          others.push_back(quad.corners[0][2]);
+      std::sort(others.begin(), others.end());
+      const double sign = looks_down ? -1. : 1.;
+      double       end = -std::numeric_limits<double>::max(), touched = end;
+      for (const SurfaceQuad &quad : quads)
+        if (quad.body == disc_body)
+          {
+            for (const Place &x : quad.corners)
+              end = std::max(end, sign * x[2]);
+            const double z = quad.corners[0][2];
+            const auto   near =
+              std::lower_bound(others.begin(), others.end(), z - tolerance);
+            if (is_level(quad, tolerance) && near != others.end() &&
+                *near <= z + tolerance)
+              touched = std::max(touched, sign * z);
+          }
+      return sign *
+             (touched > -std::numeric_limits<double>::max() ? touched : end);
+    }
   } // namespace
 
 
@@ -98,7 +140,8 @@ namespace squeal
         }
     const double largest = largest_displacement(quads);
     const double scale   = largest > 0. ? drawn_largest / largest : 0.;
-    const double height  = looks_down ? bottom : top;
+    const double near    = 1e-6 * (top - bottom);
+    const double height  = height_of_face(quads, disc_body, looks_down, near);
 
     ShapePicture picture;
     picture.bodies          = bodies_of(quads, names);
@@ -121,8 +164,7 @@ namespace squeal
                 quad.corners[i][d] +
                 scale * body.times * quad.displacements[i][d];
             flat.values[i] = deformed.values[i] = quad.displacements[i][2];
-            on_face = on_face && std::abs(height - quad.corners[i][2]) <=
-                                   1e-6 * (top - bottom);
+            on_face = on_face && std::abs(height - quad.corners[i][2]) <= near;
             const double up =
               project(deformed.corners[i], picture.viewpoint)[1];
             if (up > highest[quad.body])

@@ -172,6 +172,30 @@ namespace
       }
   }
 
+  /** A flange above the ring is not what the pads touch. */
+  void
+  test_contact_face_below_a_flange()
+  {
+    auto         quads = annulus(3, 0.1);
+    const double ring  = quads[0].corners[0][2];
+    auto         pad   = quads[0];
+    pad.body           = 8;
+    for (TestQuad flange : annulus(5, 0.))
+      {
+        for (Point &corner : flange.corners)
+          corner[2] += 0.03;
+        quads.push_back(flange);
+      }
+    quads.push_back(pad);
+    const auto picture = make_shape_picture(quads, 7, 0.01);
+    check(picture.face.size() == 96 * 6 && picture.contact.size() == 1,
+          "the face is the ring below a flange");
+    Worst off;
+    for (const ShapeQuad &quad : picture.face)
+      off.add(std::abs(quad.corners[0][2] - ring));
+    check(off.largest() < 1e-12, "where the pad touches it");
+  }
+
   /** Corners of a box of two cells along x, seen from outside. */
   void
   test_feature_edges()
@@ -279,6 +303,7 @@ main()
   test_nodal_lines(2, 0.5 * pi, "along the mesh lines");
   test_outline();
   test_contact_face_below();
+  test_contact_face_below_a_flange();
   test_feature_edges();
   test_picture();
 }

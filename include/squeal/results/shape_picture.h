@@ -44,9 +44,10 @@ namespace squeal
    * The picture of surfaces that move. The largest drawn displacement is
    * @p drawn_largest (m); a body whose own largest is below a fifth of that of
    * all is drawn 2, 5, 10, 20 ... times as far, the most that stays below.
-   * Values are the displacements along z. The face is what lies on top
-   * (largest z) of the body @p disc_body, or at its bottom if its contact face
-   * @p looks_down; the contact is what other bodies have in that plane.
+   * Values are the displacements along z. The face is what lies
+   * in the highest plane across z in which others touch the body @p disc_body,
+   * or the lowest if its contact face @p looks_down; without any, on top of it
+   * or at its bottom. The contact is what other bodies have in that plane.
    * @p names: of the bodies; none: bodies have no labels.
    */
   ShapePicture make_shape_picture(const std::vector<SurfaceQuad> &quads,
