@@ -155,7 +155,8 @@ namespace squeal
     if (text.empty())
       text = "none of " + counted(table.n_rows(), "run") + " squeals";
     else if (n_told < table.n_rows())
-      text += "; " + std::to_string(table.n_rows() - n_told) + " stay quiet";
+      text += "; " + std::to_string(table.n_rows() - n_told) +
+              (table.n_rows() - n_told == 1 ? " stays quiet" : " stay quiet");
     return text + "; largest imbalance of an energy ledger " +
            rounded_text(largest(table, "worst_imbalance"), 2);
   }

@@ -175,7 +175,7 @@ namespace squeal
       {error_of_column("reduction", all, "error_estimate_rel"),
        error_of_column("mesh", all, "discretisation_error_rel")});
     const std::string verdict =
-      verdict_of(loudest) + "; largest error of a pair " + error;
+      verdict_of(loudest) + "; largest error of a pair: " + error;
     context.record.figures = {
       {"largest error of a pair, relative", error},
       {"unknowns", std::to_string(context.record.n_dofs)}};

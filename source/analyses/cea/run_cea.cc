@@ -250,11 +250,11 @@ namespace squeal
 
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
-    report.set_verdict(unstable.number ? HtmlReport::Verdict::bad
-                                       : HtmlReport::Verdict::good,
-                       unstable.verdict() + "; largest error of a pair " +
-                         largest_error(model, pairs, table),
-                       context.record.figures);
+    report.set_verdict(
+      unstable.number ? HtmlReport::Verdict::bad : HtmlReport::Verdict::good,
+      unstable.verdict() +
+        "; largest error of a pair: " + largest_error(model, pairs, table),
+      context.record.figures);
     if (p.output.plots)
       {
         Timers::Section section(context.timers, "Write: charts");

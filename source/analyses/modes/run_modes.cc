@@ -62,7 +62,7 @@ namespace squeal
       std::to_string(table.n_rows()) + " modes from " +
         rounded_text(table.real(0, "frequency_hz"), 5) + " to " +
         rounded_text(table.real(table.n_rows() - 1, "frequency_hz"), 5) +
-        " Hz; largest error of a frequency " + error,
+        " Hz; largest error of a frequency: " + error,
       context.record.figures);
     report.section("Modes");
     report.table(table, "Modes in the band");
