@@ -335,8 +335,12 @@ namespace squeal
                  const std::vector<BodyMatrices> &bodies,
                  Timers                          &timers)
   {
+    // Nothing moves: loss factors of modulus tables do nothing.
+    Parameters at_rest = parameters;
+    for (BodyParameters &body : at_rest.scene.bodies)
+      body.table_loss_factor = 0.;
     // Statics do not depend on the cut-off.
-    PressedModel pressed(parameters,
+    PressedModel pressed(at_rest,
                          discretization,
                          bodies,
                          parameters.eigen.highest_frequency,
