@@ -211,7 +211,8 @@ figure.motion .key span { width: 9rem; height: .8rem; }
       for (let i = 0; i < to.length; i += 3) {
         const u = [this.displacement(i), this.displacement(i + 1),
                    this.displacement(i + 2)],
-              value = component < 3 ? u[component] : Math.hypot(...u),
+              value = this.times[i / 3] *
+                (component < 3 ? u[component] : Math.hypot(...u)),
               c = table[Math.round(
                 128 * (1 + Math.min(1, Math.max(-1, value))))];
         for (let k = 0; k < 3; ++k) {
@@ -229,7 +230,7 @@ figure.motion .key span { width: 9rem; height: .8rem; }
             e = this.elevation * Math.PI / 180,
             eye = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a),
                    Math.sin(e)],
-            half = 1.0 * this.data.reach / this.zoom;
+            half = 0.9 * this.data.reach / this.zoom;
       if (width !== this.width) {
         this.width = width;
         this.renderer.setPixelRatio(window.devicePixelRatio);

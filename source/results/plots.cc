@@ -272,10 +272,6 @@ namespace squeal
     if (shown.size() < pairs.size())
       chart.title += " (" + std::to_string(n) + " of " +
                      std::to_string(pairs.size()) + " pairs)";
-    if (std::any_of(shown.begin(), shown.end(), [](const PlottedPair &p) {
-          return p.is_unstable;
-        }))
-      chart.title += ", unstable pairs in orange";
     chart.x.label = "share of kinetic energy in %";
     chart.x.lower = 0.;
     chart.x.upper = 100.;

@@ -58,7 +58,7 @@ namespace
     check_body_refused("Cells = 1, 2, 2.5", {"whole number"});
     check_body_refused(
       "Shape = blok",
-      {"annulus, block, cylinder, gmsh, abaqus, nastran, rigid",
+      {"annulus, block, cylinder, gmsh, abaqus, nastran, layer, rigid",
        "did you mean 'block'?"});
     check_text_refused("\nset Overwrite = maybe\n",
                        {"test.prm:2: ", "true or false"},

@@ -65,7 +65,9 @@ namespace squeal
       report.figure(path("damping") + ".png", "Damping ratio", true);
       plot_energy_shares(
         plotter, model.body_names(), pairs, path("energy_shares"));
-      report.figure(path("energy_shares") + ".png", "Energy by body", true);
+      report.figure(path("energy_shares") + ".png",
+                    "Energy by body; growing pairs in orange",
+                    true);
       plot_error_estimates(plotter,
                            pairs,
                            p.residual_tolerance,
