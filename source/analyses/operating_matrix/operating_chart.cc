@@ -131,9 +131,13 @@ namespace squeal
                 "," + std::to_string(directions.size()));
     drawing.add("unset key");
     drawing.add("set xtics scale 0 " + ticks(axes.pressures, 1e6));
-    drawing.add("set ytics scale 0 " + ticks(axes.temperatures, 1.));
+    const bool has_temperatures = !table.is_missing(0, "temperature_c");
+    drawing.add(has_temperatures
+                  ? "set ytics scale 0 " + ticks(axes.temperatures, 1.)
+                  : "unset ytics");
     drawing.add("set xlabel 'pressure in MPa'");
-    drawing.add("set ylabel 'temperature in degrees Celsius'");
+    if (has_temperatures)
+      drawing.add("set ylabel 'temperature in degrees Celsius'");
     drawing.add("set xrange [-0.5:" + plot_number(axes.pressures.size() - .5) +
                 "]");
     drawing.add(
@@ -147,7 +151,7 @@ namespace squeal
             in_quotes(direction +
                       (speed > 0. ? ", " + rounded_text(speed, 4) + " m/s"
                                   : std::string()) +
-                      ": kHz above 1/s"));
+                      ": frequency in kHz, sigma in 1/s"));
           drawing.add("plot NaN notitle");
         }
     drawing.add("unset multiplot");

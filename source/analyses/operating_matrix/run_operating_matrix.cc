@@ -248,9 +248,10 @@ namespace squeal
     const std::string verdict = verdict_of(loudest);
     context.record.figures    = {
          {"which", verdict},
-         {"largest error of a pair, relative",
+         {"largest error of a pair by the basis, relative",
           headline_error(
          {error_of_column("reduction", all, "error_estimate_rel")})},
+         {"error by the mesh", "not estimated here; Analysis = cea states it"},
          {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Operating matrix of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");

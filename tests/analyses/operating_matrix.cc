@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Every field of an operating matrix is what the eigenvalue analysis about the
+// same steady sliding finds, and a brake that is symmetric squeals alike
+// forward and backward. Arguments: the program and the folder of parameter
+// files.
+
+#include <squeal/results/table.h>
+
+#include "../worst.h"
+#include "program.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  const std::string pads[] = {"upper", "lower"};
+
+  std::string
+  scene(const std::string &folder, const std::string &more)
+  {
+    std::string text = "include " + folder + "/own_brake/scene.prm\n" + more +
+                       "\nset Overwrite = true\n"
+                       "subsection Discretization\n set Degree = 1\nend\n"
+                       "subsection Eigenvalues\n set Lowest frequency = 4000\n"
+                       " set Highest frequency = 9000\nend\n"
+                       "subsection Output\n set Plots = false\n"
+                       " set Shapes = none\nend\nsubsection Scene\n";
+    for (const std::string &pad : pads)
+      text += " subsection Contact " + pad +
+              "\n  set Friction coefficient = 0.5\n end\n";
+    return text + "end\n";
+  }
+
+  std::string
+  pressed(const std::string &pressure)
+  {
+    std::string text = "subsection Scene\n";
+    for (const std::string &pad : pads)
+      text += " subsection Load press_" + pad +
+              "\n  set Pressure = " + pressure + "\n end\n";
+    return text + "end\n";
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  check(argc == 3, "program and folder");
+  const std::string program = argv[1], folder = argv[2];
+  write_text("matrix.prm",
+             scene(folder,
+                   "set Analysis = operating matrix\n"
+                   "set Output directory = matrix") +
+               "subsection Operating matrix\n set Pressures = 0.5e6, 2e6\n"
+               " set Both directions = true\nend\n");
+  check(run_program({program, "matrix.prm"}).code == 0, "the matrix runs");
+  const Table matrix = read_csv("matrix/operating_matrix.csv");
+  check(matrix.n_rows() == 4, "two pressures, two directions");
+
+  Worst difference, asymmetry;
+  for (unsigned int k = 0; k < 2; ++k)
+    {
+      write_text(
+        "alone.prm",
+        scene(folder, "set Analysis = cea\nset Output directory = alone") +
+          pressed(k == 0 ? "0.5e6" : "2e6"));
+      check(run_program({program, "alone.prm"}).code == 0, "one pressure runs");
+      const Table alone   = read_csv("alone/eigenvalues.csv");
+      std::size_t loudest = 0;
+      for (std::size_t i = 0; i < alone.n_rows(); ++i)
+        if (alone.real(i, "sigma_per_s") > alone.real(loudest, "sigma_per_s"))
+          loudest = i;
+      check(alone.real(loudest, "sigma_per_s") > 100.,
+            "there is something to compare");
+      for (const std::string column : {"frequency_hz", "sigma_per_s"})
+        {
+          const double expected = alone.real(loudest, column);
+          difference.add(std::abs(matrix.real(k, column) / expected - 1.));
+          asymmetry.add(std::abs(matrix.real(k + 2, column) / expected - 1.));
+        }
+    }
+  check(difference.largest() < 1e-9, "as the eigenvalue analysis");
+  check(asymmetry.largest() < 1e-6, "alike in both directions");
+}
