@@ -24,16 +24,17 @@ namespace squeal
     }
 
     BranchPoint
-    point_of(const PeriodMap &map,
-             PeriodicMotion   motion,
-             const double     parameter)
+    point_of(const PeriodMap      &map,
+             PeriodicMotion        motion,
+             const double          parameter,
+             const BranchSettings &s)
     {
       BranchPoint result;
       result.parameter         = parameter;
       result.n_changes         = changes_of(motion.orbit);
       result.multipliers       = floquet_multipliers(map, motion);
       result.figures           = cycle_figures(map, motion);
-      result.multipliers.error = std::abs(result.multipliers.trivial - 1.);
+      result.multipliers.error = s.multiplier_error;
       result.motion            = std::move(motion);
       return result;
     }
@@ -57,7 +58,7 @@ namespace squeal
                                         start.motion.period,
                                         s.shooting);
           if (motion.status == CycleStatus::converged)
-            return point_of(*map, std::move(motion), parameter);
+            return point_of(*map, std::move(motion), parameter, s);
         }
       return {};
     }
@@ -93,8 +94,10 @@ namespace squeal
               if (next)
                 break;
             }
-          *next = point_of(
-            *maps(next->parameter), std::move(next->motion), next->parameter);
+          *next = point_of(*maps(next->parameter),
+                           std::move(next->motion),
+                           next->parameter,
+                           s);
           if (next->motion.iterations <= few_iterations)
             step *= longer;
           else if (next->motion.iterations >= many_iterations)
@@ -141,7 +144,8 @@ namespace squeal
   {
     CycleBranch              result;
     const auto               map = maps(parameter);
-    std::vector<BranchPoint> down{point_of(*map, start, parameter)}, up = down;
+    std::vector<BranchPoint> down{point_of(*map, start, parameter, settings)},
+      up             = down;
     result.first_end = extend(maps, down, -1., settings);
     result.last_end  = extend(maps, up, 1., settings);
     result.points.assign(down.rbegin(), down.rend());

@@ -22,6 +22,8 @@ namespace squeal
      * the state over the size of the motion, of the relative change of the
      * period and of that of the parameter over its range. */
     double largest_step = 0.2, smallest_step = 1e-4;
+    /** Of the largest multiplier, as half the steps tell it at the start. */
+    double multiplier_error = 0.;
   };
 
   /** Why a branch goes no further. */
@@ -38,8 +40,8 @@ namespace squeal
   {
     double         parameter = 0.;
     PeriodicMotion motion;
-    /** Their error is what the trivial one misses 1 by: nothing is known of
-     * half the steps. */
+    /** Their error is that of the settings or what the trivial one misses 1
+     * by. */
     FloquetMultipliers multipliers;
     CycleFigures       figures;
     /** The parameter turns back here: it is an extremum of the points. */

@@ -184,6 +184,7 @@ namespace squeal
       settings.n_points = axis.number;
       settings.shooting = {
         p.limit_cycle.steps, p.limit_cycle.iterations, p.limit_cycle.tolerance};
+      settings.multiplier_error = start.multipliers.uncertainty();
       Timers::Section section(context.timers, "Solve: branch");
       return follow_branch(
         maps, start.motion, get_number(p, axis.entries.front()), settings);
