@@ -202,7 +202,9 @@ figure.motion .key span { width: 9rem; height: .8rem; }
       return f[Math.floor(this.share * f.length) % f.length][i];
     }
     draw(now) {
-      if (this.playing) this.share = (now - this.start) / 2000 % 1;
+      // A frame's time may lie before the start.
+      if (this.playing)
+        this.share = Math.max(0, now - this.start) / 2000 % 1;
       this.cosine = Math.cos(2 * Math.PI * this.share);
       this.sine = Math.sin(2 * Math.PI * this.share);
       const to = this.position.array, paint = this.paint.array,

@@ -69,7 +69,7 @@ def reports(file, runs):
     if not os.path.isfile(log):
         return []
     with open(log, encoding="utf-8") as lines:
-        names = re.findall(r"read (\S+report\.html)", lines.read())
+        names = re.findall(r"read\s+(\S+report\.html)", lines.read())
     return [p for p in (os.path.join(runs, n) for n in names) if os.path.isfile(p)]
 
 
