@@ -137,7 +137,7 @@ def write_page(entries):
     lines = ["# First screens", "",
              "The first screen of a report answers the question of its run in a "
              "sentence. These",
-             "are the ones of the [gallery](gallery.md), written by",
+             "are scenes of the [gallery](gallery.md), written by",
              "`tests/documentation/first_screens.py`.", ""]
     chapters = list(dict.fromkeys(e["chapter"] for e in entries))
     number = 0
