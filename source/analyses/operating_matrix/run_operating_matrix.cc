@@ -18,10 +18,10 @@ namespace squeal
 {
   namespace
   {
-    /** What one model is solved at; the temperatures share it. */
+    /** What one model is solved at, about a steady sliding of its own. */
     struct Condition
     {
-      std::optional<double> pressure, speed;
+      std::optional<double> pressure, speed, temperature;
       bool                  backward = false;
     };
 
@@ -42,7 +42,8 @@ namespace squeal
         if (!backward || m.both_directions)
           for (const auto &speed : or_of_scene(m.speeds))
             for (const auto &pressure : or_of_scene(m.pressures))
-              result.push_back({pressure, speed, backward});
+              for (const auto &temperature : or_of_scene(m.temperatures))
+                result.push_back({pressure, speed, temperature, backward});
       return result;
     }
 
@@ -108,13 +109,12 @@ namespace squeal
     /** Rows of all unstable pairs, the loudest last; of the loudest alone where
      * none is unstable. */
     void
-    add_pairs(const Model                 &model,
-              const ModeSolution          &modes,
-              const ComplexPairs          &pairs,
-              const Condition             &c,
-              const std::optional<double> &temperature,
-              Table                       &all,
-              Table                       &loudest)
+    add_pairs(const Model        &model,
+              const ModeSolution &modes,
+              const ComplexPairs &pairs,
+              const Condition    &c,
+              Table              &all,
+              Table              &loudest)
     {
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
       std::vector<unsigned int> shown;
@@ -135,7 +135,7 @@ namespace squeal
       for (const unsigned int i : shown)
         {
           const std::vector<Cell> row = {given(c.pressure),
-                                         given(temperature),
+                                         given(c.temperature),
                                          given(c.speed),
                                          c.backward ? "backward" : "forward",
                                          pairs.frequency(i),
@@ -157,6 +157,8 @@ namespace squeal
         text += ", " + rounded_text(*c.pressure, 4) + " Pa";
       if (c.speed)
         text += ", " + rounded_text(*c.speed, 4) + " m/s";
+      if (c.temperature)
+        text += ", " + rounded_text(*c.temperature, 4) + " degrees Celsius";
       return text;
     }
 
@@ -205,7 +207,6 @@ namespace squeal
   {
     const auto &p              = context.parameters;
     const auto  all_conditions = conditions(p.operating_matrix);
-    const auto  temperatures   = or_of_scene(p.operating_matrix.temperatures);
     Table       all(columns()), loudest(columns());
     for (std::size_t k = 0; k < all_conditions.size(); ++k)
       {
@@ -213,30 +214,16 @@ namespace squeal
         context.log.heading(text_of(c) + ", " + std::to_string(k + 1) + " of " +
                             std::to_string(all_conditions.size()));
         Parameters here = at_condition(p, c);
-        // The modes are those of the temperature in the middle.
-        here.scene =
-          at_temperature(here, temperatures[temperatures.size() / 2]);
+        // The contact of steady sliding depends on the moduli, too.
+        here.scene = at_temperature(here, c.temperature);
         Model        model(here, context.timers);
         ModeSolution modes    = solve_modes(model, context.log, context.timers);
         context.record.n_dofs = model.n_unknowns();
-        const bool has_tables = !ModulusTables(here.scene).empty();
-        for (const auto &temperature : temperatures)
-          {
-            if (temperature)
-              context.log.info("  " + rounded_text(*temperature, 4) +
-                               " degrees Celsius");
-            const CeaSolution solution =
-              has_tables ? solve_cea_of_scene(model,
-                                              at_temperature(here, temperature),
-                                              modes,
-                                              context.log,
-                                              context.timers)
-                         : solve_cea(model, modes, context.log, context.timers);
-            if (solution.pairs.size() == 0)
-              refuse_empty_band(here, modes);
-            add_pairs(
-              model, modes, solution.pairs, c, temperature, all, loudest);
-          }
+        const CeaSolution solution =
+          solve_cea(model, modes, context.log, context.timers);
+        if (solution.pairs.size() == 0)
+          refuse_empty_band(here, modes);
+        add_pairs(model, modes, solution.pairs, c, all, loudest);
       }
     context.write_table("operating_matrix.csv", loudest);
     context.write_table("operating_pairs.csv", all);
