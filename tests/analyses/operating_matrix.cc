@@ -18,7 +18,9 @@ namespace
   const std::string pads[] = {"upper", "lower"};
 
   std::string
-  scene(const std::string &folder, const std::string &more)
+  scene(const std::string &folder,
+        const std::string &more,
+        const std::string &friction = "0.5")
   {
     std::string text = "include " + folder + "/own_brake/scene.prm\n" + more +
                        "\nset Overwrite = true\n"
@@ -29,7 +31,7 @@ namespace
                        " set Shapes = none\nend\nsubsection Scene\n";
     for (const std::string &pad : pads)
       text += " subsection Contact " + pad +
-              "\n  set Friction coefficient = 0.5\n end\n";
+              "\n  set Friction coefficient = " + friction + "\n end\n";
     return text + "end\n";
   }
 
@@ -41,6 +43,66 @@ namespace
       text += " subsection Load press_" + pad +
               "\n  set Pressure = " + pressure + "\n end\n";
     return text + "end\n";
+  }
+  /** A lining whose modulus depends on temperature and a mass at one end of
+   * a pad: forward and backward differ, and so do steady slidings. */
+  const std::string one_sided_brake =
+    "subsection Scene\n set Lumped masses = clip\n"
+    " subsection Lumped mass clip\n  set Body = plate_upper\n"
+    "  set Point = 0.104, 0.009, 0.0125\n  set Mass = 0.02\n end\n"
+    " subsection Body lining_upper\n  set Modulus table file = lining.csv\n"
+    " end\nend\n";
+
+  void
+  one_sided(const std::string &program, const std::string &folder)
+  {
+    write_text("lining.csv",
+               "frequency_Hz,temperature_C,storage_modulus_Pa,loss_factor\n"
+               "100,0,9e9,0.02\n10000,0,10e9,0.02\n"
+               "100,80,5e9,0.05\n10000,80,6e9,0.05\n");
+    write_text("one_sided.prm",
+               scene(folder,
+                     "set Analysis = operating matrix\n"
+                     "set Output directory = one_sided") +
+                 one_sided_brake +
+                 "subsection Operating matrix\n set Temperatures = 10, 70\n"
+                 " set Both directions = true\nend\n");
+    check(run_program({program, "one_sided.prm"}).code == 0,
+          "temperatures run");
+    const Table matrix = read_csv("one_sided/operating_matrix.csv");
+    check(matrix.n_rows() == 4, "two temperatures, two directions");
+    Worst       difference;
+    std::size_t row = 0;
+    for (const std::string mu : {"0.5", "-0.5"})
+      for (const std::string temperature : {"10", "70"})
+        {
+          std::string text =
+            scene(
+              folder, "set Analysis = cea\nset Output directory = alone", mu) +
+            one_sided_brake +
+            "subsection Scene\n subsection Body lining_upper\n"
+            "  set Temperature = " +
+            temperature + "\n end\n";
+          write_text("alone.prm", text + "end\n");
+          check(run_program({program, "alone.prm"}).code == 0,
+                "one temperature runs");
+          const Table alone   = read_csv("alone/eigenvalues.csv");
+          std::size_t loudest = 0;
+          for (std::size_t i = 0; i < alone.n_rows(); ++i)
+            if (alone.real(i, "sigma_per_s") >
+                alone.real(loudest, "sigma_per_s"))
+              loudest = i;
+          for (const std::string column : {"frequency_hz", "sigma_per_s"})
+            difference.add(std::abs(
+              matrix.real(row, column) / alone.real(loudest, column) - 1.));
+          ++row;
+        }
+    check(difference.largest() < 1e-9,
+          "temperatures and directions as the eigenvalue analysis");
+    check(
+      std::abs(matrix.real(0, "sigma_per_s") / matrix.real(2, "sigma_per_s") -
+               1.) > 0.1,
+      "forward and backward differ");
   }
 } // namespace
 
@@ -81,6 +143,7 @@ main(int argc, char *argv[])
           asymmetry.add(std::abs(matrix.real(k + 2, column) / expected - 1.));
         }
     }
+  one_sided(program, folder);
   check(difference.largest() < 1e-9, "as the eigenvalue analysis");
   check(asymmetry.largest() < 1e-6, "alike in both directions");
 }
