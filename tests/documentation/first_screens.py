@@ -4,8 +4,9 @@
 
 Each report is opened in a headless Chromium that reaches no network; a page that
 writes an error to the console, or asks for another file, fails. The first screens
-become the contact sheets doc/pictures/first_screens_*.png, and doc/first_screens.md
-says the sentence of each. Exit code 1 when a run or a page fails.
+become the contact sheets doc/pictures/first_screens_*.png, doc/first_screens.md
+says the sentence of each, and the gallery gets the sheets, the times and the memory.
+Exit code 1 when a run or a page fails.
 
 usage: first_screens.py [--runs DIRECTORY] [--scenes PATTERN] [--longest SECONDS]
                         [--only-open] [--write]
@@ -15,11 +16,12 @@ usage: first_screens.py [--runs DIRECTORY] [--scenes PATTERN] [--longest SECONDS
 --scenes     only those whose name holds the regular expression
 --longest    runs that take longer are given up and listed
 --only-open  runs nothing: opens the reports that are there
---write      writes the sheets and the page
+--write      writes the sheets and the page; all scenes have to be there
 """
 
 import argparse
 import html
+import json
 import os
 import re
 import shutil
@@ -50,12 +52,13 @@ def scenes_of_gallery():
 
 
 def run(file, runs, longest):
-    """Runs a file in the folder of runs. Returns what went wrong, or nothing."""
+    """Runs a file in the folder of runs, which holds a copy of prm/: files that read
+    what others have written find it there. Returns what went wrong, or nothing."""
     log = os.path.join(runs, file.replace("/", "_") + ".log")
     with open(log, "w", encoding="utf-8") as out:
         try:
             code = subprocess.run([os.path.join(ROOT, "squeal"), "run",
-                                   os.path.join(ROOT, file)],
+                                   file],
                                   cwd=runs, stdout=out, stderr=out, timeout=longest,
                                   check=False).returncode
         except subprocess.TimeoutExpired:
@@ -103,6 +106,19 @@ def sentence_of(page):
     return html.unescape(re.sub(r"<[^>]+>", "", match.group(1))).strip() if match else ""
 
 
+def work_of(page):
+    """CPU seconds and memory of the run of a report, as the gallery writes them."""
+    record = os.path.join(os.path.dirname(page), "run.json")
+    with open(record, encoding="utf-8") as text:
+        run_record = json.load(text)
+    seconds, gigabytes = run_record["cpu_s"], run_record["peak_memory_mb"] / 1000
+    if seconds < 1:
+        time = "&lt; 1 s"
+    else:
+        time = f"{seconds:.0f} s" if seconds < 300 else f"{seconds / 60:.0f} min"
+    return {"time": time, "memory": f"{gigabytes:.1f} GB"}
+
+
 def sheet(cells, path):
     """A picture of first screens, (name, picture) each, a row of three."""
     rows = (len(cells) + COLUMNS - 1) // COLUMNS
@@ -128,34 +144,70 @@ def sheet(cells, path):
                        check=True)
 
 
-def write_page(entries):
-    """Sheets, and the page that leads through them, chapter by chapter."""
+def write_sheets(entries):
+    """The sheets of every chapter. Returns their lines in a page, chapter by chapter."""
     pictures = os.path.join(ROOT, "doc/pictures")
     for old in os.listdir(pictures):
         if old.startswith("first_screens_"):
             os.remove(os.path.join(pictures, old))
+    shown, number = {}, 0
+    for entry in entries:
+        shown.setdefault(entry["chapter"], [])
+    for chapter, lines in shown.items():
+        mine = [e for e in entries if e["chapter"] == chapter]
+        for first in range(0, len(mine), COLUMNS * ROWS):
+            number += 1
+            name = f"first_screens_{number:02d}.png"
+            sheet([(e["name"], e["picture"]) for e in mine[first:first + COLUMNS * ROWS]],
+                  os.path.join(pictures, name))
+            lines += [f"![First screens: {chapter}](pictures/{name})"]
+    return shown
+
+
+def write_page(entries, sheets):
+    """The page that leads through the sheets, with the sentence of every report."""
     lines = ["# First screens", "",
              "The first screen of a report answers the question of its run in a "
              "sentence. These",
-             "are scenes of the [gallery](gallery.md), written by",
-             "`tests/documentation/first_screens.py`.", ""]
-    chapters = list(dict.fromkeys(e["chapter"] for e in entries))
-    number = 0
-    for chapter in chapters:
-        mine = [e for e in entries if e["chapter"] == chapter]
+             "are those of all scenes of the [gallery](gallery.md), as",
+             "`tests/documentation/first_screens.py` has drawn them.", ""]
+    for chapter, pictures in sheets.items():
         lines += ["## " + chapter, ""]
-        for first in range(0, len(mine), COLUMNS * ROWS):
-            part = mine[first:first + COLUMNS * ROWS]
-            number += 1
-            name = f"first_screens_{number:02d}.png"
-            sheet([(e["name"], e["picture"]) for e in part], os.path.join(pictures, name))
-            lines += [f"![First screens: {chapter}](pictures/{name})", ""]
+        for picture in pictures:
+            lines += [picture, ""]
         lines += ["| scene | what its report says first |", "| --- | --- |"]
         lines += [f"| [{e['name']}](../{e['file']}) | "
-                  + e["sentence"].replace("|", "\\|") + " |" for e in mine]
+                  + e["sentence"].replace("|", "\\|") + " |"
+                  for e in entries if e["chapter"] == chapter]
         lines += [""]
     with open(os.path.join(ROOT, "doc/first_screens.md"), "w", encoding="utf-8") as page:
         page.write("\n".join(lines[:-1]) + "\n")
+
+
+def write_gallery(entries, sheets):
+    """Times, memory and sheets of the gallery; questions and answers stay."""
+    path = os.path.join(ROOT, "doc/gallery.md")
+    with open(path, encoding="utf-8") as page:
+        lines = [line for line in page.read().splitlines()
+                 if not line.startswith("![First screens")]
+    work = {e["file"]: e for e in entries}
+    result = []
+    for line in lines:
+        match = ROW.match(line)
+        if match and match.group(2) in work:
+            cells = line.split(" | ")
+            entry = work[match.group(2)]
+            cells[-2:] = [entry["time"], entry["memory"] + " |"]
+            line = " | ".join(cells)
+        if line == "" and result and result[-1] == "":
+            continue
+        result.append(line)
+        if line.startswith("## ") and sheets.get(line[3:].strip()):
+            result.append("")
+            for picture in sheets[line[3:].strip()]:
+                result += [picture, ""]
+    with open(path, "w", encoding="utf-8") as page:
+        page.write("\n".join(result) + "\n")
 
 
 def main():
@@ -168,6 +220,7 @@ def main():
     options = parser.parse_args()
     runs = os.path.abspath(options.runs or tempfile.mkdtemp(prefix="squeal_screens_"))
     os.makedirs(os.path.join(runs, "screens"), exist_ok=True)
+    shutil.copytree(os.path.join(ROOT, "prm"), os.path.join(runs, "prm"), dirs_exist_ok=True)
     entries, failures = [], []
     for chapter, name, file, _ in scenes_of_gallery():
         if not re.search(options.scenes, name):
@@ -186,9 +239,12 @@ def main():
             failures += [f"{name}: {problem}" for problem in problems]
             print("open ", name + ":", sentence, flush=True)
             entries.append({"chapter": chapter, "name": name, "file": file,
-                            "picture": picture, "sentence": sentence})
+                            "picture": picture, "sentence": sentence,
+                            **work_of(page)})
     if options.write:
-        write_page(entries)
+        sheets = write_sheets(entries)
+        write_page(entries, sheets)
+        write_gallery(entries, sheets)
     for failure in failures:
         print("FAILED", failure)
     print(f"{len(entries)} reports, {len(failures)} failures; runs in {runs}")
