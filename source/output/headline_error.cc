@@ -20,8 +20,11 @@ namespace squeal
         largest = &source;
     if (!largest)
       return unknown;
-    return rounded_text(largest->second, 2) + unit + " (" + largest->first +
-           ")" + (unknown.empty() ? "" : "; " + unknown);
+    // Relative errors that a person would say in per cent.
+    const bool per_cent = unit.empty() && largest->second >= 1e-4;
+    return rounded_text((per_cent ? 100. : 1.) * largest->second, 2) +
+           (per_cent ? " %" : unit) + " (" + largest->first + ")" +
+           (unknown.empty() ? "" : "; " + unknown);
   }
 
 

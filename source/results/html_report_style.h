@@ -70,9 +70,10 @@ dl.legend div { break-inside: avoid; }
 dl.legend dt { display: inline; font-weight: 600; }
 dl.legend dd { display: inline; margin: 0; }
 dl.legend dd::after { content: ""; display: block; }
-.row { display: flex; flex-wrap: wrap; gap: 1rem 2%; }
+/* Two columns: a tall chart leaves no gap beside it. */
+.row { columns: 2; column-gap: 2%; margin: 1rem 0; }
 figure { margin: 1rem 0; width: 100%; }
-figure.narrow { width: 49%; }
+figure.narrow { margin: 0; padding-bottom: 1rem; break-inside: avoid; }
 figure img { width: 100%; border: 1px solid var(--rule); }
 figcaption { color: var(--faint); font-size: .86rem; }
 pre { background: #f4f7fa; padding: .8rem 1rem; overflow-x: auto;

@@ -29,8 +29,11 @@ namespace
   errors()
   {
     check(headline_error({{"reduction", 1e-9}, {"mesh", 2e-3}}) ==
-            rounded_text(2e-3, 2) + " (mesh)",
+            "0.2 % (mesh)",
           "the mesh's error is the headline where it is the largest");
+    check(headline_error({{"reduction", 1e-9}}) ==
+            rounded_text(1e-9, 2) + " (reduction)",
+          "small ones are no per cents");
     check(has(headline_error({{"mesh", 2e-3}, {"reduction", 5e-3}}, " Hz"),
               rounded_text(5e-3, 2) + " Hz (reduction)"),
           "another one where that is");

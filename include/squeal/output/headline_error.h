@@ -16,7 +16,8 @@ namespace squeal
 
   /**
    * The error of a result on the first screen: the largest of its sources by
-   * name, "0.0012 (mesh)". Sources that are not estimated are named behind it
+   * name, "0.12 % (mesh)"; relative errors below 1e-4 and those with a @p unit are
+   * written as they are. Sources that are not estimated are named behind it
    * ("mesh error not estimated") and never pass for small.
    */
   std::string headline_error(const std::vector<ErrorSource> &sources,
