@@ -289,6 +289,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/contact_output.cc
     source/output/headline_error.cc
     source/output/headlines.cc
+    source/output/loudest_pairs.cc
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
     source/output/pair_table.cc

@@ -111,32 +111,31 @@ namespace squeal
           "the basis misses a mode with the moduli at the end of the band: "
           "change Eigenvalues/Highest frequency a little");
     }
+
+
+    /** The pairs of a scene whose moduli follow the frequency of each pair. */
+    CeaSolution
+    solve_over_frequency(const Model        &model,
+                         const ModeSolution &modes,
+                         RunLog             &log,
+                         Timers             &timers)
+    {
+      Timers::Section section(timers, "Solve: eigenvalues over frequency");
+      const auto     &p = model.parameters();
+      log.info("  moduli follow the frequency of each pair; undamped modes, "
+               "steady sliding and mesh errors take those of " +
+               rounded_text(reference_frequency(p.eigen), 5) + " Hz");
+      const FrequencyPencil pencil(
+        model.linearized().system, p.scene, ModulusTables(p.scene));
+      FrequencyDependentPairs finder(pencil.coefficients(),
+                                     p.eigen.lowest_frequency,
+                                     p.eigen.highest_frequency);
+      CertifiedSolver         solver(
+        pencil.pencil(), *modes.inverse, modes.modes, &finder);
+      take_modes_at_ends_of_band(pencil, p.eigen, solver, log);
+      return solve_certified(solver, p.eigen, log);
+    }
   } // namespace
-
-
-
-  CeaSolution
-  solve_cea_of_scene(const Model           &model,
-                     const SceneParameters &scene,
-                     const ModeSolution    &modes,
-                     RunLog                &log,
-                     Timers                &timers)
-  {
-    Timers::Section section(timers, "Solve: eigenvalues over frequency");
-    const auto     &p = model.parameters();
-    log.info("  moduli follow the frequency of each pair; undamped modes, "
-             "steady sliding and mesh errors take those of " +
-             rounded_text(reference_frequency(p.eigen), 5) + " Hz");
-    const FrequencyPencil pencil(
-      model.linearized().system, scene, ModulusTables(scene));
-    FrequencyDependentPairs finder(pencil.coefficients(),
-                                   p.eigen.lowest_frequency,
-                                   p.eigen.highest_frequency);
-    CertifiedSolver         solver(
-      pencil.pencil(), *modes.inverse, modes.modes, &finder);
-    take_modes_at_ends_of_band(pencil, p.eigen, solver, log);
-    return solve_certified(solver, p.eigen, log);
-  }
 
 
 
@@ -148,8 +147,7 @@ namespace squeal
   {
     const auto &p = model.parameters().eigen;
     if (!ModulusTables(model.parameters().scene).empty())
-      return solve_cea_of_scene(
-        model, model.parameters().scene, modes, log, timers);
+      return solve_over_frequency(model, modes, log, timers);
     CeaSolution solution;
     if (p.solver == EigenParameters::Solver::direct)
       {

@@ -27,18 +27,6 @@ namespace squeal
                         RunLog       &log,
                         Timers       &timers);
 
-  /**
-   * The pairs of a scene whose moduli follow the frequency of each pair.
-   *
-   * @param scene  that of the model or the same at other temperatures
-   * @param modes  with their start: those of the model
-   */
-  CeaSolution solve_cea_of_scene(const Model           &model,
-                                 const SceneParameters &scene,
-                                 const ModeSolution    &modes,
-                                 RunLog                &log,
-                                 Timers                &timers);
-
   /** Pairs of the band by the direct solver. */
   ComplexPairs solve_direct(const Model &model, const ModeSolution &modes);
 

@@ -4,6 +4,7 @@
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
+#include <squeal/output/loudest_pairs.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/results/chart.h>
 
@@ -18,35 +19,27 @@ namespace squeal
     std::vector<Table::Column>
     columns()
     {
-      using Type = Table::Type;
-      return {
-        {"angle_deg", Type::real, "deg", "angle of the rotor", 6},
-        {"frequency_hz", Type::real, "Hz", "frequency of the pair", 6},
-        {"sigma_per_s",
-         Type::real,
-         "1/s",
-         "its growth rate, positive: unstable",
-         4},
-        {"name", Type::text, "", "name of the pair"},
-        {"error_estimate_rel",
-         Type::real,
-         "",
-         "estimated error of the eigenvalue by the basis, relative",
-         2},
-        {"discretisation_error_rel",
-         Type::real,
-         "",
-         "estimated error of the frequency by the mesh, relative",
-         2},
-        {"n_unstable",
-         Type::integer,
-         "",
-         "unstable pairs in the band at this angle"},
-        {"sigma_error_mesh_per_s",
-         Type::real,
-         "1/s",
-         "estimated: growth rate on an infinitely fine mesh less this one",
-         2}};
+      using Type                        = Table::Type;
+      std::vector<Table::Column> result = {
+        {"angle_deg", Type::real, "deg", "angle of the rotor", 6}};
+      append_pair_columns(result);
+      result.insert(
+        result.end(),
+        {{"discretisation_error_rel",
+          Type::real,
+          "",
+          "estimated error of the frequency by the mesh, relative",
+          2},
+         {"n_unstable",
+          Type::integer,
+          "",
+          "unstable pairs in the band at this angle"},
+         {"sigma_error_mesh_per_s",
+          Type::real,
+          "1/s",
+          "estimated: growth rate on an infinitely fine mesh less this one",
+          2}});
+      return result;
     }
 
     /** The scene with the rotor at @p angle, degrees. */
@@ -71,28 +64,18 @@ namespace squeal
       const ComplexPairs  &pairs      = cea.solution.pairs;
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
       context.record.n_dofs           = model.n_unknowns();
-      std::vector<unsigned int> shown;
-      unsigned int              loudest = 0, n_unstable = 0;
-      for (unsigned int i = 0; i < pairs.size(); ++i)
+      const LoudestPairs listed       = loudest_pairs(pairs);
+      Table              table(columns());
+      for (const unsigned int i : listed.numbers)
         {
-          if (pairs.sigma(i) > pairs.sigma(loudest))
-            loudest = i;
-          n_unstable += is_unstable(pairs, i);
+          std::vector<Cell> row = {angle};
+          append_pair_cells(row, pairs, quantities, i);
+          row.insert(row.end(),
+                     {or_missing(quantities.discretisation_error[i]),
+                      listed.n_unstable,
+                      or_missing(cea.errors.lambda[i].real())});
+          table.add_row(row);
         }
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        if (is_unstable(pairs, i) && i != loudest)
-          shown.push_back(i);
-      shown.push_back(loudest);
-      Table table(columns());
-      for (const unsigned int i : shown)
-        table.add_row({angle,
-                       pairs.frequency(i),
-                       pairs.sigma(i),
-                       quantities.names[i].text,
-                       pairs.error_estimate[i],
-                       or_missing(quantities.discretisation_error[i]),
-                       n_unstable,
-                       or_missing(cea.errors.lambda[i].real())});
       return table;
     }
 

@@ -7,6 +7,7 @@
 #include <squeal/model/frequency_pencil.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
+#include <squeal/output/loudest_pairs.h>
 #include <squeal/scene/modulus_table.h>
 
 #include <algorithm>
@@ -82,28 +83,18 @@ namespace squeal
     std::vector<Table::Column>
     columns()
     {
-      using Type = Table::Type;
-      return {
+      using Type                        = Table::Type;
+      std::vector<Table::Column> result = {
         {"pressure_pa", Type::real, "Pa", "of all loads that press", 6},
         {"temperature_c", Type::real, "degrees Celsius", "of all tables", 5},
         {"speed_m_per_s", Type::real, "m/s", "sliding speed", 5},
-        {"direction", Type::text, "", "forward or backward"},
-        {"frequency_hz", Type::real, "Hz", "frequency of the pair", 6},
-        {"sigma_per_s",
-         Type::real,
-         "1/s",
-         "its growth rate, positive: unstable",
-         4},
-        {"name", Type::text, "", "name of the pair"},
-        {"error_estimate_rel",
-         Type::real,
-         "",
-         "estimated error of the eigenvalue by the basis, relative",
-         2},
-        {"n_unstable",
-         Type::integer,
-         "",
-         "unstable pairs in the band under these conditions"}};
+        {"direction", Type::text, "", "forward or backward"}};
+      append_pair_columns(result);
+      result.push_back({"n_unstable",
+                        Type::integer,
+                        "",
+                        "unstable pairs in the band under these conditions"});
+      return result;
     }
 
     /** Rows of all unstable pairs, the loudest last; of the loudest alone where
@@ -117,34 +108,20 @@ namespace squeal
               Table              &loudest)
     {
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
-      std::vector<unsigned int> shown;
-      unsigned int              most = 0;
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        {
-          if (pairs.sigma(i) > pairs.sigma(most))
-            most = i;
-          if (is_unstable(pairs, i))
-            shown.push_back(i);
-        }
-      const unsigned int n = shown.size();
-      shown.erase(std::remove(shown.begin(), shown.end(), most), shown.end());
-      shown.push_back(most);
-      const auto given = [](const std::optional<double> &value) {
+      const LoudestPairs   listed     = loudest_pairs(pairs);
+      const auto           given      = [](const std::optional<double> &value) {
         return value ? Cell(*value) : Cell();
       };
-      for (const unsigned int i : shown)
+      for (const unsigned int i : listed.numbers)
         {
-          const std::vector<Cell> row = {given(c.pressure),
-                                         given(c.temperature),
-                                         given(c.speed),
-                                         c.backward ? "backward" : "forward",
-                                         pairs.frequency(i),
-                                         pairs.sigma(i),
-                                         quantities.names[i].text,
-                                         pairs.error_estimate[i],
-                                         n};
+          std::vector<Cell> row = {given(c.pressure),
+                                   given(c.temperature),
+                                   given(c.speed),
+                                   c.backward ? "backward" : "forward"};
+          append_pair_cells(row, pairs, quantities, i);
+          row.push_back(listed.n_unstable);
           all.add_row(row);
-          if (i == most)
+          if (i == listed.numbers.back())
             loudest.add_row(row);
         }
     }
