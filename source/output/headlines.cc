@@ -308,9 +308,9 @@ namespace squeal
     const std::string unit  = unit_of_entry(axis.entries.at(0), scene);
     const bool        below = t.integer(loudest, "at_lower_limit") != 0,
                above        = t.integer(loudest, "at_upper_limit") != 0;
-    std::string text        = "loudest for " + name + " from " +
-                       brief(t.real(loudest, "lower")) + " to " +
-                       brief(t.real(loudest, "upper")) +
+    std::string text = (t.n_rows() == 1 ? "unstable for " : "loudest for ") +
+                       name + " from " + brief(t.real(loudest, "lower")) +
+                       " to " + brief(t.real(loudest, "upper")) +
                        (unit.empty() ? "" : " " + unit) +
                        (below && above ? " (all that was tried)"
                         : below        ? " (from the lowest tried on)"

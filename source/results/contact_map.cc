@@ -21,26 +21,29 @@ namespace squeal
 
     constexpr std::uint8_t vtk_vertex = 1, vtk_polygon = 7;
 
-    /** Ticks of both axes, mm: with equal scales a narrow face has little room
-     * for numbers. */
+    /** Ranges of both axes, mm, @p margin beyond the face, and their ticks: with
+     * equal scales a narrow face has little room for numbers. All panels have
+     * the same, whatever arrows they have. */
     std::string
-    ticks_of(const std::vector<PlanarPoint> &places)
+    axes_of(const std::vector<PlanarPoint> &places, const double margin)
     {
-      std::array<double, 2> extent{};
+      std::array<double, 2> lower, extent;
       for (unsigned int c = 0; c < 2; ++c)
         {
           const auto ends = std::minmax_element(
             places.begin(), places.end(), [c](const auto &a, const auto &b) {
               return a[c] < b[c];
             });
-          extent[c] = 1e3 * ((*ends.second)[c] - (*ends.first)[c]);
+          lower[c]  = 1e3 * (*ends.first)[c];
+          extent[c] = 1e3 * (*ends.second)[c] - lower[c];
         }
-      const double longer = std::max(extent[0], extent[1]);
+      const double longer = std::max({extent[0], extent[1], 1e-6});
+      const double beyond = std::max(1e3 * margin, 0.04 * longer);
       std::string  text;
       for (unsigned int c = 0; c < 2; ++c)
         {
           const double most =
-            std::max(1.5, std::floor((c == 0 ? 7. : 9.) * extent[c] / longer));
+            std::max(1.5, std::floor((c == 0 ? 5. : 7.) * extent[c] / longer));
           const double least = std::max(extent[c], 1e-6) / most,
                        power = std::pow(10., std::floor(std::log10(least)));
           double step        = 10. * power;
@@ -48,7 +51,9 @@ namespace squeal
             if (round * power >= least)
               step = round * power;
           text += std::string(text.empty() ? "" : "\n") + "set " + "xy"[c] +
-                  "tics " + plot_number(step);
+                  "tics " + plot_number(step) + "\nset " + "xy"[c] + "range [" +
+                  plot_number(lower[c] - beyond) + ":" +
+                  plot_number(lower[c] + extent[c] + beyond) + "]";
         }
       return text;
     }
@@ -65,7 +70,7 @@ namespace squeal
     has_value(const ContactMap::Panel &panel, const std::size_t point)
     {
       const double v = panel.values[point];
-      return std::isfinite(v) &&
+      return std::isfinite(v) && (!panel.logarithmic || v > 0.) &&
              (panel.kinds.empty() ||
               panel.kinds.at(static_cast<std::size_t>(v)) != "open");
     }
@@ -94,14 +99,21 @@ namespace squeal
     {
       if (panel.lower < panel.upper)
         return {{panel.lower, panel.upper}};
-      double lower = 0., upper = 0.;
-      for (const double v : panel.values)
-        if (std::isfinite(v))
+      double lower = panel.logarithmic ? HUGE_VAL : 0., upper = 0.;
+      for (std::size_t j = 0; j < panel.values.size(); ++j)
+        if (has_value(panel, j))
           {
-            lower = std::min(lower, v);
-            upper = std::max(upper, v);
+            lower = std::min(lower, panel.values[j]);
+            upper = std::max(upper, panel.values[j]);
           }
-      return {{lower, lower < upper ? upper : lower + 1.}};
+      if (!panel.logarithmic)
+        return {{lower, lower < upper ? upper : lower + 1.}};
+      if (upper == 0.)
+        return {{.1, 1.}};
+      constexpr double most_decades = 1e-6;
+      lower                         = std::max(lower, most_decades * upper);
+      return lower < upper ? std::array<double, 2>{{lower, upper}}
+                           : std::array<double, 2>{{.5 * upper, 2. * upper}};
     }
 
     bool
@@ -110,6 +122,7 @@ namespace squeal
       return panels.size() > 1 &&
              std::all_of(panels.begin(), panels.end(), [&](const auto &p) {
                return p.label == panels[0].label && p.kinds.empty() &&
+                      p.logarithmic == panels[0].logarithmic &&
                       panels[0].kinds.empty() &&
                       colour_range(p) == colour_range(panels[0]);
              });
@@ -117,15 +130,28 @@ namespace squeal
 
     /** Palette, range and bar of a panel. */
     std::string
-    colours_of(const ContactMap::Panel &panel)
+    colours_of(const ContactMap::Panel &panel, const bool has_shared_bar)
     {
-      const std::string label = "set cblabel " + in_quotes(panel.label) + "\n";
+      // beside a bar of its own the axis of the next panel leaves no room
+      const std::string label =
+        "set cblabel " + in_quotes(has_shared_bar ? panel.label : "") + "\n";
       if (!panel.kinds.empty())
         return label + palette_of_kinds(panel.kinds);
       const auto range = colour_range(panel);
       return label + "set palette maxcolors 0\n" + sequential_palette() +
-             "\nset cbtics autofreq\nset cbrange [" + plot_number(range[0]) +
-             ":" + plot_number(range[1]) + "]";
+             "\nset cbtics autofreq\n" + (panel.logarithmic ? "" : "un") +
+             "set logscale cb\nset format cb '" +
+             (panel.logarithmic ? "1e%T" : "%g") + "'\nset cbrange [" +
+             plot_number(range[0]) + ":" + plot_number(range[1]) + "]";
+    }
+
+    /** With the unit of the colours where no shared bar says it. */
+    std::string
+    title_of(const ContactMap::Panel &panel, const bool has_shared_bar)
+    {
+      if (has_shared_bar || panel.label.empty())
+        return panel.title;
+      return panel.title + ", " + panel.label;
     }
 
     /** The longest arrow, whatever the panel and the cell of the node: those
@@ -245,9 +271,10 @@ namespace squeal
                    const std::string        &path,
                    const unsigned int        n_columns) const
   {
-    const unsigned int columns =
-      std::min<std::size_t>(n_columns, panels.size());
-    const unsigned int rows    = (panels.size() + columns - 1) / columns;
+    // as many in each row as possible
+    const unsigned int n       = panels.size();
+    const unsigned int rows    = (n + n_columns - 1) / n_columns;
+    const unsigned int columns = (n + rows - 1) / rows;
     const bool         one_bar = share_a_bar(panels);
     Drawing            drawing;
     drawing.width      = panel_width * columns + (one_bar ? bar : 0);
@@ -259,13 +286,13 @@ namespace squeal
     drawing.add("set style fill solid noborder");
     drawing.add("set xlabel " + in_quotes(face.axes[0] + " in mm") +
                 "\nset ylabel " + in_quotes(face.axes[1] + " in mm"));
-    drawing.add(ticks_of(face.places));
     drawing.add(sliding_arrow(face.sliding, drawing));
     const double longest = longest_arrow(panels);
     const double area =
       std::accumulate(face.areas.begin(), face.areas.end(), 0.);
     const double length = std::min(2.4 * std::sqrt(area / face.areas.size()),
                                    0.3 * std::sqrt(area));
+    drawing.add(axes_of(face.places, longest > 0. ? 0.5 * length : 0.));
     const std::string outline = outline_data(face);
     for (std::size_t k = 0; k < panels.size(); ++k)
       {
@@ -274,8 +301,8 @@ namespace squeal
           "set origin " + plot_number(right * (k % columns) / columns) + "," +
           plot_number(top * (rows - 1 - k / columns) / rows) + "\nset size " +
           plot_number(right / columns) + "," + plot_number(top / rows));
-        drawing.add("set title " + in_quotes(panel.title));
-        drawing.add(colours_of(panel));
+        drawing.add("set title " + in_quotes(title_of(panel, one_bar)));
+        drawing.add(colours_of(panel, one_bar));
         if (one_bar && k == 0)
           drawing.add(shared_bar(drawing, right, top));
         else if (one_bar)

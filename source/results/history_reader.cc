@@ -103,6 +103,28 @@ namespace squeal
         if (!std::isfinite(value))
           refuse(file, "holds a value that is not a number in '" + name + "'");
     }
+
+    /** The pieces of a face of @p n_nodes nodes. */
+    std::vector<std::array<unsigned int, 4>>
+    quads_of(const Hdf5File    &file,
+             const std::string &name,
+             const std::size_t  n_nodes)
+    {
+      const Hdf5File::Dimensions shape = file.dimensions(name);
+      if (shape.size() != 2 || shape[1] != 4)
+        refuse(file.path(), "has '" + name + "' that are not four nodes each");
+      const std::vector<double>                corners = file.read(name);
+      std::vector<std::array<unsigned int, 4>> quads(shape[0]);
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+          if (!(corners[i] >= 0. && corners[i] < double(n_nodes)) ||
+              corners[i] != std::floor(corners[i]))
+            refuse(file.path(),
+                   "names a node in '" + name + "' that it does not have");
+          quads[i / 4][i % 4] = static_cast<unsigned int>(corners[i]);
+        }
+      return quads;
+    }
   } // namespace
 
 
@@ -202,6 +224,9 @@ namespace squeal
         what.points.push_back(
           {{points[3 * i], points[3 * i + 1], points[3 * i + 2]}});
       }
+
+    if (file.has(group + "nodes/quads"))
+      what.quads = quads_of(file, group + "nodes/quads", n);
 
     const Hdf5File::Dimensions times = file.dimensions(group + "samples/time");
     samples                          = times.empty() ? 0 : times[0];

@@ -100,6 +100,13 @@ namespace squeal
     file->write(group + "nodes/area", {n}, layout.areas);
     if (layout.axes != HistoryLayout().axes)
       file->write(group + "nodes/axes", {3, 3}, axes);
+    if (!layout.quads.empty())
+      {
+        std::vector<double> corners;
+        for (const auto &quad : layout.quads)
+          corners.insert(corners.end(), quad.begin(), quad.end());
+        file->write(group + "nodes/quads", {layout.quads.size(), 4}, corners);
+      }
     const auto grows = [&](const std::string          &name,
                            const Hdf5File::Dimensions &row,
                            const Kind                  kind,

@@ -26,6 +26,9 @@ namespace squeal
     /** Along them, m, one a node. */
     std::vector<std::array<double, 3>> points;
     std::vector<double>                areas; /**< m^2, tributary, one a node */
+    /** Pieces of the face, four nodes each in order round it, for pictures;
+     * none where they are not known. */
+    std::vector<std::array<unsigned int, 4>> quads;
     std::vector<std::string> probe_names;  /**< with unit, "pad_ay_m_per_s2" */
     std::vector<std::string> energy_names; /**< with unit, "kinetic_j" */
     bool                     has_slip_rate  = true;

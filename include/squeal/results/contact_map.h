@@ -49,6 +49,8 @@ namespace squeal
        * name "open" is grey too. */
       std::vector<std::string> kinds;
       std::vector<double>      arrows_x, arrows_y; /**< one a node, or none */
+      /** Colours over six decades at most; what is not positive is grey. */
+      bool logarithmic = false;
     };
 
     /** Writes path.png with the panels side by side, @p n_columns in a row,

@@ -183,8 +183,7 @@ namespace squeal
           path);
         report.section("Over the angle");
         report.figure(path + ".png",
-                      "Unstable pairs, and the least stable one where none is",
-                      true);
+                      "Unstable pairs, and the least stable one where none is");
       }
     report.section("Loudest pair at every angle");
     report.table(loudest, "angles.csv");

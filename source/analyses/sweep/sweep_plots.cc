@@ -18,6 +18,8 @@ namespace squeal
     using Marker = ChartSeries::Marker;
 
     constexpr std::size_t most_panels = 9;
+    // Lines of more points have no markers.
+    constexpr std::size_t most_marked = 40;
 
     ChartSeries
     series(const std::string &label,
@@ -129,7 +131,10 @@ namespace squeal
       for (const int b : unstable_branches(line))
         {
           ChartSeries s =
-            series(line.branch_names[b], branch_inks[k++ % 7], Style::lines);
+            series(line.branch_names[b],
+                   branch_inks[k++ % 7],
+                   line.points.size() > most_marked ? Style::lines
+                                                    : Style::lines_points);
           for (const auto &p : line.points)
             if (const int i = p.pair_of(b); i >= 0)
               {
@@ -301,12 +306,9 @@ namespace squeal
                                      : charts.size() > 1 ? 2
                                                          : 1;
       const unsigned int n_rows = (charts.size() + n_columns - 1) / n_columns;
-      context.plotter.draw(draw_charts(charts,
-                                       n_columns == 1 ? 1400 : 900 * n_columns,
-                                       n_columns == 1 ? 900 : 650 * n_rows,
-                                       n_columns),
-                           path);
-      report.figure(path + ".png", caption, false);
+      context.plotter.draw(
+        draw_charts(charts, 900 * n_columns, 650 * n_rows, n_columns), path);
+      report.figure(path + ".png", caption, n_columns == 1);
     };
     std::vector<Chart> frequencies, sigmas, loci;
     for (const auto &line : solution.lines)

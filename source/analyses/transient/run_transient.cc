@@ -296,17 +296,13 @@ namespace squeal
 
       HtmlReport report("Transient of " + p.scene.name,
                         "motion in time about steady sliding");
-      report.set_verdict(
-        f.verdict == "unstable" || squeals(f, trigger) ||
-            !f.growing_outside.empty()
-          ? HtmlReport::Verdict::bad
-        : f.verdict == "stable" ? HtmlReport::Verdict::good
-                                : HtmlReport::Verdict::neutral,
-        explained_verdict(f, trigger) +
-          (growth_text(f).empty() ? "" : ", " + growth_text(f)) +
-          (f.has_limit_cycle ? ", limit cycle at " : ", limit cycle: ") +
-          limit_cycle_text(f),
-        context.record.figures);
+      report.set_verdict(f.verdict == "unstable" || squeals(f, trigger) ||
+                             !f.growing_outside.empty()
+                           ? HtmlReport::Verdict::bad
+                         : f.verdict == "stable" ? HtmlReport::Verdict::good
+                                                 : HtmlReport::Verdict::neutral,
+                         transient_headline(f, trigger),
+                         context.record.figures);
       if (p.output.plots && context.is_root)
         {
           Timers::Section section(context.timers, "Write: charts");

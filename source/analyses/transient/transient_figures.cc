@@ -385,6 +385,21 @@ namespace squeal
 
 
   std::string
+  reason_for_no_cycle(const TransientFigures &f)
+  {
+    if (f.most_rms <= least_vibration * f.mean_normal)
+      return "nothing vibrates";
+    if (f.dies_out)
+      return "the vibration dies out";
+    return "the vibration is uneven, " + rounded_text(f.least_rms, 3) + " to " +
+           rounded_text(f.most_rms, 3) +
+           " N rms of the normal force in the quarters of the second half of "
+           "the run";
+  }
+
+
+
+  std::string
   limit_cycle_text(const TransientFigures &f)
   {
     if (f.has_limit_cycle)
@@ -396,13 +411,7 @@ namespace squeal
                 ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
                 : "") +
              ", repeats itself to " + rounded_text(f.repetition, 3);
-    if (f.most_rms <= least_vibration * f.mean_normal)
-      return "none: no vibration";
-    if (f.dies_out)
-      return "none: the vibration dies out";
-    return "none: uneven vibration of " + rounded_text(f.least_rms, 3) +
-           " to " + rounded_text(f.most_rms, 3) +
-           " N rms in the quarters of the second half of the run";
+    return "none: " + reason_for_no_cycle(f);
   }
 
 

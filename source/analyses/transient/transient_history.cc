@@ -24,6 +24,7 @@ namespace squeal
       for (const auto &x : pair.geometry.points)
         layout.points.push_back(axes.place(x));
       layout.areas = pair.geometry.areas;
+      layout.quads = pair.geometry.quads;
       for (const char *axis : {"x", "y", "z"})
         layout.probe_names.push_back(probe + "_a" + axis + "_m_per_s2");
       layout.energy_names = {"kinetic_j",

@@ -9,7 +9,7 @@ namespace squeal
     std::string
     rate_text(const GrowthFit &fit)
     {
-      return rounded_text(fit.rate, 4) + " +- " + rounded_text(fit.rate_ci, 3) +
+      return rounded_text(fit.rate, 4) + " +- " + rounded_text(fit.rate_ci, 2) +
              " 1/s";
     }
   } // namespace
@@ -82,6 +82,18 @@ namespace squeal
     if (f.has_limit_cycle)
       return about + "; a limit cycle stands beside it";
     return f.growing_outside.empty() ? f.verdict : about;
+  }
+
+
+
+  std::string
+  transient_headline(const TransientFigures &f, const TriggerOutcome &trigger)
+  {
+    const std::string growth = growth_text(f);
+    return explained_verdict(f, trigger) +
+           (growth.empty() ? "" : ", " + growth) +
+           (f.has_limit_cycle ? ", limit cycle at " + limit_cycle_text(f)
+                              : "; no limit cycle: " + reason_for_no_cycle(f));
   }
 
 

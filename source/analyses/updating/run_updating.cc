@@ -230,7 +230,7 @@ namespace squeal
       const std::string path = context.output.path() + "/plots/errors";
       context.plotter.draw(draw_charts({chart}), path);
       report.section("Charts");
-      report.figure(path + ".png", "Errors before and after");
+      report.figure(path + ".png", "Errors before and after", true);
     }
   } // namespace
 

@@ -17,30 +17,22 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Quadrilaterals between the nodes of a grid, else a vertex for each
-     * node. */
+    /** Quadrilaterals between the nodes, or a vertex for each where none are
+     * known. */
     void
     add_cells(vtkUnstructuredGrid &vtu, const ContactGrid &grid)
     {
-      if (!grid.is_grid())
+      for (const auto &quad : grid.quads())
         {
-          for (std::size_t k = 0; k < grid.n_nodes(); ++k)
-            {
-              const vtkIdType id = vtkIdType(k);
-              vtu.InsertNextCell(VTK_VERTEX, 1, &id);
-            }
-          return;
+          const std::array<vtkIdType, 4> ids = {
+            {quad[0], quad[1], quad[2], quad[3]}};
+          vtu.InsertNextCell(VTK_QUAD, 4, ids.data());
         }
-      for (std::size_t j = 0; j + 1 < grid.n_y(); ++j)
-        for (std::size_t i = 0; i + 1 < grid.n_x(); ++i)
+      if (grid.quads().empty())
+        for (std::size_t k = 0; k < grid.n_nodes(); ++k)
           {
-            const std::size_t first      = i + grid.n_x() * j;
-            const std::size_t corners[4] = {
-              first, first + 1, first + 1 + grid.n_x(), first + grid.n_x()};
-            std::array<vtkIdType, 4> ids;
-            for (int c = 0; c < 4; ++c)
-              ids[c] = vtkIdType(grid.order()[corners[c]]);
-            vtu.InsertNextCell(VTK_QUAD, 4, ids.data());
+            const vtkIdType id = vtkIdType(k);
+            vtu.InsertNextCell(VTK_VERTEX, 1, &id);
           }
     }
   } // namespace

@@ -29,4 +29,13 @@ namespace squeal::tribology
     , parameters(p)
   {
   }
+
+
+
+  std::string
+  Context::plot_path(const std::string &name)
+  {
+    const std::string path = output.file("plots/" + name + ".png");
+    return path.substr(0, path.size() - 4);
+  }
 } // namespace squeal::tribology

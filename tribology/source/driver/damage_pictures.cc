@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/results/chart.h>
-#include <squeal/tribology/damage/map_picture.h>
+#include <squeal/tribology/damage/range_mean_picture.h>
 #include <squeal/tribology/driver/damage_study.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace squeal::tribology
   namespace
   {
     /** Column of the table as a map. */
-    FaceMap
+    ContactMap::Panel
     map_of(const Table       &table,
            const std::string &column,
            const std::string &title,
@@ -19,19 +19,27 @@ namespace squeal::tribology
            const double       scale       = 1.,
            const bool         logarithmic = false)
     {
-      FaceMap map{title, unit, table.reals(column), logarithmic};
-      for (double &value : map.values)
+      ContactMap::Panel panel;
+      panel.title       = title;
+      panel.label       = unit;
+      panel.values      = table.reals(column);
+      panel.logarithmic = logarithmic;
+      for (double &value : panel.values)
         value *= scale;
-      return map;
+      return panel;
     }
 
 
 
     void
-    draw(Context &context, const Drawing &drawing, const std::string &name)
+    draw_maps(Context                              &context,
+              const DamageStudy                    &study,
+              const std::vector<ContactMap::Panel> &panels,
+              const std::string                    &name)
     {
-      const std::string path = context.output.file("plots/" + name + ".png");
-      context.plotter.draw(drawing, path.substr(0, path.size() - 4));
+      ContactMap(study.grid.drawn_face())
+        .plot(
+          context.plotter, panels, context.plot_path(name + study.suffix()), 3);
     }
 
 
@@ -51,8 +59,8 @@ namespace squeal::tribology
     void
     draw_damage(Context &context, const DamageStudy &study, const Table &table)
     {
-      const FatigueParameters &f = context.parameters.fatigue;
-      std::vector<FaceMap>     maps;
+      const FatigueParameters       &f = context.parameters.fatigue;
+      std::vector<ContactMap::Panel> maps;
       for (const double exponent : f.exponents)
         maps.push_back(map_of(table,
                               "damage_" + slope_name(exponent) + "_per_s",
@@ -60,24 +68,19 @@ namespace squeal::tribology
                               f.constants.empty() ? "index in 1/s" : "1/s",
                               1.,
                               true));
-      draw(
-        context, draw_maps(study.grid, maps), "damage_maps" + study.suffix());
-      draw(
+      draw_maps(context, study, maps, "damage_maps");
+      draw_maps(
         context,
-        draw_maps(
-          study.grid,
-          {map_of(table, "peak_pressure_pa", "Peak pressure", "MPa", 1e-6),
-           map_of(table,
-                  "friction_power_w_per_m2",
-                  "Friction power",
-                  "kW/m^2",
-                  1e-3),
-           map_of(table, "contact_duty", "Duty of contact", "part"),
-           map_of(table, "impacts_per_s", "Impacts", "1/s"),
-           map_of(
-             table, "impulse_per_impact_pa_s", "Impulse of an impact", "Pa s"),
-           map_of(table, "stick_slip_per_s", "Stick-slip changes", "1/s")}),
-        "surface_maps" + study.suffix());
+        study,
+        {map_of(table, "peak_pressure_pa", "Peak pressure", "MPa", 1e-6),
+         map_of(
+           table, "friction_power_w_per_m2", "Friction power", "kW/m^2", 1e-3),
+         map_of(table, "contact_duty", "Duty of contact", "part"),
+         map_of(table, "impacts_per_s", "Impacts", "1/s"),
+         map_of(
+           table, "impulse_per_impact_pa_s", "Impulse of an impact", "Pa s"),
+         map_of(table, "stick_slip_per_s", "Stick-slip changes", "1/s")},
+        "surface_maps");
       const std::size_t      worst  = worst_node(study.damage);
       const RangeMeanMatrix &matrix = study.damage.matrices[worst];
       std::vector<double>    ranges, means;
@@ -86,13 +89,13 @@ namespace squeal::tribology
           ranges.push_back(matrix.range(i));
           means.push_back(matrix.mean(i));
         }
-      draw(context,
-           draw_matrix(ranges,
-                       means,
-                       matrix.values(),
-                       "Cycles at node " + std::to_string(worst) +
-                         ", where damage is largest"),
-           "range_mean" + study.suffix());
+      context.plotter.draw(draw_matrix(ranges,
+                                       means,
+                                       matrix.values(),
+                                       "Cycles at node " +
+                                         std::to_string(worst) +
+                                         ", where damage is largest"),
+                           context.plot_path("range_mean" + study.suffix()));
     }
 
 
@@ -130,7 +133,8 @@ namespace squeal::tribology
             }
           chart.series.push_back(series);
         }
-      draw(context, draw_charts({chart}, 1100, 700), "depths" + study.suffix());
+      context.plotter.draw(draw_charts({chart}, 1100, 700),
+                           context.plot_path("depths" + study.suffix()));
     }
   } // namespace
 
@@ -146,7 +150,7 @@ namespace squeal::tribology
     draw_damage(context, study, table);
     if (has_silent)
       {
-        std::vector<FaceMap> maps;
+        std::vector<ContactMap::Panel> maps;
         for (const double m : context.parameters.fatigue.exponents)
           maps.push_back(map_of(table,
                                 "ratio_damage_" + slope_name(m) + "_per_s",
@@ -154,8 +158,7 @@ namespace squeal::tribology
                                 "ratio",
                                 1.,
                                 true));
-        draw(
-          context, draw_maps(study.grid, maps), "ratio_maps" + study.suffix());
+        draw_maps(context, study, maps, "ratio_maps");
       }
     if (!study.subsurface.empty())
       draw_depths(context, study);

@@ -2,9 +2,9 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/parameters/checks.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/contact_map.h>
 #include <squeal/results/json_file.h>
 #include <squeal/tribology/damage/damage_table.h>
-#include <squeal/tribology/damage/map_picture.h>
 #include <squeal/tribology/driver/analyses.h>
 #include <squeal/tribology/driver/correlation_tables.h>
 #include <squeal/tribology/driver/study_report.h>
@@ -23,15 +23,6 @@ namespace squeal::tribology
   namespace
   {
     using Json = nlohmann::ordered_json;
-
-    void
-    draw(Context &context, const Drawing &drawing, const std::string &name)
-    {
-      const std::string path = context.output.file("plots/" + name + ".png");
-      context.plotter.draw(drawing, path.substr(0, path.size() - 4));
-    }
-
-
 
     void
     draw_power(Context &context, const Table &test)
@@ -62,7 +53,8 @@ namespace squeal::tribology
       chart.lines.push_back({false,
                              context.parameters.correlation.level,
                              "nominal false positives"});
-      draw(context, draw_charts({chart}, 1100, 700), "power");
+      context.plotter.draw(draw_charts({chart}, 1100, 700),
+                           context.plot_path("power"));
     }
 
 
@@ -92,7 +84,8 @@ namespace squeal::tribology
       series.x           = values[0];
       series.y           = values[1];
       chart.series.push_back(series);
-      draw(context, draw_charts({chart}, 900, 700), "scatter");
+      context.plotter.draw(draw_charts({chart}, 900, 700),
+                           context.plot_path("scatter"));
       const auto by_node = [&pad](const GridMap &map) {
         std::vector<double> v(map.size());
         for (std::size_t i = 0; i < map.size(); ++i)
@@ -102,13 +95,16 @@ namespace squeal::tribology
       const auto map_of = [&by_node](const std::string &column,
                                      const GridMap     &map) {
         const QuantityText quantity(column);
-        return FaceMap{quantity.name, quantity.unit, by_node(map)};
+        ContactMap::Panel  panel;
+        panel.title  = quantity.name;
+        panel.label  = quantity.unit;
+        panel.values = by_node(map);
+        return panel;
       };
-      draw(
-        context,
-        draw_maps(*pad.grid,
-                  {map_of(best->index, index), map_of(best->feature, feature)}),
-        "maps");
+      ContactMap(pad.grid->drawn_face())
+        .plot(context.plotter,
+              {map_of(best->index, index), map_of(best->feature, feature)},
+              context.plot_path("maps"));
     }
 
 

@@ -204,7 +204,8 @@ namespace squeal::tribology
                : " No fatigue limit was given: values are indices, relative to "
                  "Fatigue/Reference stress."));
           report.figure(picture("depths"),
-                        "Largest value of each criterion against depth.");
+                        "Largest value of each criterion against depth.",
+                        true);
         }
       report.section("Limits");
       report.list(
@@ -231,9 +232,10 @@ namespace squeal::tribology
     void
     warn_of_what_is_missing(Context &context, const DamageStudy &study)
     {
-      if (!study.grid.is_grid())
+      if (!study.grid.is_grid() && context.parameters.subsurface.compute)
         context.log.warning("the contact nodes stand on no rectangular grid: "
-                            "nodal cells are taken as squares");
+                            "stresses under the face take the nodal cells as "
+                            "squares of their area");
       if (!study.grid.is_grid() &&
           context.parameters.subsurface.pad_thickness > 0.)
         context.log.warning("stresses under the face are those of a "
@@ -291,6 +293,41 @@ namespace squeal::tribology
         {"largest damage per second, " + slope,
          rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
         {"points kept by a counter", std::to_string(study.damage.deepest)}};
+    }
+
+
+
+    /** Where the damage is largest and how large, in words. */
+    std::string
+    damage_headline(const DamageStudy       &study,
+                    const Table             &table,
+                    const Table             &sums,
+                    const FatigueParameters &fatigue)
+    {
+      const std::string column =
+        "damage_" + slope_name(fatigue.exponents.front()) + "_per_s";
+      const std::vector<double> damage = table.reals(column);
+      const std::size_t         worst =
+        std::max_element(damage.begin(), damage.end()) - damage.begin();
+      const std::string &pair = study.reader.layout().pair;
+      const std::string  face =
+        pair.empty() ? "the face" : "the face of " + pair;
+      if (!(damage[worst] > 0.))
+        return "no damage on " + face + ": the contact forces do not vary";
+      const Patch &whole = study.grid.face();
+      const auto   place = study.grid.place(worst);
+      const double along =
+        (place[1] - whole.y_min) / (whole.y_max - whole.y_min);
+      return "most damage " +
+             std::string(along < 0.25    ? "near the leading edge"
+                         : along <= 0.75 ? "in the middle"
+                                         : "near the trailing edge") +
+             " of " + face + ", at x = " + rounded_text(1e3 * place[0], 3) +
+             " mm, y = " + rounded_text(1e3 * place[1], 3) + " mm: " +
+             rounded_text(damage[worst] / sums.real(0, "mean_" + column), 3) +
+             " times the mean of the face (slope " +
+             slope_name(fatigue.exponents.front()) + ")" +
+             (fatigue.constants.empty() ? ", an index" : "");
     }
 
 
@@ -377,11 +414,9 @@ namespace squeal::tribology
       if (p.output.plots && context.plotter.is_available())
         draw_damage_pictures(context, *r.study, r.table, r.silent != nullptr);
       r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents.back());
-      r.headline = "Damage of " + std::to_string(r.study->grid.n_nodes()) +
-                   " nodes" + (pair.empty() ? pair : " of " + pair) +
-                   (p.fatigue.constants.empty() ? " (index)" : "");
+      r.headline = damage_headline(*r.study, r.table, r.sums, p.fatigue);
       if (r.silent)
-        r.headline += ": " +
+        r.headline += "; the face takes " +
                       ratios_to_silent(r.sums, p.fatigue.exponents, r.figures) +
                       " times the silent run's";
       return r;

@@ -58,6 +58,8 @@ namespace squeal::tribology
   ContactGrid::ContactGrid(const HistoryLayout &layout)
     : ContactGrid(layout.points, layout.areas)
   {
+    if (!layout.quads.empty())
+      pieces = layout.quads;
   }
 
 
@@ -85,7 +87,9 @@ namespace squeal::tribology
           i;
     grid = grid && std::find(ordered.begin(), ordered.end(), points.size()) ==
                      ordered.end();
-    if (!grid)
+    if (grid)
+      set_quads_of_grid();
+    else
       ordered.clear();
 
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -107,6 +111,47 @@ namespace squeal::tribology
                std::max(whole.x_max, c.x_max),
                std::min(whole.y_min, c.y_min),
                std::max(whole.y_max, c.y_max)};
+  }
+
+
+
+  void
+  ContactGrid::set_quads_of_grid()
+  {
+    const unsigned int n = xs.size();
+    for (unsigned int j = 0; j + 1 < ys.size(); ++j)
+      for (unsigned int i = 0; i + 1 < n; ++i)
+        {
+          const unsigned int          first = i + n * j;
+          std::array<unsigned int, 4> quad;
+          for (unsigned int c = 0; c < 4; ++c)
+            quad[c] = ordered[std::array<unsigned int, 4>{
+              {first, first + 1, first + 1 + n, first + n}}[c]];
+          pieces.push_back(quad);
+        }
+  }
+
+
+
+  const std::vector<std::array<unsigned int, 4>> &
+  ContactGrid::quads() const
+  {
+    return pieces;
+  }
+
+
+
+  DrawnFace
+  ContactGrid::drawn_face() const
+  {
+    DrawnFace drawn;
+    for (const auto &[x, y] : places)
+      drawn.points.push_back({{x, y, 0.}});
+    drawn.areas   = areas;
+    drawn.places  = places;
+    drawn.quads   = pieces;
+    drawn.sliding = {0., 1.};
+    return drawn;
   }
 
 

@@ -110,6 +110,9 @@ namespace squeal
   /** The limit cycle in words, or why there is none. */
   std::string limit_cycle_text(const TransientFigures &figures);
 
+  /** Of a run that has none: what it does instead. */
+  std::string reason_for_no_cycle(const TransientFigures &figures);
+
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
    * mean squares of the normal force about its mean, N. */
   struct TriggerOutcome

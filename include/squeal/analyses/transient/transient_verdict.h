@@ -13,6 +13,10 @@ namespace squeal
   std::string explained_verdict(const TransientFigures &figures,
                                 const TriggerOutcome   &trigger);
 
+  /** What the run answers, in a sentence: verdict, growth, limit cycle. */
+  std::string transient_headline(const TransientFigures &figures,
+                                 const TriggerOutcome   &trigger);
+
   /** Whether a vibration stays, by itself or after a trigger. */
   bool squeals(const TransientFigures &figures, const TriggerOutcome &trigger);
 

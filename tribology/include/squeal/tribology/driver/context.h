@@ -5,6 +5,8 @@
 #include <squeal/run/run_session.h>
 #include <squeal/tribology/setup/tribology_parameters.h>
 
+#include <string>
+
 namespace squeal::tribology
 {
   /** What every analysis shares: its parameters and its session. */
@@ -13,6 +15,9 @@ namespace squeal::tribology
   public:
     explicit Context(const TribologyParameters &parameters,
                      const RunOptions          &options = {});
+
+    /** Announces plots/name.png and returns its path without the ending. */
+    std::string plot_path(const std::string &name);
 
     const TribologyParameters &parameters;
   };

@@ -3,6 +3,7 @@
 #define squeal_tribology_history_contact_grid_h
 
 #include <squeal/results/contact_history.h>
+#include <squeal/results/contact_map.h>
 #include <squeal/tribology/subsurface/half_space.h>
 
 #include <Eigen/Core>
@@ -14,7 +15,8 @@ namespace squeal::tribology
   /**
    * The nodal cells of a pad's face: where the nodes stand on a rectangular
    * grid, rectangles between the lines midway between nodes, at the rim cut at
-   * the nodes themselves; else squares of the tributary area.
+   * the nodes themselves; else squares of the tributary area. Pictures take
+   * the pieces of the face where the history has them.
    */
   class ContactGrid
   {
@@ -50,6 +52,14 @@ namespace squeal::tribology
     std::size_t                     n_y() const;
     const std::vector<std::size_t> &order() const;
 
+    /** Pieces of the face, four nodes each in order round it: of the history or
+     * of the grid; none where neither tells them. */
+    const std::vector<std::array<unsigned int, 4>> &quads() const;
+
+    /** The face as pictures draw it, seen from the disc: x to the right, y
+     * (along the sliding) up, the leading edge below. */
+    DrawnFace drawn_face() const;
+
     /** Distance of a node from the nearest edge of the face. */
     double edge_distance(std::size_t node) const;
 
@@ -62,12 +72,14 @@ namespace squeal::tribology
 
   private:
     void build(const std::vector<std::array<double, 3>> &points);
+    void set_quads_of_grid();
 
-    std::vector<std::array<double, 2>> places;
-    std::vector<double>                areas, xs, ys;
-    std::vector<Patch>                 cells;
-    std::vector<std::size_t>           ordered;
-    Patch                              whole{};
+    std::vector<std::array<double, 2>>       places;
+    std::vector<double>                      areas, xs, ys;
+    std::vector<Patch>                       cells;
+    std::vector<std::size_t>                 ordered;
+    std::vector<std::array<unsigned int, 4>> pieces;
+    Patch                                    whole{};
   };
 } // namespace squeal::tribology
 
