@@ -29,7 +29,7 @@ namespace
   errors()
   {
     check(headline_error({{"reduction", 1e-9}, {"mesh", 2e-3}}) ==
-            "0.2 % (mesh)",
+            rounded_text(0.2, 2) + " % (mesh)",
           "the mesh's error is the headline where it is the largest");
     check(headline_error({{"reduction", 1e-9}}) ==
             rounded_text(1e-9, 2) + " (reduction)",
@@ -299,7 +299,7 @@ namespace
     f.branches        = {good};
     f.leading         = 0;
     check(left_out_text(f).empty(), "nothing is left out of good fits");
-    check(has(growth_text(f), "grows by 1220 +- 0.500 1/s"),
+    check(has(growth_text(f), "grows by 1220 +- 0.50 1/s"),
           "a rate is told with its error: " + growth_text(f));
     f.branches.push_back(bad);
     check(has(left_out_text(f), "1 of 2 pairs") &&

@@ -39,6 +39,7 @@ namespace
     layout.name         = "two nodes";
     layout.points       = {{{0., 0., 0.}}, {{1e-3, 0., 0.}}};
     layout.areas        = {1e-6, 2e-6};
+    layout.quads        = {{{0, 1, 1, 0}}};
     layout.probe_names  = {"top_m"};
     layout.energy_names = {"kinetic_j", "elastic_j"};
     return layout;
@@ -137,6 +138,7 @@ namespace
             reader.layout().name == "two nodes" &&
             reader.layout().areas == two_nodes().areas &&
             reader.layout().points == two_nodes().points &&
+            reader.layout().quads == two_nodes().quads &&
             reader.layout().probe_names == two_nodes().probe_names &&
             reader.layout().energy_names == two_nodes().energy_names,
           "the layout comes back");
@@ -316,6 +318,13 @@ namespace
             "do not increase",
             "times out of order");
     refuses([] { poke("nodes/area", 1, -1.); }, "area", "a negative area");
+    for (const double corner : {-1., 2., .5, double(NAN)})
+      refuses([corner] { poke("nodes/quads", 0, corner); },
+              "names a node in 'nodes/quads' that it does not have",
+              "a piece of the face with the node " + std::to_string(corner));
+    refuses([] { claim_rows("nodes/quads", 80); },
+            "not four nodes each",
+            "pieces of the face in one column");
     for (const hsize_t n : {hsize_t(1) << 38, hsize_t(1) << 60})
       refuses([n] { claim_rows("nodes/area", n); },
               "does not fit into the memory (dataset nodes/area",

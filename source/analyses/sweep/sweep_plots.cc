@@ -189,7 +189,8 @@ namespace squeal
                 }
             chart.series.push_back(s);
           }
-      chart.legend = Chart::Legend::none;
+      if (chart.series.size() > 6)
+        chart.legend = Chart::Legend::none;
       return chart;
     }
 
