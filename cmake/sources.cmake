@@ -287,6 +287,7 @@ set(SQUEAL_SOURCES_MODEL
 set(SQUEAL_SOURCES_OUTPUT
     source/output/cea_quantities.cc
     source/output/contact_output.cc
+    source/output/force_charts.cc
     source/output/headline_error.cc
     source/output/headlines.cc
     source/output/loudest_pairs.cc
@@ -302,6 +303,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
     source/analyses/limit_cycle/branch_output.cc
+    source/analyses/limit_cycle/cycle_motion.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc

@@ -98,19 +98,28 @@ namespace squeal
 
 
 
+  Eigen::MatrixXd
+  resultant_rows(const ContactGeometry &g)
+  {
+    const ContactFrame mean = mean_frame(g);
+    Eigen::MatrixXd    rows = Eigen::MatrixXd::Zero(3, 3 * g.points.size());
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        const ContactFrame &frame = g.frames[j];
+        rows(0, 3 * j + 1)        = frame.sliding * mean.transverse;
+        rows(0, 3 * j + 2)        = frame.transverse * mean.transverse;
+        rows(1, 3 * j + 1)        = frame.sliding * mean.sliding;
+        rows(1, 3 * j + 2)        = frame.transverse * mean.sliding;
+        rows(2, 3 * j)            = 1.;
+      }
+    return rows;
+  }
+
   std::array<double, 3>
   resultant_force(const ContactGeometry &g, const Eigen::VectorXd &forces)
   {
-    const ContactFrame        frame = mean_frame(g);
-    const std::vector<Vector> q     = tractions(g, forces);
-    Vector                    sum;
-    double                    normal = 0.;
-    for (std::size_t j = 0; j < g.points.size(); ++j)
-      {
-        sum += q[j] * g.areas[j];
-        normal += forces[3 * j];
-      }
-    return {{sum * frame.transverse, sum * frame.sliding, normal}};
+    const Eigen::Vector3d force = resultant_rows(g) * forces;
+    return {{force[0], force[1], force[2]}};
   }
 
 

@@ -2,7 +2,8 @@
 
 // The animation of a transient, read back from its files: what bodies and
 // contact nodes do there is what the tables say, by each integrator and over a
-// stop in the middle. Arguments: the program, the folder of parameter files.
+// stop in the middle. The forces of portraits are those of every step.
+// Arguments: the program, the folder of parameter files.
 
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/base/timers.h>
@@ -219,6 +220,75 @@ namespace
     return gap;
   }
 
+  /** A run that can be stopped, and what it is about. */
+  struct Runs
+  {
+    Runs(const std::string &folder, const std::vector<std::string> &settings)
+      : p(read_parameters(folder + "/tribobrake/transient.prm", settings))
+      , model(p, timers)
+      , prepared(PressedModel(p,
+                              *model.discretization(),
+                              model.body_matrices(),
+                              p.transient.cut_off,
+                              timers),
+                 p,
+                 timers)
+    {
+    }
+
+    TransientRun
+    start() const
+    {
+      return {prepared.pressed, prepared.steady, prepared.linear, {}, p};
+    }
+
+    const Parameters        p;
+    Timers                  timers;
+    Model                   model;
+    const PreparedTransient prepared;
+  };
+
+  /** Portraits are drawn from every step, however few the samples are. */
+  void
+  every_step(const std::string &folder)
+  {
+    std::vector<std::string> all = settings("reduced");
+    all.insert(all.end(),
+               {"Transient/Sample interval = 4e-5",
+                "Scene/Contact pad_disc/Contact state = full"});
+    const Runs   runs(folder, all);
+    TransientRun run = runs.start();
+    check(run.advance(), "to the end");
+    const double           step   = 2e-6;
+    const TransientRecord &record = run.record();
+    check(record.last_steps.size() == 1000, "every step of the run");
+    Worst off;
+    for (std::size_t k = 1; k < record.samples.size(); ++k)
+      {
+        const TransientSample &sample = record.samples[k];
+        const StepForces      &same   = record.last_steps[20 * k - 1];
+        off.add(std::abs(same.time - sample.time) / step);
+        off.add(std::abs(same.normal - sample.normal));
+        off.add(std::abs(same.tangential - sample.tangential));
+      }
+    check_within(off, 1e-9, "they are the samples where there are samples");
+    const double     frequency = 10e3;
+    const ForceCurve drawn     = last_periods(record, frequency);
+    Worst            spacing;
+    for (std::size_t i = 1; i < drawn.time.size(); ++i)
+      spacing.add(std::abs(drawn.time[i] - drawn.time[i - 1] - step) / step);
+    check_within(spacing, 1e-9, "drawn are neighbouring steps");
+    check(drawn.time.size() == 301 &&
+            drawn.time.back() == record.samples.back().time,
+          "six periods up to the end");
+    for (const Chart &chart : portraits(drawn))
+      check(chart.series[0].x.size() >= 299 &&
+              chart.series[0].x.size() == chart.series[0].y.size(),
+            chart.title + " has them all");
+    check(last_periods(record, 10.).time.size() == 1000,
+          "no more than there are");
+  }
+
   /** The run stopped amid the frames gives the same frames. */
   void
   restart(const std::string &folder, const std::string &integrator)
@@ -229,22 +299,9 @@ namespace
                 "Transient/End time = 4e-4",
                 "Transient/Animation frames = 120",
                 "Scene/Contact pad_disc/Contact state = full"});
-    const Parameters p =
-      read_parameters(folder + "/tribobrake/transient.prm", all);
-    Timers                  timers;
-    Model                   model(p, timers);
-    const PreparedTransient prepared(PressedModel(p,
-                                                  *model.discretization(),
-                                                  model.body_matrices(),
-                                                  p.transient.cut_off,
-                                                  timers),
-                                     p,
-                                     timers);
-    const auto              run = [&]() {
-      return TransientRun(
-        prepared.pressed, prepared.steady, prepared.linear, {}, p);
-    };
-    TransientRun whole = run(), stopped = run(), resumed = run();
+    const Runs   runs(folder, all);
+    TransientRun whole = runs.start(), stopped = runs.start(),
+                 resumed = runs.start();
     check(whole.advance(), "to the end");
     check(!stopped.advance([&](const unsigned int) {
       return stopped.record().frames.size() > 40;
@@ -264,6 +321,12 @@ namespace
     check(same && a.frame_nodes[0].pressure == b.frame_nodes[0].pressure &&
             a.frame_nodes[0].slip_rate == b.frame_nodes[0].slip_rate,
           "every bit of the frames, " + integrator);
+    bool same_forces = a.last_steps.size() == 200 && b.last_steps.size() == 200;
+    for (std::size_t k = 0; same_forces && k < a.last_steps.size(); ++k)
+      same_forces = a.last_steps[k].time == b.last_steps[k].time &&
+                    a.last_steps[k].normal == b.last_steps[k].normal &&
+                    a.last_steps[k].tangential == b.last_steps[k].tangential;
+    check(same_forces, "every bit of the forces after each step");
     check((integrator == "implicit") == (a.frames[0].unknowns.size() > 0),
           "a full model gives all its unknowns");
   }
@@ -291,6 +354,7 @@ main(int argc, char *argv[])
   check(gaps[0] < 1e-7, "implicit: gaps under a pressure are small");
   check(gaps[1] < 0.6 * gaps[0], "and fall with the time step");
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  every_step(folder);
   restart(folder, "reduced");
   restart(folder, "implicit");
 }

@@ -27,6 +27,9 @@ namespace squeal
   std::array<double, 3> resultant_force(const ContactGeometry &geometry,
                                         const Eigen::VectorXd &forces);
 
+  /** resultant_force() as a matrix: 3 x three a node. */
+  Eigen::MatrixXd resultant_rows(const ContactGeometry &geometry);
+
   /** The resultant of nodal forces on the contact face and where it acts. */
   struct ContactResultant
   {

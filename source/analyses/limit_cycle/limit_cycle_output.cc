@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
-#include <squeal/results/chart.h>
+#include <squeal/output/force_charts.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/run_context.h>
 
@@ -272,47 +272,29 @@ namespace squeal
   void
   draw_cycle(RunContext &context, const CycleResult &c, HtmlReport &report)
   {
-    const CycleFigures &f = c.figures;
-    const unsigned int  n = c.motion.orbit.n_steps();
-    Chart               forces;
-    forces.title   = "One period";
-    forces.x.label = "time, ms";
-    forces.y.label = "N";
-    ChartSeries normal, tangential;
-    normal.label     = "normal force";
-    tangential.label = "tangential force";
-    Chart portrait;
-    portrait.title   = "Phase portrait of the normal force";
-    portrait.x.label = "normal force, N";
-    portrait.y.label = "its rate, N/s";
-    ChartSeries loop;
-    for (unsigned int i = 0; i <= n; ++i)
-      {
-        const unsigned int at = i % n, next = (i + 1) % n,
-                           last = (at + n - 1) % n;
-        const double time       = 1e3 * (i + 1) * c.motion.orbit.step;
-        normal.x.push_back(time);
-        tangential.x.push_back(time);
-        normal.y.push_back(f.resultants(0, at));
-        tangential.y.push_back(f.resultants(1, at));
-        loop.x.push_back(f.resultants(0, at));
-        loop.y.push_back((f.resultants(0, next) - f.resultants(0, last)) /
-                         (2. * c.motion.orbit.step));
-      }
-    unsigned int ink = 0;
-    for (ChartSeries *s : {&normal, &tangential, &loop})
-      {
-        s->style = ChartSeries::Style::lines;
-        s->ink   = series_ink(s == &loop ? 0 : ink++);
-      }
-    forces.series   = {normal, tangential};
-    portrait.series = {loop};
-    portrait.legend = Chart::Legend::none;
-    context.output.file("plots/limit_cycle.png");
-    const std::string path = context.output.path() + "/plots/limit_cycle";
-    context.plotter.draw(draw_charts({forces, portrait}, 1400, 1100), path);
-    report.figure(path + ".png",
-                  "Resultants over one period, every step, and the phase "
-                  "portrait");
+    const CycleFigures &f     = c.figures;
+    const unsigned int  n     = c.motion.orbit.n_steps();
+    const auto          steps = [&](const unsigned int number) {
+      ForceCurve curve;
+      for (unsigned int i = 0; i <= number; ++i)
+        curve.add(i * c.motion.orbit.step,
+                  f.resultants(0, (i + n - 1) % n),
+                  f.resultants(1, (i + n - 1) % n));
+      return curve;
+    };
+    const auto draw = [&](const std::string        &name,
+                          const std::vector<Chart> &charts,
+                          const std::string        &caption) {
+      context.output.file("plots/" + name + ".png");
+      const std::string path = context.output.path() + "/plots/" + name;
+      context.plotter.draw(draw_charts(charts, 1400, 1200), path);
+      report.figure(path + ".png", caption, true);
+    };
+    report.section("One period");
+    draw("period",
+         {forces_over_time(steps(n), "One period")},
+         "Resultants, every step");
+    // The rate at the ends of the period needs the steps around them.
+    draw("limit_cycle", portraits(steps(n + 2)), "Every step of the period");
   }
 } // namespace squeal

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/branch_output.h>
+#include <squeal/analyses/limit_cycle/cycle_motion.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 
 #include <squeal/analyses/analyses.h>
@@ -7,6 +8,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/output/moving_pictures.h>
 #include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
@@ -18,6 +20,8 @@ namespace squeal
 {
   namespace
   {
+    /** Moments of the moving picture of a period. */
+    constexpr unsigned int n_frames = 32;
     /** Of the largest force of a node that a step may miss the law by. */
     constexpr double contact_tolerance = 1e-10;
 
@@ -194,6 +198,8 @@ namespace squeal
      * for. */
     void
     report_cycles(RunContext                       &context,
+                  const Model                      &model,
+                  const SteadyModel                &about,
                   const std::vector<CycleResult>   &cycles,
                   const std::optional<CycleBranch> &branch)
     {
@@ -223,6 +229,16 @@ namespace squeal
           context.write_table("limit_cycle_multipliers.csv", multipliers);
           if (p.output.plots && context.is_root)
             draw_cycle(context, first, report);
+          if (p.output.report)
+            {
+              Timers::Section section(context.timers, "Write: motion");
+              report.section("Motion");
+              show_frames(context,
+                          model,
+                          motion_of_cycle(about, first.motion.orbit, n_frames),
+                          "One period",
+                          report);
+            }
           report.section("Harmonics");
           report.table(harmonics, "Amplitudes of the resultants");
           report.section("Floquet multipliers");
@@ -300,6 +316,6 @@ namespace squeal
     std::optional<CycleBranch> branch;
     if (!p.sweep.axes.empty() && cycles.front().has_converged())
       branch = branch_of(context, pressed, cycles.front());
-    report_cycles(context, cycles, branch);
+    report_cycles(context, model, about, cycles, branch);
   }
 } // namespace squeal

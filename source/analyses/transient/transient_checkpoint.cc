@@ -36,6 +36,13 @@ namespace squeal
     static_assert(sizeof(TransientSample) == 16 * sizeof(double),
                   "every member of a sample is kept");
 
+    const Fields<StepForces> step_fields = {
+      {"time", &StepForces::time},
+      {"normal", &StepForces::normal},
+      {"tangential", &StepForces::tangential}};
+    static_assert(sizeof(StepForces) == 3 * sizeof(double),
+                  "every member of a step's forces is kept");
+
     const Fields<PairSample> pair_fields = {
       {"tangential", &PairSample::tangential},
       {"radial", &PairSample::radial},
@@ -270,6 +277,7 @@ namespace squeal
       result.set("counters/" + name, kept.*counter);
     result.set("samples", by_field(kept.samples, sample_fields));
     result.set("pairs", numbers_of(kept.pairs));
+    result.set("last_steps", by_field(kept.last_steps, step_fields));
     result.set("nodes", by_field(kept.nodes, node_fields));
     result.set("changes", numbers_of(kept.changes));
     for (std::size_t i = 0; i < kept.histories.size(); ++i)
@@ -309,7 +317,8 @@ namespace squeal
     record.pairs =
       pairs_from(memory.group("pairs"),
                  record.samples.size() * pressed.nodes().pairs().size());
-    const auto &real = memory.get(
+    record.last_steps = from_fields(memory.group("last_steps"), step_fields);
+    const auto &real  = memory.get(
       "amplitudes/real", record.samples.size() * recorded.lambda.size());
     const auto &imaginary = memory.get("amplitudes/imaginary", real.size());
     for (std::size_t i = 0; i < real.size(); ++i)

@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/output/contact_output.h>
+#include <squeal/output/force_charts.h>
 #include <squeal/results/chart.h>
 #include <squeal/run/run_context.h>
 
@@ -14,7 +15,9 @@ namespace squeal
 {
   namespace
   {
-    constexpr std::size_t most_points = 4000;
+    constexpr std::size_t most_points          = 4000;
+    constexpr double      periods_shown        = 6.;
+    constexpr std::size_t steps_without_period = 1000;
 
     ChartSeries
     line(const std::string &label, const Ink ink)
@@ -26,46 +29,37 @@ namespace squeal
       return s;
     }
 
-    /** Both resultants over time between two samples. */
+    /** Both resultants over the whole run: of many samples the least and the
+     * largest of every group. */
     Chart
-    force_chart(const TransientRecord &record,
-                const std::size_t      first,
-                const std::size_t      last,
-                const std::string     &title)
+    force_chart(const TransientRecord &record)
     {
-      Chart chart;
-      chart.title            = title;
-      chart.x.label          = "time in ms";
-      chart.y.label          = "force in N";
-      ChartSeries normal     = line("normal", Ink::blue),
-                  tangential = line("tangential", Ink::vermillion);
-      // Of many samples the least and the largest of every group.
+      ForceCurve        curve;
+      const auto       &samples = record.samples;
       const std::size_t group =
-        std::max<std::size_t>(1, 2 * (last - first) / most_points);
-      for (std::size_t i = first; i < last; i += group)
+        std::max<std::size_t>(1, 2 * samples.size() / most_points);
+      const auto extreme = [&](const std::size_t first, const bool largest) {
+        const auto begin = samples.begin() + first,
+                   end   = begin + std::min(group, samples.size() - first);
+        const auto value = [&](double TransientSample::*x) {
+          const auto less = [&](const auto &a, const auto &b) {
+            return a.*x < b.*x;
+          };
+          const auto at = largest ? std::max_element(begin, end, less)
+                                  : std::min_element(begin, end, less);
+          return (*at).*x;
+        };
+        curve.add(begin->time,
+                  value(&TransientSample::normal),
+                  value(&TransientSample::tangential));
+      };
+      for (std::size_t i = 0; i < samples.size(); i += group)
         {
-          const auto begin = record.samples.begin() + i;
-          const auto end   = begin + std::min(group, last - i);
-          for (auto *s : {&normal, &tangential})
-            {
-              const auto value = [&](const TransientSample &x) {
-                return s == &normal ? x.normal : x.tangential;
-              };
-              const auto ends = std::minmax_element(
-                begin, end, [&](const auto &a, const auto &b) {
-                  return value(a) < value(b);
-                });
-              s->x.push_back(1e3 * begin->time);
-              s->y.push_back(value(*ends.first));
-              if (group > 1)
-                {
-                  s->x.push_back(1e3 * begin->time);
-                  s->y.push_back(value(*ends.second));
-                }
-            }
+          extreme(i, false);
+          if (group > 1)
+            extreme(i, true);
         }
-      chart.series = {normal, tangential};
-      return chart;
+      return forces_over_time(curve, "Forces");
     }
 
     Chart
@@ -154,24 +148,6 @@ namespace squeal
       return chart;
     }
 
-    Chart
-    phase_portrait(const TransientRecord &record, const std::size_t first)
-    {
-      Chart chart;
-      chart.title   = "Tangential over normal force, last periods";
-      chart.x.label = "normal force in N";
-      chart.y.label = "tangential force in N";
-      ChartSeries s = line("", Ink::blue);
-      for (std::size_t i = first; i < record.samples.size(); ++i)
-        {
-          s.x.push_back(record.samples[i].normal);
-          s.y.push_back(record.samples[i].tangential);
-        }
-      chart.series = {s};
-      chart.legend = Chart::Legend::none;
-      return chart;
-    }
-
     /** Pressure at eight moments of the last period kept, or fewer where that
      * has fewer samples. */
     std::vector<ContactMap::Panel>
@@ -239,6 +215,23 @@ namespace squeal
 
 
 
+  ForceCurve
+  last_periods(const TransientRecord &record, const double frequency)
+  {
+    ForceCurve  all;
+    const auto &steps = record.last_steps;
+    for (const StepForces &s : steps)
+      all.add(s.time, s.normal, s.tangential);
+    if (steps.size() < 2)
+      return all;
+    const double step = steps[1].time - steps[0].time;
+    return all.last(frequency > 0.
+                      ? std::lround(periods_shown / frequency / step) + 1
+                      : steps_without_period);
+  }
+
+
+
   void
   draw_transient(RunContext              &context,
                  const PreparedTransient &prepared,
@@ -254,32 +247,28 @@ namespace squeal
                           const std::vector<Chart> &charts,
                           const std::string        &caption) {
       const std::string file = path(name);
-      context.plotter.draw(draw_charts(charts), file);
+      context.plotter.draw(
+        draw_charts(charts, 1400, charts.size() > 1 ? 1200 : 900), file);
       report.figure(file + ".png", caption, true);
     };
     const std::size_t n = record.samples.size();
     if (n < 16)
       return;
-    const double interval     = record.samples[1].time - record.samples[0].time;
-    const std::size_t periods = std::min<std::size_t>(
-      n / 2,
-      f.frequency > 0. ? std::lround(6. / f.frequency / interval) + 1 : 100);
+    const ForceCurve end = last_periods(record, f.frequency);
     report.section("Charts");
-    draw("forces", {force_chart(record, 0, n, "Forces")}, "Forces over time");
+    draw("forces", {force_chart(record)}, "Forces over time");
     draw("forces_last_periods",
-         {force_chart(record, n - periods, n, "Forces, last periods")},
-         "Forces, last periods");
+         {forces_over_time(end, "Forces, every step of the last periods")},
+         "Forces, every step of the last periods");
     draw("spectrum", {spectrum_chart(record, f)}, "Spectrum");
     if (!f.branches.empty())
       draw("branches",
            {branch_chart(record, f)},
            "Pairs of the largest sigma; shaded: the linear phase, in which "
            "growth rates are fitted");
-    draw(
-      "limit_cycle",
-      {phase_portrait(record, n - periods)},
-      "Tangential over normal force, last periods: a closed curve in a limit "
-      "cycle");
+    draw("limit_cycle",
+         portraits(end),
+         "Every step of the last periods: closed curves in a limit cycle");
     const auto &pairs = prepared.pressed.nodes().pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i)
       draw_pressure(context,

@@ -108,6 +108,7 @@ namespace squeal
     const unsigned int n     = model.model().n_modes();
     const auto        &pairs = model.nodes().pairs();
     kept.nodes.resize(model.model().n_nodes());
+    sums = Eigen::MatrixXd::Zero(steady.forces.size(), 2);
     kept.histories.resize(pairs.size());
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
@@ -115,6 +116,9 @@ namespace squeal
         const std::vector<bool> of_pair = leading_edge(pair.geometry);
         const bool              is_part = counts(model.nodes(), pair);
         axes.emplace_back(pair.geometry);
+        if (is_part)
+          sums.middleRows(3 * pair.first, 3 * pair.n_nodes()) =
+            resultant_rows(pair.geometry).bottomRows<2>().transpose();
         for (std::size_t j = 0; j < of_pair.size(); ++j)
           {
             edge.push_back(of_pair[j] && is_part);
@@ -159,6 +163,8 @@ namespace squeal
         const unsigned int n = static_cast<unsigned int>(kept.n_steps);
         if (n > n_steps / 2)
           take_node_shares();
+        if (n_steps_left() < most_last_steps)
+          take_step_forces();
         if (n % stride == 0)
           {
             take_sample(linear_since_sample);
@@ -224,6 +230,15 @@ namespace squeal
         node.peak_pressure =
           std::max(node.peak_pressure, lambda[3 * j] / areas[j]);
       }
+  }
+
+
+
+  void
+  TransientRun::take_step_forces()
+  {
+    const Eigen::Vector2d force = sums.transpose() * motion->forces();
+    kept.last_steps.push_back({motion->time(), force[1], force[0]});
   }
 
 

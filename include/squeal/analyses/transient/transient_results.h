@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/eigen/complex_pairs.h>
+#include <squeal/output/force_charts.h>
 #include <squeal/results/table.h>
 #include <squeal/transient/growth.h>
 #include <squeal/transient/linearized_motion.h>
@@ -175,14 +176,18 @@ namespace squeal
                              const TransientRecord   &record,
                              const std::string       &name,
                              const std::string       &path);
-  void draw_transient(RunContext              &context,
-                      const PreparedTransient &prepared,
-                      const TransientRecord   &record,
-                      const TransientFigures  &figures,
-                      HtmlReport              &report);
-  void draw_speeds(RunContext  &context,
-                   const Table &speeds,
-                   HtmlReport  &report);
+  /** The last steps of a run, six periods of @p frequency (Hz; 0: no period), as
+   * far as the record has them. */
+  ForceCurve last_periods(const TransientRecord &record,
+                          const double           frequency);
+  void       draw_transient(RunContext              &context,
+                            const PreparedTransient &prepared,
+                            const TransientRecord   &record,
+                            const TransientFigures  &figures,
+                            HtmlReport              &report);
+  void       draw_speeds(RunContext  &context,
+                         const Table &speeds,
+                         HtmlReport  &report);
   /** Amplitudes and phases of phase tables, each with its label. */
   void draw_phases(RunContext                                       &context,
                    const std::vector<std::pair<std::string, Table>> &runs,

@@ -33,6 +33,13 @@ namespace squeal
            driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
   };
 
+  /** Sums as in TransientSample, after one step. */
+  struct StepForces
+  {
+    double time   = 0.;                  /**< s */
+    double normal = 0., tangential = 0.; /**< N */
+  };
+
   /** What one pair adds to a sample. */
   struct PairSample
   {
@@ -69,6 +76,9 @@ namespace squeal
     std::vector<std::complex<double>> amplitudes; /**< samples x branches */
     std::vector<HistorySamples>       histories;  /**< of each pair */
     std::vector<StatusChange>         changes;    /**< nodes of all pairs */
+    /** After each of the last steps, at most TransientRun::most_last_steps: a
+     * curve through samples cuts the corners of a limit cycle. */
+    std::vector<StepForces> last_steps;
     /** The last samples, as many as `Animation frames`, and the nodes of each
      * pair then. */
     std::vector<MotionFrame>    frames;
@@ -102,6 +112,10 @@ namespace squeal
                  const std::vector<unsigned int> &branches,
                  const Parameters                &parameters);
 
+    /** Steps that the record has one by one: some ten periods of a squeal at 1
+     * kHz in steps of 2e-7 s, and 1 MB. */
+    static constexpr unsigned int most_last_steps = 50000;
+
     /** Called now and then with the steps since; true: stop. */
     using Watch = std::function<bool(const unsigned int n_steps)>;
 
@@ -134,16 +148,20 @@ namespace squeal
                        HistorySamples        &history) const;
     void take_frame(const TransientSample &sample);
     void take_node_shares();
+    void take_step_forces();
     /** Speed of the drive at the end of the last step, m/s. */
     double speed_now() const;
 
-    const PressedModel                  &pressed;
-    const SteadySliding                 &steady;
-    const LinearizedMotion               recorded; /**< the branches only */
-    const TransientParameters           &settings;
-    const std::vector<double>            areas; /**< of all nodes */
-    std::vector<FaceAxes>                axes;  /**< of each pair */
-    std::vector<bool>                    edge;  /**< of all nodes */
+    const PressedModel        &pressed;
+    const SteadySliding       &steady;
+    const LinearizedMotion     recorded; /**< the branches only */
+    const TransientParameters &settings;
+    const std::vector<double>  areas; /**< of all nodes */
+    std::vector<FaceAxes>      axes;  /**< of each pair */
+    /** Of the forces of all nodes: the sums of StepForces, normal and
+     * tangential, a column each. */
+    Eigen::MatrixXd                      sums;
+    std::vector<bool>                    edge; /**< of all nodes */
     double                               edge_area = 0., area = 0.;
     unsigned int                         n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;
