@@ -159,6 +159,33 @@ figure.motion .key span { width: 9rem; height: .8rem; }
       this.azimuth = -50;
       this.elevation = 28;
       this.zoom = 1;
+      this.fit();
+    }
+    // The directions to the right, upwards and to the eye.
+    axes() {
+      const a = this.azimuth * Math.PI / 180,
+            e = this.elevation * Math.PI / 180;
+      return [[-Math.sin(a), Math.cos(a), 0],
+              [-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a),
+               Math.cos(e)],
+              [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a),
+               Math.sin(e)]];
+    }
+    // The scene at rest fills the view, with room for what moves.
+    fit() {
+      const axes = this.axes(), low = [0, 0], high = [0, 0];
+      for (let i = 0; i < this.base.length; i += 3)
+        for (let c = 0; c < 2; ++c) {
+          const s = axes[c][0] * this.base[i] + axes[c][1] * this.base[i + 1] +
+                    axes[c][2] * this.base[i + 2];
+          low[c] = i ? Math.min(low[c], s) : s;
+          high[c] = i ? Math.max(high[c], s) : s;
+        }
+      this.half = Math.max((high[0] - low[0]) / 4, (high[1] - low[1]) / 2) +
+                  0.12 * this.data.reach;
+      this.target = [0, 1, 2].map(k =>
+        axes[0][k] * (low[0] + high[0]) / 2 +
+        axes[1][k] * (low[1] + high[1]) / 2);
     }
     choose(number) {
       const motion = this.data.motions[number];
@@ -228,11 +255,7 @@ figure.motion .key span { width: 9rem; height: .8rem; }
     }
     look() {
       const width = this.frame.clientWidth, height = Math.round(width * 0.5),
-            a = this.azimuth * Math.PI / 180,
-            e = this.elevation * Math.PI / 180,
-            eye = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a),
-                   Math.sin(e)],
-            half = 0.9 * this.data.reach / this.zoom;
+            eye = this.axes()[2], half = this.half / this.zoom;
       if (width !== this.width) {
         this.width = width;
         this.renderer.setPixelRatio(window.devicePixelRatio);
@@ -244,8 +267,8 @@ figure.motion .key span { width: 9rem; height: .8rem; }
       this.camera.bottom = -half;
       this.camera.near = -20 * this.data.reach;
       this.camera.far = 20 * this.data.reach;
-      this.camera.position.set(...eye);
-      this.camera.lookAt(0, 0, 0);
+      this.camera.position.set(...eye.map((x, k) => x + this.target[k]));
+      this.camera.lookAt(...this.target);
       this.camera.updateProjectionMatrix();
       this.light.position.set(eye[0] - eye[1], eye[1] + eye[0], eye[2] + 0.8);
     }
