@@ -76,6 +76,12 @@ def reports(file, runs):
     return [p for p in (os.path.join(runs, n) for n in names) if os.path.isfile(p)]
 
 
+def complaints_of(log):
+    """The lines of a browser's log that tell of an error of a page."""
+    return [line for line in log.splitlines()
+            if ":CONSOLE" in line and re.search(r"error|fail|uncaught", line, re.I)]
+
+
 def screenshot(page, picture, height):
     """Draws the top of a page. Returns the complaints of the browser."""
     said = subprocess.run(
@@ -83,8 +89,7 @@ def screenshot(page, picture, height):
                     "file://" + os.path.abspath(page)],
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
         timeout=180).stdout
-    complaints = [line for line in said.splitlines()
-                  if ":CONSOLE" in line and re.search(r"error|fail|uncaught", line, re.I)]
+    complaints = complaints_of(said)
     if not os.path.isfile(picture):
         complaints.append("no picture was drawn")
     return complaints
