@@ -196,6 +196,57 @@ namespace squeal
 
 
   std::string
+  friction_headline(const Table           &t,
+                    const SweepParameters &sweep,
+                    const SceneParameters &scene)
+  {
+    const SweepAxisParameters &axis = sweep.axes.at(0);
+    // rows of one value of all other axes, by their name
+    std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+    SweepParameters others = sweep;
+    others.axes.erase(others.axes.begin());
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      {
+        if (t.is_missing(i, "macroscopic_friction"))
+          continue;
+        const std::string name = run_name(t, i, others, scene);
+        auto              group =
+          std::find_if(groups.begin(), groups.end(), [&](const auto &g) {
+            return g.first == name;
+          });
+        if (group == groups.end())
+          group = groups.insert(group, {name, {}});
+        group->second.push_back(i);
+      }
+    std::vector<std::string> texts;
+    for (const auto &[name, rows] : groups)
+      {
+        const auto friction = [&t](const std::size_t i) {
+          return t.real(i, "macroscopic_friction");
+        };
+        const auto [least, most] =
+          std::minmax_element(rows.begin(),
+                              rows.end(),
+                              [&](const std::size_t i, const std::size_t j) {
+                                return friction(i) < friction(j);
+                              });
+        const std::string low  = rounded_text(friction(*least), 3),
+                          high = rounded_text(friction(*most), 3);
+        texts.push_back((name.empty() ? "" : name + ": ") +
+                        (low == high
+                           ? low + " throughout"
+                           : low + " (at " + brief(t.real(*least, axis.name)) +
+                               " m/s) to " + high + " (at " +
+                               brief(t.real(*most, axis.name)) + " m/s)"));
+      }
+    return texts.empty()
+             ? ""
+             : "macroscopic friction over the speed: " + prm::join(texts, "; ");
+  }
+
+
+
+  std::string
   comparison_headline(const Table &t)
   {
     std::size_t n = 0, n_within = 0;

@@ -203,6 +203,34 @@ namespace
       {"2 of 3 runs unstable", "2 with a limit cycle", "3100 to 3400", "7.0"},
       "a campaign says what its runs end in");
 
+    SweepParameters over_speed;
+    over_speed.axes = {axis("v", {"Scene/Contact pad_disc/Sliding speed"}),
+                       axis("mu", {mu})};
+    const Table       friction = table_of({"v", "mu", "macroscopic_friction"},
+                                    {{0.1, 0.2, 0.2},
+                                           {0.1, 0.6, 0.5},
+                                           {0.3, 0.2, 0.2},
+                                           {0.3, 0.6, 0.4},
+                                           {2., 0.6, 0.55},
+                                           {2., 0.7, Cell()}});
+    const std::string seen     = friction_headline(friction, over_speed, scene);
+    says(seen,
+         {rounded_text(0.2, 3) + " throughout",
+          rounded_text(0.4, 3) + " (at 0.3 m/s) to " + rounded_text(0.55, 3) +
+            " (at 2 m/s)"},
+         "one over the speed says the friction that is seen from outside");
+    check(!has(seen, "0.7"), "and nothing where none is known: " + seen);
+    check(friction_headline(table_of({"v", "mu", "macroscopic_friction"}, {}),
+                            over_speed,
+                            scene)
+            .empty(),
+          "nor of no runs");
+    says(least_friction_text(
+           table_of({"speed_m_per_s", "macroscopic_friction"},
+                    {{0.1, 0.3}, {0.2, 0.1}, {0.3, Cell()}, {0.4, 0.2}})),
+         {rounded_text(0.1, 3) + ", at " + rounded_text(0.2, 3) + " m/s"},
+         "a run whose speed rises says where friction is least");
+
     says(
       work_headline(table_of({"$ladder",
                               "error_rel",

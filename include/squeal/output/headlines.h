@@ -36,6 +36,12 @@ namespace squeal
    * any other campaign's table. */
   std::string campaign_headline(const Table &campaign);
 
+  /** The friction that is seen from outside over the first axis, a sliding
+   * speed, for every value of the others; empty where no run has one. */
+  std::string friction_headline(const Table           &campaign,
+                                const SweepParameters &sweep,
+                                const SceneParameters &scene);
+
   /** How far growth in time and eigenvalues lie apart: of a campaign's table
    * with the column "rate_difference". */
   std::string comparison_headline(const Table &campaign);

@@ -301,7 +301,8 @@ namespace squeal
                            ? HtmlReport::Verdict::bad
                          : f.verdict == "stable" ? HtmlReport::Verdict::good
                                                  : HtmlReport::Verdict::neutral,
-                         transient_headline(f, trigger),
+                         (has_ramp ? least_friction_text(speeds) + "; " : "") +
+                           transient_headline(f, trigger),
                          context.record.figures);
       if (p.output.plots && context.is_root)
         {

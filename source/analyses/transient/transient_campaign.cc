@@ -12,6 +12,7 @@
 #include <squeal/base/stop_request.h>
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/column_title.h>
 #include <squeal/run/finished_runs.h>
 #include <squeal/run/run_context.h>
@@ -406,25 +407,20 @@ namespace squeal
 
 
 
-    /** "12 runs", and of how many a limit cycle stands beside stable sliding:
-     * "stable" alone would deny it. */
     std::string
     campaign_verdict(const Table &table, const Parameters &p)
     {
       if (table.has_column("rate_difference"))
         return comparison_headline(table);
-      if (!table.has_column("outcome"))
-        return campaign_headline(table);
-      std::string  text = trigger_headline(table, p.sweep, p.scene);
-      unsigned int n    = 0;
-      for (std::size_t i = 0; i < table.n_rows(); ++i)
-        n += table.text(i, "stable") == "yes" &&
-             table.text(i, "outcome") == "squeal after the trigger";
-      if (n > 0)
-        text += ", " + std::to_string(n) +
-                " of them stable about steady sliding that squeal after the "
-                "trigger: a limit cycle stands beside it";
-      return text;
+      if (table.has_column("outcome"))
+        return trigger_headline(table, p.sweep, p.scene);
+      const bool over_speed =
+        !p.sweep.axes.empty() &&
+        unit_of_entry(p.sweep.axes[0].entries.at(0), p.scene) == "m/s";
+      const std::string friction =
+        over_speed ? friction_headline(table, p.sweep, p.scene) : "";
+      return (friction.empty() ? "" : friction + "; ") +
+             campaign_headline(table);
     }
 
 

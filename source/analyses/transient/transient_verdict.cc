@@ -90,10 +90,35 @@ namespace squeal
   transient_headline(const TransientFigures &f, const TriggerOutcome &trigger)
   {
     const std::string growth = growth_text(f);
-    return explained_verdict(f, trigger) +
-           (growth.empty() ? "" : ", " + growth) +
-           (f.has_limit_cycle ? ", limit cycle at " + limit_cycle_text(f)
-                              : "; no limit cycle: " + reason_for_no_cycle(f));
+    std::string       text =
+      explained_verdict(f, trigger) + (growth.empty() ? "" : ", " + growth);
+    if (f.has_limit_cycle)
+      return text + ", limit cycle at " + limit_cycle_text(f);
+    text += "; no limit cycle: " + reason_for_no_cycle(f);
+    return f.verdict == "unstable"
+             ? text
+             : text + "; normal force " + rounded_text(f.min_normal, 3) +
+                 " to " + rounded_text(f.max_normal, 3) + " N";
+  }
+
+
+
+  std::string
+  least_friction_text(const Table &speeds)
+  {
+    std::size_t least = speeds.n_rows();
+    for (std::size_t i = 0; i < speeds.n_rows(); ++i)
+      if (!speeds.is_missing(i, "macroscopic_friction") &&
+          (least == speeds.n_rows() ||
+           speeds.real(i, "macroscopic_friction") <
+             speeds.real(least, "macroscopic_friction")))
+        least = i;
+    if (least == speeds.n_rows())
+      return "";
+    return "least macroscopic friction " +
+           rounded_text(speeds.real(least, "macroscopic_friction"), 3) +
+           ", at " + rounded_text(speeds.real(least, "speed_m_per_s"), 3) +
+           " m/s";
   }
 
 

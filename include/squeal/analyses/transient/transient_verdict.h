@@ -17,6 +17,10 @@ namespace squeal
   std::string transient_headline(const TransientFigures &figures,
                                  const TriggerOutcome   &trigger);
 
+  /** Where the friction that is seen from outside is least, of the table of
+   * speeds; empty where none is known. */
+  std::string least_friction_text(const Table &speeds);
+
   /** Whether a vibration stays, by itself or after a trigger. */
   bool squeals(const TransientFigures &figures, const TriggerOutcome &trigger);
 
