@@ -204,8 +204,11 @@ set(SQUEAL_SOURCES_TRANSIENT
 
 set(SQUEAL_SOURCES_CYCLE
     source/cycle/active_contact.cc
+    source/cycle/branch_memory.cc
+    source/cycle/branch_run.cc
     source/cycle/branch_step.cc
     source/cycle/cycle_branch.cc
+    source/cycle/cycle_friction.cc
     source/cycle/cycle_search.cc
     source/cycle/harmonic_balance.cc
     source/cycle/harmonic_balance_newton.cc
@@ -303,7 +306,9 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
     source/analyses/limit_cycle/branch_output.cc
+    source/analyses/limit_cycle/cycle_columns.cc
     source/analyses/limit_cycle/cycle_motion.cc
+    source/analyses/limit_cycle/limit_cycle_branch.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc

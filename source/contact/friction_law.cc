@@ -37,6 +37,16 @@ namespace squeal
 
 
 
+  bool
+  FrictionLaw::is_constant_in_slip() const
+  {
+    return is_constant() ||
+           (kind == ContactParameters::FrictionLaw::exponential &&
+            decay_speed == 0.);
+  }
+
+
+
   double
   FrictionLaw::coefficient(const double v) const
   {
@@ -141,6 +151,14 @@ namespace squeal
   {
     return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
       return law.is_constant();
+    });
+  }
+
+  bool
+  FrictionLaws::is_constant_in_slip() const
+  {
+    return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
+      return law.is_constant_in_slip();
     });
   }
 

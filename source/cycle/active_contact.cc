@@ -116,6 +116,17 @@ namespace squeal
     return result;
   }
 
+  Eigen::VectorXd
+  ActiveContact::row_of_forces(const unsigned int     node,
+                               const Eigen::Vector3d &row) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
+    for (Eigen::Index i = 0; i < size(); ++i)
+      if (unknowns[i].node == node)
+        result[i] = row.dot(unknowns[i].force);
+    return result;
+  }
+
   Eigen::MatrixXd
   ActiveContact::forces(const Eigen::MatrixXd &x) const
   {

@@ -158,14 +158,6 @@ namespace squeal
 
 
   std::string
-  CycleResult::stability() const
-  {
-    return multipliers.is_stable()     ? "stable"
-           : multipliers.is_unstable() ? "unstable"
-                                       : "at its limit";
-  }
-
-  std::string
   CycleResult::status() const
   {
     const CycleStatus worst =

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/cycle/located_transient.h>
-#include <squeal/cycle/slip_origin.h>
 
 namespace squeal
 {
   LocatedTransient::LocatedTransient(const ReducedContactModel &m,
                                      const double               time_step,
                                      TransientDrive             drive,
-                                     const Eigen::VectorXd     &mu,
-                                     const double               v,
+                                     const CycleFriction       &law,
                                      const double               nodal_force,
                                      const double               tolerance)
     : ReducedTransient(m, time_step, std::move(drive), nodal_force, tolerance)
     , model(m)
-    , friction(mu)
-    , speed(v)
+    , friction(law)
     , dt(time_step)
   {
   }
@@ -45,7 +42,11 @@ namespace squeal
     force_at_start  = forces();
     motion_at_start = motion();
     const ChangesInStep changes(
-      model, friction, speed, dt, force_at_start, motion_at_start, past);
+      model, friction, dt, force_at_start, motion_at_start, past);
+    step.nodal_friction = friction.kinetic;
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      if (changes.is_held_at_rest(j))
+        step.nodal_friction[j] = friction.limit_at_rest(j);
     Eigen::VectorXd slip(2 * model.n_nodes());
     if (held)
       slip = held->slip[used.slip.size()];
@@ -55,39 +56,66 @@ namespace squeal
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       step.previous_motion.segment<2>(3 * j + 1) += slip.segment<2>(2 * j);
     used.slip.push_back(std::move(slip));
+    used.position.push_back(held ? held->position[used.position.size()]
+                                 : by_jumps(changes));
+    if (used.position.back().size() > 0)
+      step.free_motion.noalias() += model.participation * used.position.back();
   }
 
 
 
   Eigen::VectorXd
-  LocatedTransient::bends() const
+  LocatedTransient::by_jumps(const ChangesInStep &changes) const
+  {
+    const ModalStep &m = step_of_modes();
+    Eigen::VectorXd  result;
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      if (const auto share = changes.release(j))
+        {
+          const Eigen::Vector3d jump = changes.jump(j, *share);
+          const BesideLine      x    = ChangesInStep::beside_line(
+            *share, -*share * jump, (1. - *share) * jump);
+          const auto Psi = model.participation.middleRows<3>(3 * j);
+          if (result.size() == 0)
+            result = Eigen::VectorXd::Zero(model.n_modes());
+          result -= m.q_f0.cwiseProduct(Psi.transpose() * x.at_start) +
+                    m.q_f1.cwiseProduct(Psi.transpose() * x.at_end);
+        }
+    return result;
+  }
+
+
+
+  Eigen::VectorXd
+  LocatedTransient::beside_lines() const
   {
     const ChangesInStep changes(
-      model, friction, speed, dt, force_at_start, motion_at_start, past);
-    // A triangle over the straight line with its tip where the force bends, as
-    // the straight line of the same impulse and moment.
-    Eigen::VectorXd before = Eigen::VectorXd::Zero(forces().size()),
-                    after  = before;
+      model, friction, dt, force_at_start, motion_at_start, past);
+    Eigen::VectorXd start = Eigen::VectorXd::Zero(forces().size()), end = start;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       if (const auto share = changes.share(j, status()[j]))
         {
-          const Eigen::Vector3d tip =
-            *share *
-            (force_at_start + past.force_change - forces()).segment<3>(3 * j);
-          before.segment<3>(3 * j) = (1. - *share) * tip;
-          after.segment<3>(3 * j)  = *share * tip;
+          const BesideLine x =
+            changes.beside_line(j, *share, forces().segment<3>(3 * j));
+          start.segment<3>(3 * j) = x.at_start;
+          end.segment<3>(3 * j)   = x.at_end;
         }
     return -step_of_modes().v_f0.cwiseProduct(model.participation.transpose() *
-                                              before) -
+                                              start) -
            step_of_modes().v_f1.cwiseProduct(model.participation.transpose() *
-                                             after);
+                                             end);
   }
 
+
+
   void
-  LocatedTransient::finish_step(Eigen::VectorXd &velocity)
+  LocatedTransient::finish_step(Eigen::VectorXd &coordinates,
+                                Eigen::VectorXd &velocity)
   {
+    if (used.position.back().size() > 0)
+      coordinates += used.position.back();
     used.velocity.push_back(held ? held->velocity[used.velocity.size()]
-                                 : bends());
+                                 : beside_lines());
     velocity += used.velocity.back();
     past.motion_change_before = std::move(past.motion_change);
     past.motion_change        = motion() - motion_at_start;

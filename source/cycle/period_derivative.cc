@@ -11,9 +11,11 @@ namespace squeal
     struct Variation
     {
       Eigen::MatrixXd q, v, force;
-      Eigen::MatrixXd u, u_before; /**< three rows a node, a step before */
-      ActiveContact   contact;     /**< of the last step */
-      Eigen::MatrixXd unknowns;    /**< of that */
+      Eigen::MatrixXd u, u_before;    /**< three rows a node, a step before */
+      ActiveContact   contact;        /**< of the last step */
+      Eigen::MatrixXd unknowns;       /**< of that */
+      ActiveContact   contact_before; /**< of the step before that */
+      Eigen::MatrixXd unknowns_before;
     };
 
     /** What the steps of an orbit have in common. */
@@ -30,9 +32,12 @@ namespace squeal
       /** @p kept: nodes whose motion later steps need. */
       void
       advance(const ActiveContact             &c,
+              const ChangesInStep             &changes,
               const std::vector<unsigned int> &kept,
               Variation                       &x) const
       {
+        Eigen::MatrixXd at_start, at_end;
+        move_jumps(changes, x, at_start, at_end);
         std::vector<int> columns;
         if (const Eigen::MatrixXd more =
               added(x.contact, c.weight_before, columns);
@@ -44,6 +49,15 @@ namespace squeal
         x.v = modes.v_q.asDiagonal() * x.q + modes.v_v.asDiagonal() * x.v +
               modes.v_f0.asDiagonal() * x.force;
         x.q = std::move(q);
+        if (at_start.size() > 0)
+          {
+            x.q += modes.q_f0.asDiagonal() * at_start +
+                   modes.q_f1.asDiagonal() * at_end;
+            x.v += modes.v_f0.asDiagonal() * at_start +
+                   modes.v_f1.asDiagonal() * at_end;
+          }
+        x.contact_before  = x.contact;
+        x.unknowns_before = std::move(x.unknowns);
         x.unknowns.resize(0, x.q.cols());
         if (c.size() > 0)
           {
@@ -64,6 +78,39 @@ namespace squeal
       }
 
     private:
+      /** What the jumps of forces in the step add to those of the modes, as
+       * lines: a node that lets go later is held on to for longer. Empty where
+       * nothing jumps. */
+      void
+      move_jumps(const ChangesInStep &changes,
+                 const Variation     &x,
+                 Eigen::MatrixXd     &at_start,
+                 Eigen::MatrixXd     &at_end) const
+      {
+        for (unsigned int j = 0; j < model.n_nodes(); ++j)
+          if (const auto share = changes.release(j))
+            {
+              const auto [now, before] = changes.release_by_forces(j);
+              const auto moved_by      = [&](const Eigen::Vector3d &row,
+                                        const ActiveContact   &contact,
+                                        const Eigen::MatrixXd &unknowns) {
+                return Eigen::RowVectorXd(
+                  contact.row_of_forces(j, row).transpose() * unknowns);
+              };
+              const Eigen::RowVectorXd later =
+                moved_by(now, x.contact, x.unknowns) +
+                moved_by(before, x.contact_before, x.unknowns_before);
+              const Eigen::VectorXd force =
+                model.participation.middleRows<3>(3 * j).transpose() *
+                changes.jump(j, *share);
+              if (at_start.size() == 0)
+                at_start = at_end =
+                  Eigen::MatrixXd::Zero(x.q.rows(), x.q.cols());
+              at_start += (4. - 6. * *share) * force * later;
+              at_end += (6. * *share - 2.) * force * later;
+            }
+      }
+
       /** What @p weight of each node beside 1 adds to the modes' forces, -Psi^T
        * Q diag(weight - 1) and the columns that it has. */
       Eigen::MatrixXd
@@ -181,6 +228,8 @@ namespace squeal
       x.contact                   = ActiveContact(rows, model.n_nodes());
       x.unknowns                  = Eigen::MatrixXd::Zero(n_rows, size);
       x.unknowns.rightCols(n_rows).setIdentity();
+      x.contact_before  = x.contact;
+      x.unknowns_before = x.unknowns;
       return x;
     }
 
@@ -223,8 +272,7 @@ namespace squeal
 
   Eigen::MatrixXd
   period_derivative(const ReducedContactModel &model,
-                    const Eigen::VectorXd     &friction,
-                    const double               speed,
+                    const CycleFriction       &friction,
                     const Orbit               &orbit,
                     const std::vector<int>    &rows,
                     const StatusChanges        kind)
@@ -236,7 +284,6 @@ namespace squeal
         const ContactPast   past = orbit.past_of(i);
         const ChangesInStep changes(model,
                                     friction,
-                                    speed,
                                     orbit.step,
                                     orbit.states[i].forces,
                                     orbit.motions[i],
@@ -244,7 +291,8 @@ namespace squeal
         Eigen::VectorXd     slip = orbit.motions[i + 1] - orbit.motions[i];
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            slip[3 * j + 1] += orbit.step * speed * model.speed_ratio[j];
+            slip[3 * j + 1] +=
+              orbit.step * friction.speed * model.speed_ratio[j];
             slip.segment<2>(3 * j + 1) -=
               orbit.corrections.slip[i].segment<2>(2 * j);
           }
@@ -252,10 +300,10 @@ namespace squeal
           kind == StatusChanges::located ? settled_status(orbit, i, past)
                                          : orbit.status[i];
         ActiveContact contact(
-          status, orbit.states[i + 1].forces, slip, friction);
+          status, orbit.states[i + 1].forces, slip, friction.kinetic);
         if (kind == StatusChanges::located)
           contact.locate(changes, status, model.flexibility);
-        steps.advance(contact, nodes_that_count(orbit, i + 1), x);
+        steps.advance(contact, changes, nodes_that_count(orbit, i + 1), x);
       }
     Eigen::MatrixXd result(2 * model.n_modes() + rows.size(), x.q.cols());
     result << x.q, x.v, x.contact.forces(x.unknowns)(rows, Eigen::all);

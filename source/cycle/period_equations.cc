@@ -148,6 +148,7 @@ namespace squeal
         return false;
       }
     m.period   = period;
+    m.is_held  = held != nullptr;
     m.residual = energy_norm(map.reduced_model(), m.orbit.end(), start) /
                  motion_size(map.reduced_model(), m.orbit);
     return std::isfinite(m.residual);

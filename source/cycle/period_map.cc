@@ -8,14 +8,24 @@ namespace squeal
 {
   namespace
   {
+    /** Of nodes that do not know a law of their own: mu of LocatedTransient. */
     TransientDrive
-    constant_drive(const double friction, const double speed)
+    constant_drive(const double speed)
     {
       TransientDrive d;
-      d.friction = [friction](double) { return friction; };
+      d.friction = [](double) { return 0.; };
       d.speed    = [speed](double) { return speed; };
       d.load     = [](double) { return 1.; };
       return d;
+    }
+
+    CycleFriction
+    uniform(const double mu, const double speed, const unsigned int n_nodes)
+    {
+      CycleFriction result;
+      result.kinetic = Eigen::VectorXd::Constant(n_nodes, mu);
+      result.speed   = speed;
+      return result;
     }
   } // namespace
 
@@ -23,30 +33,23 @@ namespace squeal
 
   PeriodMap::PeriodMap(const ReducedContactModel &m,
                        const double               mu,
-                       const double               v,
+                       const double               speed,
                        const double               force,
                        const double               t)
-    : model(m)
-    , drive(constant_drive(mu, v))
-    , friction(Eigen::VectorXd::Constant(m.n_nodes(), mu))
-    , speed(v)
-    , nodal_force(force)
-    , tolerance(t)
+    : PeriodMap(m, uniform(mu, speed, m.n_nodes()), force, t)
   {
   }
 
-  PeriodMap::PeriodMap(const ReducedContactModel          &m,
-                       std::shared_ptr<const FrictionLaws> laws,
-                       const double                        v,
-                       const double                        force,
-                       const double                        t)
-    : PeriodMap(m, 0., v, force, t)
+  PeriodMap::PeriodMap(const ReducedContactModel &m,
+                       CycleFriction              law,
+                       const double               force,
+                       const double               t)
+    : model(m)
+    , drive(constant_drive(law.speed))
+    , friction(std::move(law))
+    , nodal_force(force)
+    , tolerance(t)
   {
-    if (!laws->is_constant())
-      throw InputError("periodic motions need one coefficient of friction at "
-                       "all slip rates");
-    friction   = laws->at_rest(m.n_nodes());
-    drive.laws = std::move(laws);
   }
 
 
@@ -62,7 +65,7 @@ namespace squeal
     orbit.step = time / n_steps;
     orbit.past = past;
     LocatedTransient motion(
-      model, orbit.step, drive, friction, speed, nodal_force, tolerance);
+      model, orbit.step, drive, friction, nodal_force, tolerance);
     motion.start(start.coordinates, start.velocities, start.forces);
     motion.set_past(past);
     if (held)
@@ -103,7 +106,7 @@ namespace squeal
                         const std::vector<int> &rows,
                         const StatusChanges     changes) const
   {
-    return period_derivative(model, friction, speed, orbit, rows, changes);
+    return period_derivative(model, friction, orbit, rows, changes);
   }
 
 

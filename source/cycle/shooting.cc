@@ -161,6 +161,7 @@ namespace squeal
             m.orbit    = std::move(best.orbit);
             m.period   = best.period;
             m.residual = best.residual;
+            m.is_held  = best.is_held;
           }
       }
   }
@@ -177,6 +178,12 @@ namespace squeal
   FloquetMultipliers::is_unstable() const
   {
     return largest - uncertainty() > 1.;
+  }
+
+  std::string
+  FloquetMultipliers::stability() const
+  {
+    return is_stable() ? "stable" : is_unstable() ? "unstable" : "at its limit";
   }
 
   double

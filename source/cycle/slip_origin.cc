@@ -8,6 +8,14 @@ namespace squeal
 {
   namespace
   {
+    /** By how much friction exceeds the limit of slip where it is more than
+     * rounding and the tolerance of the contact. */
+    constexpr double above_slip = 1e-6;
+    /** A release a little behind the end of the step counts to it: what the
+     * last steps tell is not so exact, and a node that lets go within a step by
+     * the law alone does not do so at a time that moves with its forces. */
+    constexpr double latest_release = 1.1;
+
     /** The share of a step after which @p value that has fallen by @p fall in
      * the step before is nothing. */
     std::optional<double>
@@ -22,15 +30,14 @@ namespace squeal
 
 
   ChangesInStep::ChangesInStep(const ReducedContactModel &m,
-                               const Eigen::VectorXd     &mu,
-                               const double               speed,
+                               const CycleFriction       &law,
                                const double               step,
                                const Eigen::VectorXd     &f,
                                const Eigen::VectorXd     &u,
                                const ContactPast         &p)
     : model(m)
-    , friction(mu)
-    , way(speed * step)
+    , friction(law)
+    , way(law.speed * step)
     , force(f)
     , motion(u)
     , past(p)
@@ -68,7 +75,20 @@ namespace squeal
   double
   ChangesInStep::reserve(const unsigned int j, const Eigen::Vector3d &f) const
   {
-    return friction[j] * f[0] - f.tail<2>().norm();
+    return friction.limit_at_rest(j) * f[0] - f.tail<2>().norm();
+  }
+
+  Eigen::Vector3d
+  ChangesInStep::force_of(const unsigned int j) const
+  {
+    return force.segment<3>(3 * j);
+  }
+
+  double
+  ChangesInStep::fall_of_reserve(const unsigned int j) const
+  {
+    const Eigen::Vector3d f = force_of(j);
+    return reserve(j, f - past.force_change.segment<3>(3 * j)) - reserve(j, f);
   }
 
 
@@ -145,20 +165,107 @@ namespace squeal
   std::optional<double>
   ChangesInStep::share(const unsigned int j, const ContactStatus now) const
   {
-    if (!past.is_known() || past.status[j] == now)
+    if (!past.is_known())
       return {};
+    if (past.status[j] == now)
+      return now == ContactStatus::slip ? release(j) : std::nullopt;
     if (now == ContactStatus::open)
       return share_of_fall(force[3 * j], -past.force_change[3 * j]);
     if (past.status[j] == ContactStatus::open)
       return closing(j).share;
     if (now == ContactStatus::slip)
-      {
-        const Eigen::Vector3d f      = force.segment<3>(3 * j);
-        const double          left   = reserve(j, f);
-        const Eigen::Vector3d change = past.force_change.segment<3>(3 * j);
-        return share_of_fall(left, reserve(j, f - change) - left);
-      }
+      return friction.jumps(j)
+               ? release(j)
+               : share_of_fall(reserve(j, force_of(j)), fall_of_reserve(j));
     const double share = origin(j).share;
     return share > 0. ? std::optional<double>(share) : std::nullopt;
+  }
+
+
+
+  std::optional<double>
+  ChangesInStep::release(const unsigned int j) const
+  {
+    if (!past.is_known() || !friction.jumps(j))
+      return {};
+    const Eigen::Vector3d f    = force_of(j);
+    const double          left = reserve(j, f);
+    if (past.status[j] == ContactStatus::stick)
+      {
+        const double fall = fall_of_reserve(j);
+        return left <= 0. ? std::optional<double>(0.)
+               : left < latest_release * fall
+                 ? std::optional<double>(left / fall)
+                 : std::nullopt;
+      }
+    // It has let go in the step before, earlier than was told.
+    const bool is_above =
+      f.tail<2>().norm() > (1. + above_slip) * friction.kinetic[j] * f[0];
+    return past.status[j] == ContactStatus::slip &&
+               past.status_before[j] == ContactStatus::stick && is_above
+             ? std::optional<double>(0.)
+             : std::nullopt;
+  }
+
+  bool
+  ChangesInStep::is_held_at_rest(const unsigned int j) const
+  {
+    // A start of which nothing is known may stick.
+    return !past.is_known() ||
+           (past.status[j] == ContactStatus::stick && !release(j));
+  }
+
+  std::pair<Eigen::Vector3d, Eigen::Vector3d>
+  ChangesInStep::release_by_forces(const unsigned int j) const
+  {
+    const double fall = fall_of_reserve(j);
+    if (!(fall > 0.))
+      return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    const double          left = reserve(j, force_of(j));
+    const Eigen::Vector3d before =
+      force_of(j) - past.force_change.segment<3>(3 * j);
+    const auto by_reserve = [&](const Eigen::Vector3d &f) {
+      Eigen::Vector3d result;
+      result << friction.limit_at_rest(j), -f.tail<2>().normalized();
+      return result;
+    };
+    return {(1. + left / fall) / fall * by_reserve(force_of(j)),
+            -left / (fall * fall) * by_reserve(before)};
+  }
+
+  Eigen::Vector3d
+  ChangesInStep::jump(const unsigned int j, const double share) const
+  {
+    Eigen::Vector3d at =
+      force_of(j) + share * past.force_change.segment<3>(3 * j);
+    const double size = at.tail<2>().norm();
+    at.tail<2>() *=
+      size > 0. ? friction.kinetic[j] * std::max(0., at[0]) / size - 1. : 0.;
+    at[0] = 0.;
+    return at;
+  }
+
+  BesideLine
+  ChangesInStep::beside_line(const unsigned int     j,
+                             const double           share,
+                             const Eigen::Vector3d &end) const
+  {
+    const Eigen::Vector3d before =
+      share * (force_of(j) + past.force_change.segment<3>(3 * j) - end);
+    return release(j) ? beside_line(share, before, before + jump(j, share))
+                      : beside_line(share, before, before);
+  }
+
+  BesideLine
+  ChangesInStep::beside_line(const double           share,
+                             const Eigen::Vector3d &before,
+                             const Eigen::Vector3d &after)
+  {
+    const Eigen::Vector3d impulse =
+                            .5 * (share * before + (1. - share) * after),
+                          moment =
+                            share * share / 3. * before +
+                            (2. * share + 1.) * (1. - share) / 6. * after;
+    return {4. * impulse - 6. * moment, 6. * moment - 2. * impulse};
   }
 } // namespace squeal

@@ -61,10 +61,12 @@ namespace squeal
 
 
   Checkpoints::Checkpoints(const std::string &path,
-                           const Fingerprint &fingerprint)
+                           const Fingerprint &fingerprint,
+                           const std::string &way)
     : last(path)
     , before(name_before(path))
     , fingerprint(fingerprint)
+    , way_to_start_anew(way)
   {
   }
 
@@ -114,8 +116,8 @@ namespace squeal
     if (found.file.empty() && !damaged.empty())
       throw InputError("checkpoint '" + damaged +
                        "' is damaged and there is no whole one of this run: "
-                       "move it away or set Transient/Resume = false to start "
-                       "anew");
+                       "move it away or " +
+                       way_to_start_anew + " to start anew");
     for (const Candidate &other : others)
       found.notes.push_back(
         "checkpoint '" + other.path + "' is " +

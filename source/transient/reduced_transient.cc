@@ -184,7 +184,7 @@ namespace squeal
     u           = solver.motion();
     friction.keep(step, u, solver.status());
     ++n_steps;
-    finish_step(v);
+    finish_step(q, v);
     // The ledger sees external forces and motions of both ends.
     const Eigen::VectorXd load_before = load_now, motion_before = motion_now;
     load_now   = load;
@@ -203,7 +203,7 @@ namespace squeal
   }
 
   void
-  ReducedTransient::finish_step(Eigen::VectorXd &)
+  ReducedTransient::finish_step(Eigen::VectorXd &, Eigen::VectorXd &)
   {
   }
 

@@ -9,7 +9,8 @@
 #include "scenes.h"
 #include "worst.h"
 
-#include <squeal/cycle/cycle_branch.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/cycle/branch_run.h>
 #include <squeal/cycle/cycle_search.h>
 #include <squeal/transient/linearized_motion.h>
 
@@ -102,27 +103,125 @@ namespace
                 branch_end_text(branch.last_end).c_str());
   }
 
-  CycleBranch
-  branch_of(const ReducedContactModel &m,
-            const PeriodMaps          &maps,
-            const double               start_at)
+  struct Start
+  {
+    PeriodicMotion motion;
+    BranchSettings settings;
+  };
+
+  Start
+  start_of(const ReducedContactModel &m,
+           const PeriodMaps          &maps,
+           const double               start_at)
   {
     const auto  map = maps(start_at);
     const Orbit tail =
       map->run(later(*map, disturbed(steady_sliding(m, start_at)), 600., .02),
                20.,
                2000);
-    const auto     return_ = recurrence(m, tail, 2., 8.);
-    BranchSettings s;
-    s.lower                = .2;
-    s.upper                = .7;
-    s.n_points             = 400;
-    s.largest_step         = .02;
-    s.shooting.n_steps     = n_steps;
-    s.shooting.tolerance   = 1e-8;
-    const PeriodicMotion x = shoot(*map, tail.end(), return_.first, s.shooting);
-    check(x.status == CycleStatus::converged, "the start of the branch");
-    return follow_branch(maps, x, start_at, s);
+    const auto      return_ = recurrence(m, tail, 2., 8.);
+    Start           start;
+    BranchSettings &s    = start.settings;
+    s.lower              = .2;
+    s.upper              = .7;
+    s.n_points           = 400;
+    s.largest_step       = .02;
+    s.shooting.n_steps   = n_steps;
+    s.shooting.tolerance = 1e-8;
+    start.motion         = shoot(*map, tail.end(), return_.first, s.shooting);
+    check(start.motion.status == CycleStatus::converged,
+          "the start of the branch");
+    return start;
+  }
+
+  /** Whether all numbers of two motions are the same. */
+  bool
+  same(const BranchPoint &a, const BranchPoint &b)
+  {
+    const MotionState &x = a.motion.orbit.end(), &y = b.motion.orbit.end();
+    return a.parameter == b.parameter && a.motion.period == b.motion.period &&
+           a.motion.residual == b.motion.residual &&
+           a.motion.iterations == b.motion.iterations &&
+           a.multipliers.largest == b.multipliers.largest &&
+           a.n_changes == b.n_changes && x.coordinates == y.coordinates &&
+           x.velocities == y.velocities && x.forces == y.forces;
+  }
+
+  void
+  check_same(const CycleBranch &a,
+             const CycleBranch &b,
+             const std::string &name)
+  {
+    bool all = a.points.size() == b.points.size() &&
+               a.first_end == b.first_end && a.last_end == b.last_end;
+    for (std::size_t i = 0; all && i < a.points.size(); ++i)
+      all = same(a.points[i], b.points[i]);
+    check(all, name + ": every bit");
+  }
+
+  template <typename Action>
+  void
+  check_refused(const Action &action, const std::string &name)
+  {
+    std::string text;
+    try
+      {
+        action();
+      }
+    catch (const InputError &e)
+      {
+        text = e.what();
+      }
+    check(!text.empty() && text.find('\n') == std::string::npos,
+          name + " is refused in one line: " + text);
+  }
+
+  /** Stopped half-way, with more points than before, from damaged numbers. */
+  void
+  resume()
+  {
+    const ReducedContactModel m    = two_modes();
+    const PeriodMaps          maps = [&](const double mu) {
+      return std::make_shared<const PeriodMap>(m, mu, .3, 1., 1e-12);
+    };
+    const double start_at = .5;
+    Start        start    = start_of(m, maps, start_at);
+    const auto   run      = [&](const unsigned int n_points) {
+      BranchSettings s = start.settings;
+      s.n_points       = n_points;
+      return BranchRun(maps, start.motion, start_at, s);
+    };
+    BranchRun whole = run(8), stopped = run(8), resumed = run(8),
+              shorter = run(4), extended = run(8);
+    check(whole.advance() && whole.n_points() == 17, "a branch of 17 points");
+    for (const std::size_t n : {4u, 12u})
+      {
+        check(!stopped.advance(
+                [&](const std::size_t points) { return points >= n; }),
+              "stopped at " + std::to_string(n) + " points");
+        resumed.restore(NamedNumbers::from_bytes(stopped.memory().bytes()));
+        check(resumed.n_points() == n, "continues from there");
+      }
+    check(resumed.advance(), "to both ends");
+    check_same(whole.branch(), resumed.branch(), "stopped");
+    check(shorter.advance(), "a shorter branch");
+    extended.restore(shorter.memory());
+    check(extended.advance(), "made longer");
+    check_same(whole.branch(), extended.branch(), "extended");
+    unsigned int n_held = 0;
+    for (const BranchPoint &x : whole.branch().points)
+      n_held += x.motion.is_held;
+    std::printf("resume: %u of %zu points with held corrections\n",
+                n_held,
+                whole.n_points());
+
+    const NamedNumbers memory = whole.memory();
+    for (const char *name : {"0/1/start/forces", "1/2/past/status", "0/step"})
+      {
+        NamedNumbers damaged = memory;
+        damaged.set(name, std::vector<double>{7., 7.});
+        check_refused([&]() { run(8).restore(damaged); }, name);
+      }
   }
 
   /** From the onset, on either side of the first change of status. */
@@ -194,7 +293,8 @@ namespace
                 name.c_str(),
                 critical,
                 rms);
-    const CycleBranch b = branch_of(m, maps, .5);
+    const Start       start = start_of(m, maps, .5);
+    const CycleBranch b = follow_branch(maps, start.motion, .5, start.settings);
     print(b, name);
     check_onset(b, critical, rms);
     check_transients(m, maps, b);
@@ -223,6 +323,8 @@ main(int argc, char *argv[])
     branch(3., which);
   else if (which == "sticking")
     branch(.3, which);
+  else if (which == "resume")
+    resume();
   else
-    check(false, "an argument: separating or sticking");
+    check(false, "an argument: separating, sticking or resume");
 }

@@ -143,8 +143,7 @@ namespace
           {
             const ContactPast   past = orbit.past_of(i);
             const ChangesInStep changes(m,
-                                        map.friction_coefficients(),
-                                        1.,
+                                        map.law_of_friction(),
                                         orbit.step,
                                         orbit.states[i].forces,
                                         orbit.motions[i],

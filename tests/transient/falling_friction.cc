@@ -25,27 +25,6 @@ namespace
   // The oscillator m = k = N = 1 on a belt.
   constexpr double belt = .1, kinetic = .3, at_rest = .5;
 
-  /** The mass of 1 kg on a spring of 1 N/m along y, 0.1 kg of it a foot on the
-   * belt behind a stiff spring, 0.0225 kg/dt^2, whose motion is damped
-   * critically: where the force of a foot jumps, one without damping would ring
-   * for ever. Modes: along z and x, the two along y. */
-  ReducedContactModel
-  foot_on_belt(const double dt)
-  {
-    const double        foot = .1, stiffness = .0225 / (dt * dt);
-    ReducedContactModel m = empty_model(1, 4);
-    m.flexibility         = dt * dt / foot * Eigen::MatrixXd::Identity(3, 3);
-    Eigen::Matrix2d K, M = Eigen::Vector2d(1. - foot, foot).asDiagonal();
-    K << 1. + stiffness, -stiffness, -stiffness, stiffness;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> modes(K, M);
-    m.omega_squared << 0., 0., modes.eigenvalues();
-    m.damping[3]          = 2. * std::sqrt(m.omega_squared[3]);
-    m.participation(0, 0) = m.participation(2, 1) = -1.;
-    m.participation.block(1, 2, 1, 2) = -modes.eigenvectors().row(1);
-    m.load[0]                         = -1.;
-    return m;
-  }
-
   /** A mass of 1 kg on a spring of 1 N/m along y, pressed on the belt. */
   ReducedContactModel
   oscillator(const double dt)

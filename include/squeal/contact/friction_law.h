@@ -41,6 +41,9 @@ namespace squeal
     explicit FrictionLaw(const ContactParameters &contact);
 
     bool is_constant() const;
+    /** Whether all nodes that slip have one coefficient, those that stick the
+     * same or a larger one. */
+    bool is_constant_in_slip() const;
     /** mu >= 0 of a node that slips at @p slip_rate >= 0, m/s. */
     double coefficient(const double slip_rate) const;
     /** dmu/d|v_t|, s/m; at a corner of a table that of the piece above. */
@@ -93,6 +96,8 @@ namespace squeal
     const FrictionLaw &of(const unsigned int node) const;
     /** Whether no law depends on the slip rate. */
     bool is_constant() const;
+    /** FrictionLaw::is_constant_in_slip() of every law. */
+    bool is_constant_in_slip() const;
     /** mu of @p n_nodes nodes that stick. */
     Eigen::VectorXd at_rest(const unsigned int n_nodes) const;
     /** As FrictionLaw::in_sliding(), each node by its law; nodes without speed

@@ -60,6 +60,9 @@ namespace squeal
     Eigen::MatrixXd times_forces(const Eigen::MatrixXd &A) const;
     /** R A, A with three rows a node. */
     Eigen::MatrixXd rows_of(const Eigen::MatrixXd &A) const;
+    /** Of @p row, three numbers of a node, times Q. */
+    Eigen::VectorXd row_of_forces(const unsigned int     node,
+                                  const Eigen::Vector3d &row) const;
     /** Q x, three rows a node. */
     Eigen::MatrixXd forces(const Eigen::MatrixXd &x) const;
 

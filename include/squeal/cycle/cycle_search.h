@@ -52,9 +52,6 @@ namespace squeal
       return motion.status == CycleStatus::converged &&
              coarse.status == CycleStatus::converged;
     }
-    /** "stable", "unstable", "at its limit" where the multipliers are too near
-     * to 1 to tell. */
-    std::string stability() const;
     std::string status() const;
   };
 

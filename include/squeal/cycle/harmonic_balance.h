@@ -2,6 +2,7 @@
 #ifndef squeal_cycle_harmonic_balance_h
 #define squeal_cycle_harmonic_balance_h
 
+#include <squeal/cycle/cycle_friction.h>
 #include <squeal/cycle/shooting.h>
 
 #include <Eigen/Dense>
@@ -10,21 +11,6 @@
 
 namespace squeal
 {
-  /** Coulomb's law at the nodes of a reduced model whose targets slide on. */
-  struct CycleFriction
-  {
-    Eigen::VectorXd kinetic; /**< mu >= 0 of every node that slips */
-    Eigen::VectorXd at_rest; /**< of those that stick, >= kinetic; empty: the
-                                same */
-    double speed = 0.;       /**< that the nodes' are measured by, m/s */
-
-    double
-    limit_at_rest(const unsigned int node) const
-    {
-      return at_rest.size() > 0 ? at_rest[node] : kinetic[node];
-    }
-  };
-
   /** A periodic motion by its contact forces at equal parts of the period. */
   struct HarmonicMotion
   {

@@ -2,7 +2,7 @@
 #ifndef squeal_cycle_located_transient_h
 #define squeal_cycle_located_transient_h
 
-#include <squeal/cycle/orbit.h>
+#include <squeal/cycle/slip_origin.h>
 #include <squeal/transient/reduced_transient.h>
 
 namespace squeal
@@ -11,18 +11,19 @@ namespace squeal
    * A reduced transient whose changes of status are located within the steps:
    * slip is counted from where a node comes to rest or closes, and the bend
    * that a force has where its node opens, closes, sticks or lets go has its
-   * impulse, which a straight line over the step misses. Constant speed and
-   * coefficients of friction.
+   * impulse, which a straight line over the step misses. Where a node sticks by
+   * a larger coefficient than it slips by, its force jumps when it lets go: its
+   * limit in that step is that of slip. Constant speed.
    */
   class LocatedTransient : public ReducedTransient
   {
   public:
-    /** References are kept. @p friction: mu >= 0 of every node. */
+    /** References are kept. Coefficients are those of @p friction; that of
+     * the drive and its laws do not count. */
     LocatedTransient(const ReducedContactModel &model,
                      const double               time_step,
                      TransientDrive             drive,
-                     const Eigen::VectorXd     &friction,
-                     const double               speed,
+                     const CycleFriction       &friction,
                      const double               nodal_force,
                      const double               tolerance);
 
@@ -36,13 +37,17 @@ namespace squeal
 
   private:
     void prepare_step(ContactStep &step) override;
-    void finish_step(Eigen::VectorXd &velocity) override;
-    /** What the bends of forces in the step add to the velocities. */
-    Eigen::VectorXd bends() const;
+    void finish_step(Eigen::VectorXd &coordinates,
+                     Eigen::VectorXd &velocity) override;
+    /** What jumps of forces in the step add to the coordinates; empty: there
+     * are none. Bends add less than the steps are exact to. */
+    Eigen::VectorXd by_jumps(const ChangesInStep &changes) const;
+    /** What bends and jumps add to the velocities. */
+    Eigen::VectorXd beside_lines() const;
 
     const ReducedContactModel &model;
-    const Eigen::VectorXd     &friction;
-    const double               speed, dt;
+    const CycleFriction       &friction;
+    const double               dt;
     ContactPast                past;
     const StepCorrections     *held = nullptr;
     StepCorrections            used;

@@ -39,6 +39,8 @@ namespace squeal
   {
     /** Of every step and node, m, two a node: motion before slip counts. */
     std::vector<Eigen::VectorXd> slip;
+    /** Of every step, of the modes' coordinates at its end; empty: nothing. */
+    std::vector<Eigen::VectorXd> position;
     /** Of every step, of the modes' velocities at its end. */
     std::vector<Eigen::VectorXd> velocity;
   };

@@ -2,6 +2,7 @@
 #ifndef squeal_cycle_period_derivative_h
 #define squeal_cycle_period_derivative_h
 
+#include <squeal/cycle/cycle_friction.h>
 #include <squeal/cycle/orbit.h>
 
 namespace squeal
@@ -25,12 +26,11 @@ namespace squeal
    * jumps, and what a node that closes slips from moves along with the time at
    * which it closes. Of second order in the step.
    *
-   * @param friction mu >= 0 of every node
-   * @param speed    that the nodes' are measured by, m/s
+   * Where a force jumps, the time at which it does so moves with the forces
+   * before, and the impulse with it.
    */
   Eigen::MatrixXd period_derivative(const ReducedContactModel &model,
-                                    const Eigen::VectorXd     &friction,
-                                    const double               speed,
+                                    const CycleFriction       &friction,
                                     const Orbit               &orbit,
                                     const std::vector<int>    &rows,
                                     const StatusChanges        changes);

@@ -3,6 +3,7 @@
 #define squeal_cycle_period_map_h
 
 #include <squeal/cycle/period_derivative.h>
+#include <squeal/transient/transient_integrator.h>
 
 #include <memory>
 
@@ -24,12 +25,10 @@ namespace squeal
               const double               speed,
               const double               nodal_force,
               const double               tolerance = 1e-10);
-    /** With a coefficient a pair: constant laws only. */
-    PeriodMap(const ReducedContactModel          &model,
-              std::shared_ptr<const FrictionLaws> laws,
-              const double                        speed,
-              const double                        nodal_force,
-              const double                        tolerance = 1e-10);
+    PeriodMap(const ReducedContactModel &model,
+              CycleFriction              friction,
+              const double               nodal_force,
+              const double               tolerance = 1e-10);
 
     /** @p past: of the start; changes of status in the first steps are located
      * where it is known, or are those of @p held. Throws ComputationError where a step has no solution,
@@ -61,11 +60,10 @@ namespace squeal
     double
     sliding_speed() const
     {
-      return speed;
+      return friction.speed;
     }
-    /** mu of every node. */
-    const Eigen::VectorXd &
-    friction_coefficients() const
+    const CycleFriction &
+    law_of_friction() const
     {
       return friction;
     }
@@ -73,8 +71,8 @@ namespace squeal
   private:
     const ReducedContactModel &model;
     TransientDrive             drive;
-    Eigen::VectorXd            friction;
-    const double               speed, nodal_force, tolerance;
+    CycleFriction              friction;
+    const double               nodal_force, tolerance;
   };
 } // namespace squeal
 

@@ -4,6 +4,8 @@
 
 #include <squeal/cycle/period_map.h>
 
+#include <string>
+
 namespace squeal
 {
   enum class CycleStatus
@@ -23,6 +25,8 @@ namespace squeal
     double              residual   = 0.;
     unsigned int        iterations = 0;
     std::vector<double> history; /**< residuals before every iteration */
+    /** Its steps have taken the corrections of another orbit. */
+    bool is_held = false;
   };
 
   struct ShootingSettings
@@ -86,6 +90,9 @@ namespace squeal
     /** By more than the uncertainty. */
     bool is_stable() const;
     bool is_unstable() const;
+    /** "stable", "unstable", "at its limit" where they are too near to 1 to
+     * tell. */
+    std::string stability() const;
   };
 
   /** Eigenvalues of the derivative of the steps over the period. */

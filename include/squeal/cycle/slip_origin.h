@@ -2,12 +2,20 @@
 #ifndef squeal_cycle_slip_origin_h
 #define squeal_cycle_slip_origin_h
 
+#include <squeal/cycle/cycle_friction.h>
 #include <squeal/cycle/orbit.h>
 
 #include <optional>
 
 namespace squeal
 {
+  /** A force beside its straight line over a step, as a line of the same
+   * impulse and moment, N. */
+  struct BesideLine
+  {
+    Eigen::Vector3d at_start, at_end;
+  };
+
   /**
    * Where nodes change their status within a step: told from the step itself
    * and from the two before, whose forces, gaps and slip rates go on as they
@@ -22,8 +30,7 @@ namespace squeal
   public:
     /** At the start of a step of length @p step, s. References are kept. */
     ChangesInStep(const ReducedContactModel &model,
-                  const Eigen::VectorXd     &friction,
-                  const double               speed,
+                  const CycleFriction       &friction,
                   const double               step,
                   const Eigen::VectorXd     &force,
                   const Eigen::VectorXd     &motion,
@@ -43,6 +50,35 @@ namespace squeal
     std::optional<double> share(const unsigned int  node,
                                 const ContactStatus now) const;
 
+    /** Whether the limit of a node in the step is that of sticking: it has
+     * stuck, and nothing lets go. */
+    bool is_held_at_rest(const unsigned int node) const;
+
+    /** The share of the step after which the force of a node that has stuck
+     * falls to the limit of slip; none where it goes on sticking or where both
+     * limits are the same. */
+    std::optional<double> release(const unsigned int node) const;
+
+    /** What release() moves by with the forces of the node, at the start of the
+     * step and one step before, 1/N. */
+    std::pair<Eigen::Vector3d, Eigen::Vector3d> release_by_forces(
+      const unsigned int node) const;
+
+    /** What the force jumps by at its release() at @p share, N. */
+    Eigen::Vector3d jump(const unsigned int node, const double share) const;
+
+    /** The force of a node that changes its status at @p share and is @p end, N,
+     * at the end of the step: it goes on as before until then and is bent
+     * there; at a release it jumps. */
+    BesideLine beside_line(const unsigned int     node,
+                           const double           share,
+                           const Eigen::Vector3d &end) const;
+    /** Triangles, nothing at both ends of the step, up to @p before and from @p
+     * after at @p share. */
+    static BesideLine beside_line(const double           share,
+                                  const Eigen::Vector3d &before,
+                                  const Eigen::Vector3d &after);
+
     /** Slip rate of a closing node over the rate of its gap, where it closes:
      * what its origin moves by with its motion along the normal. Zero for
      * nodes that do not close. */
@@ -61,11 +97,14 @@ namespace squeal
       Eigen::Vector2d slip, slip_rate;
     };
     Closing closing(const unsigned int node) const;
-    /** Of forces, what is left of Coulomb's limit. */
+    /** Of forces, what is left of Coulomb's limit of nodes that stick. */
     double reserve(const unsigned int node, const Eigen::Vector3d &f) const;
+    /** The same one step before less that at the start. */
+    double          fall_of_reserve(const unsigned int node) const;
+    Eigen::Vector3d force_of(const unsigned int node) const;
 
     const ReducedContactModel &model;
-    const Eigen::VectorXd     &friction;
+    const CycleFriction       &friction;
     const double               way; /**< of the target in a step, m */
     const Eigen::VectorXd     &force, &motion;
     const ContactPast         &past;

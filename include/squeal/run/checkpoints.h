@@ -30,8 +30,11 @@ namespace squeal
       std::vector<std::string> notes;
     };
 
-    /** @p path of the last one; that of the one before follows from it. */
-    Checkpoints(const std::string &path, const Fingerprint &fingerprint);
+    /** @p path of the last one; that of the one before follows from it. @p way
+     * to start anew, in words, for texts of errors. */
+    Checkpoints(const std::string &path,
+                const Fingerprint &fingerprint,
+                const std::string &way = "set Transient/Resume = false");
 
     /** The newest whole one of this run. Throws InputError, and leaves the
      * files as they are, where there are damaged ones and no whole one of this
@@ -54,6 +57,7 @@ namespace squeal
   private:
     const std::string last, before;
     const Fingerprint fingerprint;
+    const std::string way_to_start_anew;
   };
 } // namespace squeal
 

@@ -56,9 +56,10 @@ namespace squeal
     /** Called before the contact of a step is solved: may move what slip is
      * counted from. */
     virtual void prepare_step(ContactStep &step);
-    /** Called when it has been solved: may change the modes' velocities at the
-     * end of the step. */
-    virtual void finish_step(Eigen::VectorXd &velocity);
+    /** Called when it has been solved: may change the modes' coordinates and
+     * velocities at the end of the step. */
+    virtual void finish_step(Eigen::VectorXd &coordinates,
+                             Eigen::VectorXd &velocity);
 
     Eigen::VectorXd external_forces(const double time) const;
     Eigen::VectorXd external_motion(const double time) const;

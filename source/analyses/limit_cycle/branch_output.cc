@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/branch_output.h>
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/run_context.h>
@@ -12,14 +13,6 @@ namespace squeal
   namespace
   {
     using Type = Table::Type;
-
-    std::string
-    stability_of(const BranchPoint &x)
-    {
-      return x.multipliers.is_stable()     ? "stable"
-             : x.multipliers.is_unstable() ? "unstable"
-                                           : "at its limit";
-    }
 
     /** The points of each stability over the parameter, and a line through all
      * of them. */
@@ -52,7 +45,7 @@ namespace squeal
           points.ink    = ink;
           points.hollow = ink != Ink::blue;
           for (const BranchPoint &x : branch.points)
-            if (stability_of(x) == kind)
+            if (x.multipliers.stability() == kind)
               {
                 points.x.push_back(x.parameter);
                 points.y.push_back(value(x));
@@ -69,66 +62,30 @@ namespace squeal
   Table
   branch_table(const CycleBranch &branch)
   {
-    Table table(
+    using Column = ColumnOf<BranchPoint>;
+    std::vector<Column> columns{
       {{"parameter", Type::real, "", "number that the branch runs over", 8},
-       {"frequency_hz", Type::real, "Hz", "1/period", 8},
-       {"dominant_line_hz",
-        Type::real,
-        "Hz",
-        "largest harmonic of the normal force"},
-       {"mean_normal_n", Type::real, "N", "mean normal force"},
-       {"rms_normal_n", Type::real, "N", "of the normal force about its mean"},
-       {"rms_tangential_n",
-        Type::real,
-        "N",
-        "of the tangential force about its mean"},
-       {"stability", Type::text, "", "by the Floquet multipliers"},
-       {"largest_multiplier",
-        Type::real,
-        "",
-        "in size, of those beside the trivial one"},
-       {"largest_multiplier_error",
-        Type::real,
-        "",
-        "the larger of what the trivial one is off and the error at the start "
-        "of the branch",
-        3},
-       {"trivial_multiplier_error",
-        Type::real,
-        "",
-        "what the multiplier of the motion itself is off 1",
-        3},
-       {"is_fold", Type::integer, "", "1 where the parameter turns back"},
-       {"n_changes", Type::integer, "", "changes of status in a period"},
-       {"n_opening", Type::integer, "", "nodes that open in a period"},
-       {"n_sticking", Type::integer, "", "nodes that stick in a period"},
-       {"residual",
-        Type::real,
-        "",
-        "what the state misses after a period, over the motion",
-        3},
-       {"n_iterations", Type::integer, "", "of Newton's method"}});
-    for (const BranchPoint &x : branch.points)
-      {
-        const CycleFigures &f = x.figures;
-        table.add_row({x.parameter,
-                       f.frequency,
-                       f.largest_harmonic * f.frequency,
-                       f.mean_normal,
-                       f.rms_normal,
-                       f.rms_tangential,
-                       stability_of(x),
-                       x.multipliers.largest,
-                       x.multipliers.uncertainty(),
-                       std::abs(x.multipliers.trivial - 1.),
-                       x.is_fold ? 1 : 0,
-                       x.n_changes,
-                       f.n_opening,
-                       f.n_sticking,
-                       x.motion.residual,
-                       x.motion.iterations});
-      }
-    return table;
+       [](const BranchPoint &x) { return Cell(x.parameter); }}};
+    for (const char *name : {"frequency_hz",
+                             "dominant_line_hz",
+                             "mean_normal_n",
+                             "rms_normal_n",
+                             "rms_tangential_n",
+                             "stability",
+                             "largest_multiplier",
+                             "largest_multiplier_error",
+                             "trivial_multiplier_error"})
+      columns.push_back(common<BranchPoint>(name));
+    columns.push_back(
+      {{"is_fold", Type::integer, "", "1 where the parameter turns back"},
+       [](const BranchPoint &x) { return Cell(x.is_fold ? 1 : 0); }});
+    columns.push_back(
+      {{"n_changes", Type::integer, "", "changes of status in a period"},
+       [](const BranchPoint &x) { return Cell(x.n_changes); }});
+    for (const char *name :
+         {"n_opening", "n_sticking", "residual", "n_iterations"})
+      columns.push_back(common<BranchPoint>(name));
+    return table_of(columns, branch.points);
   }
 
 
@@ -143,7 +100,7 @@ namespace squeal
     const auto count = [&](const std::string &kind) {
       return std::to_string(std::count_if(
         branch.points.begin(), branch.points.end(), [&](const auto &x) {
-          return stability_of(x) == kind;
+          return x.multipliers.stability() == kind;
         }));
     };
     const auto folds = std::count_if(branch.points.begin(),

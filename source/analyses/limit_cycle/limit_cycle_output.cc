@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 #include <squeal/output/force_charts.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/run_context.h>
 
 #include <cmath>
-#include <limits>
 
 namespace squeal
 {
@@ -13,100 +13,127 @@ namespace squeal
   {
     using Type = Table::Type;
 
-    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
     /** Multipliers below this size are gone after a period. */
     constexpr double smallest_multiplier = 1e-3;
 
-    std::vector<Table::Column>
-    cycle_columns()
+    using Column = ColumnOf<CycleResult>;
+
+    /** Of a cycle that has been found; else nothing. */
+    Column
+    found(const Table::Column                              &declaration,
+          const std::function<double(const CycleResult &)> &value)
     {
-      return {
-        {"pair_frequency_hz", Type::real, "Hz", "of the growing pair"},
-        {"pair_sigma_per_s", Type::real, "1/s", "its growth rate"},
-        {"cycle_status", Type::text, "", "what the search has ended with"},
-        {"stability", Type::text, "", "by the Floquet multipliers"},
-        {"frequency_hz", Type::real, "Hz", "1/period", 8},
-        {"frequency_error_hz",
-         Type::real,
-         "Hz",
-         "difference to half the steps",
-         3},
-        {"dominant_line_hz",
-         Type::real,
-         "Hz",
-         "largest harmonic of the normal force"},
-        {"mean_normal_n", Type::real, "N", "mean normal force"},
-        {"rms_normal_n", Type::real, "N", "of the normal force about its mean"},
-        {"rms_normal_error_n",
-         Type::real,
-         "N",
-         "difference to half the steps",
-         3},
-        {"min_normal_n", Type::real, "N", "least normal force"},
-        {"max_normal_n", Type::real, "N", "largest normal force"},
-        {"rms_tangential_n",
-         Type::real,
-         "N",
-         "of the tangential force about its mean"},
-        {"n_opening", Type::integer, "", "nodes that open in a period"},
-        {"n_sticking", Type::integer, "", "nodes that stick in a period"},
-        {"largest_multiplier",
-         Type::real,
-         "",
-         "in size, of those beside the trivial one"},
-        {"largest_multiplier_error",
-         Type::real,
-         "",
-         "the larger of its difference to half the steps and of what the "
-         "trivial "
-         "one is off",
-         3},
-        {"trivial_multiplier_error",
-         Type::real,
-         "",
-         "what the multiplier of the motion itself is off 1",
-         3},
-        {"residual",
-         Type::real,
-         "",
-         "what the state misses after a period, over the motion",
-         3},
-        {"n_iterations", Type::integer, "", "of Newton's method, both steps"},
-        {"n_steps", Type::integer, "", "of a period"},
-        {"penetration_m",
-         Type::real,
-         "m",
-         "largest depth in the middle of a step",
-         3},
-        {"gap_range_m", Type::real, "m", "largest change of a gap", 3},
-        {"share_beyond_harmonics",
-         Type::real,
-         "",
-         "rms of the normal force beyond the harmonics written, over its rms",
-         3},
-        {"damping_work_j", Type::real, "J", "lost in damping a period"},
-        {"friction_work_j", Type::real, "J", "lost in slip a period"},
-        {"driving_work_j", Type::real, "J", "given by the targets a period"},
-        {"imbalance", Type::real, "", "of energy over the work of a period", 3},
-        {"first_change_sqrt_j",
-         Type::real,
-         "sqrt(J)",
-         "amplitude of the pair at which the first node opens or sticks"},
-        {"recurrence",
-         Type::real,
-         "",
-         "distance to the motion a period before at the end of the run, over "
-         "the mean one",
-         3}};
+      return {declaration, [value](const CycleResult &c) {
+                return c.has_converged() ? Cell(value(c)) : Cell();
+              }};
     }
 
-    /** Of the search that has gone furthest; NaN where none has begun. */
-    double
-    last_residual(const CycleResult &c)
+    std::vector<Column>
+    pair_columns()
     {
-      return !c.motion.history.empty()   ? c.motion.residual
-             : !c.coarse.history.empty() ? c.coarse.residual
-                                         : not_known;
+      return {
+        {{"pair_frequency_hz", Type::real, "Hz", "of the growing pair"},
+         [](const CycleResult &c) {
+           return Cell(c.pair.imag() / (2. * M_PI));
+         }},
+        {{"pair_sigma_per_s", Type::real, "1/s", "its growth rate"},
+         [](const CycleResult &c) { return Cell(c.pair.real()); }},
+        {{"cycle_status", Type::text, "", "what the search has ended with"},
+         [](const CycleResult &c) { return Cell(c.status()); }}};
+    }
+
+    std::vector<Column>
+    force_columns()
+    {
+      return {common<CycleResult>("stability"),
+              common<CycleResult>("frequency_hz"),
+              found({"frequency_error_hz",
+                     Type::real,
+                     "Hz",
+                     "difference to half the steps",
+                     3},
+                    [](const CycleResult &c) {
+                      return std::abs(c.figures.frequency -
+                                      c.coarse_figures.frequency);
+                    }),
+              common<CycleResult>("dominant_line_hz"),
+              common<CycleResult>("mean_normal_n"),
+              common<CycleResult>("rms_normal_n"),
+              found({"rms_normal_error_n",
+                     Type::real,
+                     "N",
+                     "difference to half the steps",
+                     3},
+                    [](const CycleResult &c) {
+                      return std::abs(c.figures.rms_normal -
+                                      c.coarse_figures.rms_normal);
+                    }),
+              found({"min_normal_n", Type::real, "N", "least normal force"},
+                    [](const CycleResult &c) { return c.figures.min_normal; }),
+              found({"max_normal_n", Type::real, "N", "largest normal force"},
+                    [](const CycleResult &c) { return c.figures.max_normal; })};
+    }
+
+    std::vector<Column>
+    step_columns(const unsigned int n_harmonics)
+    {
+      return {
+        {{"n_steps", Type::integer, "", "of a period"},
+         [](const CycleResult &c) { return Cell(c.motion.orbit.n_steps()); }},
+        found({"penetration_m",
+               Type::real,
+               "m",
+               "largest depth in the middle of a step",
+               3},
+              [](const CycleResult &c) { return c.figures.penetration; }),
+        found({"gap_range_m", Type::real, "m", "largest change of a gap", 3},
+              [](const CycleResult &c) { return c.figures.gap_range; }),
+        found({"share_beyond_harmonics",
+               Type::real,
+               "",
+               "rms of the normal force beyond the harmonics written, over its "
+               "rms",
+               3},
+              [n_harmonics](const CycleResult &c) {
+                return c.figures.beyond(n_harmonics);
+              })};
+    }
+
+    std::vector<Column>
+    energy_columns()
+    {
+      const auto energy = [](double EnergyLedger::*work) {
+        return
+          [work](const CycleResult &c) { return c.motion.orbit.ledger.*work; };
+      };
+      return {
+        found({"damping_work_j", Type::real, "J", "lost in damping a period"},
+              energy(&EnergyLedger::damping)),
+        found({"friction_work_j", Type::real, "J", "lost in slip a period"},
+              energy(&EnergyLedger::friction)),
+        found(
+          {"driving_work_j", Type::real, "J", "given by the targets a period"},
+          energy(&EnergyLedger::driving)),
+        found({"imbalance",
+               Type::real,
+               "",
+               "of energy over the work of a period",
+               3},
+              [](const CycleResult &c) {
+                return c.motion.orbit.ledger.imbalance();
+              }),
+        {{"first_change_sqrt_j",
+          Type::real,
+          "sqrt(J)",
+          "amplitude of the pair at which the first node opens or sticks"},
+         [](const CycleResult &c) { return Cell(c.first_change); }},
+        {{"recurrence",
+          Type::real,
+          "",
+          "distance to the motion a period before at the end of the run, over "
+          "the mean one",
+          3},
+         [](const CycleResult &c) { return Cell(c.recurrence); }}};
     }
 
     std::string
@@ -126,48 +153,23 @@ namespace squeal
   cycle_table(const std::vector<CycleResult> &cycles,
               const unsigned int              n_harmonics)
   {
-    Table table(cycle_columns());
-    for (const CycleResult &c : cycles)
-      {
-        const bool          found = c.has_converged();
-        const CycleFigures &f     = c.figures;
-        const auto          value = [&](const double x) {
-          return or_missing(found ? x : not_known);
-        };
-        const EnergyLedger &e = c.motion.orbit.ledger;
-        table.add_row(
-          {c.pair.imag() / (2. * M_PI),
-           c.pair.real(),
-           c.status(),
-           found ? Cell(c.stability()) : Cell(),
-           value(f.frequency),
-           value(std::abs(f.frequency - c.coarse_figures.frequency)),
-           value(f.largest_harmonic * f.frequency),
-           value(f.mean_normal),
-           value(f.rms_normal),
-           value(std::abs(f.rms_normal - c.coarse_figures.rms_normal)),
-           value(f.min_normal),
-           value(f.max_normal),
-           value(f.rms_tangential),
-           found ? Cell(f.n_opening) : Cell(),
-           found ? Cell(f.n_sticking) : Cell(),
-           value(c.multipliers.largest),
-           value(found ? c.multipliers.uncertainty() : not_known),
-           value(std::abs(c.multipliers.trivial - 1.)),
-           or_missing(last_residual(c)),
-           c.coarse.iterations + c.motion.iterations,
-           c.motion.orbit.n_steps(),
-           value(f.penetration),
-           value(f.gap_range),
-           value(found ? f.beyond(n_harmonics) : not_known),
-           value(e.damping),
-           value(e.friction),
-           value(e.driving),
-           value(found ? e.imbalance() : not_known),
-           c.first_change,
-           c.recurrence});
-      }
-    return table;
+    std::vector<Column> columns = pair_columns();
+    const auto          add     = [&](const std::vector<Column> &more) {
+      columns.insert(columns.end(), more.begin(), more.end());
+    };
+    add(force_columns());
+    for (const char *name : {"rms_tangential_n",
+                             "n_opening",
+                             "n_sticking",
+                             "largest_multiplier",
+                             "largest_multiplier_error",
+                             "trivial_multiplier_error",
+                             "residual",
+                             "n_iterations"})
+      columns.push_back(common<CycleResult>(name));
+    add(step_columns(n_harmonics));
+    add(energy_columns());
+    return table_of(columns, cycles);
   }
 
 
@@ -257,9 +259,9 @@ namespace squeal
     const double        df = std::abs(f.frequency - g.frequency),
                  dr        = std::abs(f.rms_normal - g.rms_normal);
     const std::string kind =
-      c.stability() == "at its limit"
+      c.multipliers.stability() == "at its limit"
         ? "a limit cycle whose stability the multipliers leave open at "
-        : (c.stability() == "stable" ? "a stable" : "an unstable") +
+        : (c.multipliers.stability() == "stable" ? "a stable" : "an unstable") +
             std::string(" limit cycle at ");
     return kind + rounded(f.frequency, df) + " +- " + rounded_text(df, 2) +
            " Hz, rms of the normal force " + rounded(f.rms_normal, dr) +

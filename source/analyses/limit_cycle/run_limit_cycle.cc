@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/branch_output.h>
 #include <squeal/analyses/limit_cycle/cycle_motion.h>
+#include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 
 #include <squeal/analyses/analyses.h>
@@ -9,7 +10,6 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
-#include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +22,6 @@ namespace squeal
   {
     /** Moments of the moving picture of a period. */
     constexpr unsigned int n_frames = 32;
-    /** Of the largest force of a node that a step may miss the law by. */
-    constexpr double contact_tolerance = 1e-10;
-
     /** Growing pairs of the band, the fastest first. */
     std::vector<Eigen::Index>
     growing_pairs(const LinearizedMotion &linear, const EigenParameters &band)
@@ -119,79 +116,6 @@ namespace squeal
            " m"},
         {"share beyond the harmonics", shown("share_beyond_harmonics")},
         {"imbalance of the ledger", shown("imbalance")}};
-    }
-
-    PeriodMap
-    map_of(const SteadyModel &about)
-    {
-      const PressedModel &pressed = about.pressed;
-      return {pressed.model(),
-              std::make_shared<const FrictionLaws>(pressed.nodes().laws()),
-              pressed.speed(),
-              about.sliding.resultant()[0] / pressed.model().n_nodes(),
-              contact_tolerance};
-    }
-
-    /** Steady sliding at one value of the parameter and the motions about it.
-     */
-    struct BranchMap
-    {
-      BranchMap(const SteadyModel &a)
-        : about(a)
-        , map(map_of(about))
-      {
-      }
-      const SteadyModel about;
-      const PeriodMap   map;
-    };
-
-    /** Throws InputError where the scene is not on the axis. */
-    void
-    require_on_axis(const Parameters &p)
-    {
-      const SweepAxisParameters &axis = p.sweep.axes.front();
-      const double               here = get_number(p, axis.entries.front());
-      if (here < axis.from.front() || here > axis.to.front())
-        throw InputError("Sweep/Axis " + axis.name + ": the scene's " +
-                         axis.entries.front() + " = " + rounded_text(here, 6) +
-                         " is outside: the branch starts there");
-    }
-
-    /** The branch of @p start over the axis. */
-    CycleBranch
-    branch_of(RunContext         &context,
-              const PressedModel &pressed,
-              const CycleResult  &start)
-    {
-      const Parameters                &p    = context.parameters;
-      const SweepAxisParameters       &axis = p.sweep.axes.front();
-      const SweepGrid                  grid(p);
-      std::shared_ptr<const BranchMap> kept[2];
-      double                           kept_at[2] = {-1., -1.};
-      const PeriodMaps                 maps = [&](const double parameter) {
-        for (const unsigned int i : {0u, 1u})
-          if (kept[i] && kept_at[i] == parameter)
-            return std::shared_ptr<const PeriodMap>(kept[i], &kept[i]->map);
-        kept[1]    = kept[0];
-        kept_at[1] = kept_at[0];
-        SweepPoint at(1);
-        at << parameter;
-        kept[0] = std::make_shared<const BranchMap>(
-          pressed.with_friction(friction_sizes(grid.scene(at).contacts))
-            .steady(p.preload.tolerance, context.timers));
-        kept_at[0] = parameter;
-        return std::shared_ptr<const PeriodMap>(kept[0], &kept[0]->map);
-      };
-      BranchSettings settings;
-      settings.lower    = axis.from.front();
-      settings.upper    = axis.to.front();
-      settings.n_points = axis.number;
-      settings.shooting = {
-        p.limit_cycle.steps, p.limit_cycle.iterations, p.limit_cycle.tolerance};
-      settings.multiplier_error = start.multipliers.uncertainty();
-      Timers::Section section(context.timers, "Solve: branch");
-      return follow_branch(
-        maps, start.motion, get_number(p, axis.entries.front()), settings);
     }
 
     /** Tables and report of @p cycles; the first is the one that was asked
@@ -302,7 +226,7 @@ namespace squeal
       throw ComputationError(
         "no pair of the band grows about steady sliding: there is nothing to "
         "start a limit cycle from");
-    const PeriodMap          map = map_of(about);
+    const PeriodMap          map = period_map_of(about);
     std::vector<CycleResult> cycles;
     {
       Timers::Section section(context.timers, "Solve: limit cycles");

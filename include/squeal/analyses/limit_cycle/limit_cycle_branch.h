@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_limit_cycle_limit_cycle_branch_h
+#define squeal_analyses_limit_cycle_limit_cycle_branch_h
+
+#include <squeal/cycle/cycle_branch.h>
+#include <squeal/model/pressed_model.h>
+
+namespace squeal
+{
+  class RunContext;
+
+  /** The motions of a scene about its steady sliding. @p about is kept. */
+  PeriodMap period_map_of(const SteadyModel &about);
+
+  /** Throws InputError where the scene is not on the axis of the sweep. */
+  void require_on_axis(const Parameters &parameters);
+
+  /** The branch of @p start over the axis of the sweep, from where an earlier
+   * run has left it in the branch file on, which has every point as soon as it
+   * is found. A signal ends the program after the point at hand. */
+  CycleBranch branch_of(RunContext         &context,
+                        const PressedModel &pressed,
+                        const CycleResult  &start);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
+#include <squeal/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+
+    /** Of a number that a cycle has, if there is one. */
+    template <typename Value>
+    std::function<Cell(const CycleRow &)>
+    of_cycle(const Value value)
+    {
+      return [value](const CycleRow &row) {
+        return row.is_found ? Cell(value(row)) : Cell();
+      };
+    }
+
+    /** Of its figures. */
+    template <typename Number>
+    std::function<Cell(const CycleRow &)>
+    figure(Number CycleFigures::*number)
+    {
+      return of_cycle(
+        [number](const CycleRow &row) { return row.figures.*number; });
+    }
+
+    const std::vector<ColumnOf<CycleRow>> &
+    common_columns()
+    {
+      static const std::vector<ColumnOf<CycleRow>> columns = {
+        {{"frequency_hz", Type::real, "Hz", "1/period", 8},
+         figure(&CycleFigures::frequency)},
+        {{"dominant_line_hz",
+          Type::real,
+          "Hz",
+          "largest harmonic of the normal force"},
+         of_cycle([](const CycleRow &row) {
+           return row.figures.largest_harmonic * row.figures.frequency;
+         })},
+        {{"mean_normal_n", Type::real, "N", "mean normal force"},
+         figure(&CycleFigures::mean_normal)},
+        {{"rms_normal_n",
+          Type::real,
+          "N",
+          "of the normal force about its mean"},
+         figure(&CycleFigures::rms_normal)},
+        {{"rms_tangential_n",
+          Type::real,
+          "N",
+          "of the tangential force about its mean"},
+         figure(&CycleFigures::rms_tangential)},
+        {{"n_opening", Type::integer, "", "nodes that open in a period"},
+         figure(&CycleFigures::n_opening)},
+        {{"n_sticking", Type::integer, "", "nodes that stick in a period"},
+         figure(&CycleFigures::n_sticking)},
+        {{"stability", Type::text, "", "by the Floquet multipliers"},
+         of_cycle(
+           [](const CycleRow &row) { return row.multipliers.stability(); })},
+        {{"largest_multiplier",
+          Type::real,
+          "",
+          "in size, of those beside the trivial one"},
+         of_cycle([](const CycleRow &row) { return row.multipliers.largest; })},
+        {{"largest_multiplier_error",
+          Type::real,
+          "",
+          "the larger of what the trivial one is off and of the difference to "
+          "half the steps, along a branch that of its start",
+          3},
+         of_cycle(
+           [](const CycleRow &row) { return row.multipliers.uncertainty(); })},
+        {{"trivial_multiplier_error",
+          Type::real,
+          "",
+          "what the multiplier of the motion itself is off 1",
+          3},
+         of_cycle([](const CycleRow &row) {
+           return std::abs(row.multipliers.trivial - 1.);
+         })},
+        {{"residual",
+          Type::real,
+          "",
+          "what the state misses after a period, over the motion",
+          3},
+         [](const CycleRow &row) { return or_missing(row.residual); }},
+        {{"n_iterations",
+          Type::integer,
+          "",
+          "of Newton's method, where a cycle is sought with half the steps as "
+          "well"},
+         [](const CycleRow &row) { return Cell(row.n_iterations); }}};
+      return columns;
+    }
+  } // namespace
+
+
+
+  CycleRow
+  cycle_row(const CycleResult &c)
+  {
+    const PeriodicMotion &furthest =
+      c.motion.history.empty() ? c.coarse : c.motion;
+    return {c.figures,
+            c.multipliers,
+            furthest.history.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                     : furthest.residual,
+            c.coarse.iterations + c.motion.iterations,
+            c.has_converged()};
+  }
+
+  CycleRow
+  cycle_row(const BranchPoint &x)
+  {
+    return {
+      x.figures, x.multipliers, x.motion.residual, x.motion.iterations, true};
+  }
+
+
+
+  const ColumnOf<CycleRow> &
+  common_cycle_column(const std::string &name)
+  {
+    const auto &all  = common_columns();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto &c) {
+      return c.declaration.name == name;
+    });
+    AssertThrow(found != all.end(), dealii::ExcMessage("no column " + name));
+    return *found;
+  }
+} // namespace squeal

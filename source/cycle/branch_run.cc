@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/cycle/branch_run.h>
+#include <squeal/cycle/branch_step.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    constexpr unsigned int few_iterations = 4, many_iterations = 7;
+    constexpr double       longer = 1.5, shorter = 0.5;
+
+    unsigned int
+    changes_of(const Orbit &orbit)
+    {
+      const unsigned int n      = orbit.n_steps();
+      unsigned int       result = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < orbit.status[i].size(); ++j)
+          result += orbit.status[i][j] != orbit.status[(i + n - 1) % n][j];
+      return result;
+    }
+
+    void
+    mark_folds(std::vector<BranchPoint> &points)
+    {
+      for (std::size_t i = 1; i + 1 < points.size(); ++i)
+        points[i].is_fold = (points[i].parameter - points[i - 1].parameter) *
+                              (points[i + 1].parameter - points[i].parameter) <
+                            0.;
+    }
+  } // namespace
+
+
+
+  BranchRun::BranchRun(PeriodMaps            m,
+                       const PeriodicMotion &start,
+                       const double          parameter,
+                       const BranchSettings &s)
+    : maps(std::move(m))
+    , settings(s)
+  {
+    for (const unsigned int i : {0u, 1u})
+      {
+        sides[i].sign   = i == 0 ? -1. : 1.;
+        sides[i].points = {point_of(*maps(parameter), start, parameter)};
+      }
+  }
+
+
+
+  bool
+  BranchRun::advance(const Watch &watch)
+  {
+    for (Side &side : sides)
+      while (!end_of(side))
+        {
+          add_point(side);
+          if (watch && watch(n_points()))
+            return false;
+        }
+    return true;
+  }
+
+  std::size_t
+  BranchRun::n_points() const
+  {
+    return sides[0].points.size() + sides[1].points.size() - 1;
+  }
+
+  CycleBranch
+  BranchRun::branch() const
+  {
+    CycleBranch result;
+    const auto &down = sides[0].points, &up = sides[1].points;
+    result.first_end = end_of(sides[0]).value_or(BranchEnd::points);
+    result.last_end  = end_of(sides[1]).value_or(BranchEnd::points);
+    result.points.assign(down.rbegin(), down.rend());
+    result.points.insert(result.points.end(), up.begin() + 1, up.end());
+    mark_folds(result.points);
+    return result;
+  }
+
+
+
+  BranchPoint
+  BranchRun::point_of(const PeriodMap &map,
+                      PeriodicMotion   motion,
+                      const double     parameter) const
+  {
+    BranchPoint result;
+    result.parameter         = parameter;
+    result.n_changes         = changes_of(motion.orbit);
+    result.multipliers       = floquet_multipliers(map, motion);
+    result.figures           = cycle_figures(map, motion);
+    result.multipliers.error = settings.multiplier_error;
+    result.motion            = std::move(motion);
+    return result;
+  }
+
+  /** The neighbour of @p start at another parameter, in the direction of @p
+   * sign; none where it is not found. */
+  std::optional<BranchPoint>
+  BranchRun::neighbour(const BranchPoint &start, const double sign) const
+  {
+    const double first = settings.first_step;
+    for (double share = first; share > 1e-3 * first; share *= .25)
+      {
+        const double parameter =
+          start.parameter + sign * share * (settings.upper - settings.lower);
+        const auto     map    = maps(parameter);
+        PeriodicMotion motion = shoot(*map,
+                                      start.motion.orbit.states.front(),
+                                      start.motion.period,
+                                      settings.shooting);
+        if (motion.status == CycleStatus::converged)
+          return point_of(*map, std::move(motion), parameter);
+      }
+    return {};
+  }
+
+
+
+  std::optional<BranchEnd>
+  BranchRun::end_of(const Side &side) const
+  {
+    const BranchPoint &last = side.points.back();
+    if (side.is_lost)
+      return BranchEnd::not_found;
+    if (side.points.size() == 1)
+      return {};
+    if (last.n_changes == 0)
+      return BranchEnd::onset;
+    if (last.parameter < settings.lower || last.parameter > settings.upper)
+      return BranchEnd::range;
+    if (side.points.size() > settings.n_points)
+      return BranchEnd::points;
+    return {};
+  }
+
+  void
+  BranchRun::add_point(Side &side) const
+  {
+    std::optional<BranchPoint> next;
+    if (side.points.size() == 1)
+      next = neighbour(side.points.front(), side.sign);
+    else
+      {
+        const BranchPoint &last   = side.points.back(),
+                          &before = side.points[side.points.size() - 2];
+        const double way  = branch_distance(maps, before, last, settings);
+        double       step = side.step > 0. ? side.step : way;
+        for (step = std::min(step, settings.largest_step);
+             !next && step >= settings.smallest_step;)
+          if (!(next = correct_along(maps, before, last, step, settings)))
+            step *= shorter;
+        if (next)
+          {
+            const unsigned int iterations = next->motion.iterations;
+            *next                         = point_of(
+              *maps(next->parameter), std::move(next->motion), next->parameter);
+            side.step = iterations <= few_iterations    ? longer * step
+                        : iterations >= many_iterations ? shorter * step
+                                                        : step;
+          }
+      }
+    side.is_lost = !next;
+    if (next)
+      side.points.push_back(std::move(*next));
+  }
+} // namespace squeal
