@@ -106,10 +106,21 @@ namespace squeal
     const auto folds = std::count_if(branch.points.begin(),
                                      branch.points.end(),
                                      [](const auto &x) { return x.is_fold; });
-    return "limit cycles at " + parameter + " = " +
+    const auto span  = [&](const auto &value) {
+      const auto [least, most] = std::minmax_element(
+        branch.points.begin(),
+        branch.points.end(),
+        [&](const auto &a, const auto &b) { return value(a) < value(b); });
+      return rounded_text(value(*least), 4) + " to " +
+             rounded_text(value(*most), 4);
+    };
+    return "limit cycles from " + parameter + " = " +
            rounded_text(low->parameter, 5) + " to " +
            rounded_text(high->parameter, 5) + ": " +
-           std::to_string(branch.points.size()) + " points, " +
+           span([](const BranchPoint &x) { return x.figures.rms_normal; }) +
+           " N rms of the normal force at " +
+           span([](const BranchPoint &x) { return x.figures.frequency; }) +
+           " Hz; " + std::to_string(branch.points.size()) + " points, " +
            count("stable") + " stable, " + count("unstable") + " unstable, " +
            std::to_string(folds) +
            " folds; ends: " + branch_end_text(branch.first_end) + ", " +

@@ -141,7 +141,9 @@ namespace squeal
       report.set_verdict(first.has_converged() && first.multipliers.is_stable()
                            ? HtmlReport::Verdict::bad
                            : HtmlReport::Verdict::neutral,
-                         cycle_sentence(first),
+                         branch
+                           ? branch_sentence(*branch, p.sweep.axes.front().name)
+                           : cycle_sentence(first),
                          context.record.figures);
       if (first.has_converged())
         {
@@ -175,7 +177,6 @@ namespace squeal
           context.write_table("branch.csv", along);
           context.log.info(branch_sentence(*branch, name));
           report.section("Branch");
-          report.paragraph(branch_sentence(*branch, name));
           if (p.output.plots && context.is_root)
             draw_branch(context, *branch, name, report);
           report.table(along, "Limit cycles along the branch");
