@@ -131,7 +131,7 @@ class Page:
         written, or None."""
         scene = os.path.join(self.directory, body.split()[-1])
         with open(scene, encoding="utf-8") as file:
-            read = re.findall(r"^\s*set [^=\n]*=\s*(\S*output/\S*\.(?:h5|csv))", file.read(),
+            read = re.findall(r"^\s*set [^=\n]*=\s*(\S*output/\S*\.(?:h5|csv|png))", file.read(),
                               re.MULTILINE)
         for name in read:
             path = os.path.normpath(os.path.join(os.path.dirname(scene), name))
