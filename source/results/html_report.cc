@@ -163,12 +163,17 @@ namespace squeal
                                                  : "";
     verdict_box = std::string("<div class=\"verdict") + kind + "\">\n<strong>" +
                   escaped(headline) + "</strong>\n";
+    // What the sentence says word for word is not repeated; short values may
+    // stand in it by chance.
+    constexpr std::size_t shortest_repeated = 12;
     if (!figures.empty())
       {
         verdict_box += "<dl class=\"figures\">\n";
         for (const auto &[name, value] : figures)
-          verdict_box += "<div><dt>" + escaped(name) + "</dt><dd>" +
-                         escaped(value) + "</dd></div>\n";
+          if (value.size() < shortest_repeated ||
+              headline.find(value) == std::string::npos)
+            verdict_box += "<div><dt>" + escaped(name) + "</dt><dd>" +
+                           escaped(value) + "</dd></div>\n";
         verdict_box += "</dl>\n";
       }
     verdict_box += "</div>\n";
