@@ -92,8 +92,14 @@ namespace squeal
     const std::string growth = growth_text(f);
     std::string       text =
       explained_verdict(f, trigger) + (growth.empty() ? "" : ", " + growth);
+    // A vibration may be even and still not repeat itself.
+    constexpr double least_repetition = 0.9;
     if (f.has_limit_cycle)
-      return text + ", limit cycle at " + limit_cycle_text(f);
+      return text +
+             (f.repetition < least_repetition
+                ? ", sustained vibration without a period at "
+                : ", limit cycle at ") +
+             limit_cycle_text(f);
     text += "; no limit cycle: " + reason_for_no_cycle(f);
     return f.verdict == "unstable"
              ? text
