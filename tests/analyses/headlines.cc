@@ -79,6 +79,20 @@ namespace
           "and beside a limit cycle");
     f.verdict = "unstable";
     check(explained_verdict(f, squeal) == "unstable", "unstable says it all");
+    f.frequency  = 3400.;
+    f.repetition = .99;
+    check(has(transient_headline(f, none), "limit cycle at 3400"),
+          "what repeats itself is a limit cycle");
+    f.repetition = .25;
+    check(has(transient_headline(f, none), "without a period at 3400"),
+          "what does not is none: " + transient_headline(f, none));
+    f.has_limit_cycle = false;
+    f.verdict         = "undecided";
+    f.min_normal      = 63.;
+    f.max_normal      = 82.;
+    check(has(transient_headline(f, none), "no limit cycle") &&
+            has(transient_headline(f, none), "63.0 to 82.0 N"),
+          "a forced motion says the range of the force");
   }
 
   using Type = Table::Type;
