@@ -75,6 +75,7 @@ namespace
             has(both, "a limit cycle stands beside it") && squeals(f, squeal),
           "beside a squeal after the trigger it is explained: " + both);
     f.has_limit_cycle = true;
+    f.repetition      = 1.;
     check(has(explained_verdict(f, none), "a limit cycle stands beside it"),
           "and beside a limit cycle");
     f.verdict = "unstable";

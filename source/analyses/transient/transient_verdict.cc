@@ -1,16 +1,29 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/transient_verdict.h>
 
+#include <cmath>
+
 namespace squeal
 {
   namespace
   {
     /** "860.2 +- 1082 1/s": of a fit, whether it counts or not. */
     std::string
-    rate_text(const GrowthFit &fit)
+    rate_text(const double rate, const GrowthFit &fit)
     {
-      return rounded_text(fit.rate, 4) + " +- " + rounded_text(fit.rate_ci, 2) +
+      return rounded_text(rate, 4) + " +- " + rounded_text(fit.rate_ci, 2) +
              " 1/s";
+    }
+
+    /** What a vibration that stays is: it may be even and still not repeat
+     * itself. */
+    std::string
+    kind_of_cycle(const TransientFigures &f)
+    {
+      constexpr double least_repetition = 0.9;
+      return f.repetition < least_repetition
+               ? "sustained vibration without a period"
+               : "limit cycle";
     }
   } // namespace
 
@@ -24,7 +37,7 @@ namespace squeal
     const GrowthFit &fit = f.branches[f.leading].fit;
     if (!(fit.end > fit.start))
       return "not fitted: the leading pair has no linear phase of its own";
-    return "left out: a fit of " + rate_text(fit) +
+    return "left out: a fit of " + rate_text(fit.rate, fit) +
            " tells no rate of the leading pair";
   }
 
@@ -36,8 +49,9 @@ namespace squeal
     if (f.leading < 0 || !f.branches[f.leading].fit.is_valid)
       return "";
     const BranchResult &b = f.branches[f.leading];
-    return (b.fit.rate > 0. ? "grows by " : "decays by ") + rate_text(b.fit) +
-           " at " + rounded_text(b.frequency, 5) + " Hz";
+    return (b.fit.rate > 0. ? "grows by " : "decays by ") +
+           rate_text(std::abs(b.fit.rate), b.fit) + " at " +
+           rounded_text(b.frequency, 5) + " Hz";
   }
 
 
@@ -80,7 +94,7 @@ namespace squeal
     if (trigger.text == "squeal by itself")
       return about + "; squeals before the trigger already";
     if (f.has_limit_cycle)
-      return about + "; a limit cycle stands beside it";
+      return about + "; a " + kind_of_cycle(f) + " stands beside it";
     return f.growing_outside.empty() ? f.verdict : about;
   }
 
@@ -92,14 +106,8 @@ namespace squeal
     const std::string growth = growth_text(f);
     std::string       text =
       explained_verdict(f, trigger) + (growth.empty() ? "" : ", " + growth);
-    // A vibration may be even and still not repeat itself.
-    constexpr double least_repetition = 0.9;
     if (f.has_limit_cycle)
-      return text +
-             (f.repetition < least_repetition
-                ? ", sustained vibration without a period at "
-                : ", limit cycle at ") +
-             limit_cycle_text(f);
+      return text + ", " + kind_of_cycle(f) + " at " + limit_cycle_text(f);
     text += "; no limit cycle: " + reason_for_no_cycle(f);
     return f.verdict == "unstable"
              ? text
