@@ -11,7 +11,7 @@ namespace squeal
   PairRow::PairRow(const ComplexPairs &pairs, const unsigned int i)
     : index(i + 1)
     , lambda(pairs.lambda[i])
-    , residual(i < pairs.residual.size() ? pairs.residual[i] : std::nan(""))
+    , residual(i < pairs.residual.size() ? Cell(pairs.residual[i]) : Cell())
     , error_estimate(pairs.error_estimate[i])
     , condition(pairs.condition[i])
     , is_unstable(squeal::is_unstable(pairs, i))
@@ -43,7 +43,7 @@ namespace squeal
                                     : -r.lambda.real() / std::abs(r.lambda));
        }},
       {{"residual_rel", Type::real, "", "relative, of the full problem", 2},
-       [](const PairRow &r) { return Cell(r.residual); }},
+       [](const PairRow &r) { return r.residual; }},
       {{"error_estimate_rel",
         Type::real,
         "",

@@ -120,6 +120,31 @@ namespace
     check(n > 0 && n == one.n_rows(), "all ranges of the one radius");
     check(all.n_rows() > n, "and ranges of the others");
   }
+
+  /** About the contact that steady sliding leaves closed at each point, which
+   * has no residual of the full problem but an error. */
+  void
+  preload(const std::string &program)
+  {
+    run({program},
+        "stability_map_preload.prm",
+        "about_preload",
+        {"Sweep/Axis mu/Values = 0.3", "Sweep/Direct checks = 2"});
+    const Table table  = read_csv("about_preload/eigenvalues.csv");
+    std::size_t n_open = 0;
+    Worst       error;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      {
+        n_open +=
+          table.integer(i, "closed_points") < table.integer(0, "closed_points");
+        check(table.is_missing(i, "residual_rel"), "a residual is not formed");
+        error.add(table.real(i, "error_estimate_rel"));
+      }
+    check(table.n_rows() > 21 && n_open > 0,
+          "points of the contact open as the pad becomes stiffer");
+    check(error.largest() <= 1e-6,
+          "every pair has its error: " + std::to_string(error.largest()));
+  }
 } // namespace
 
 
@@ -145,4 +170,5 @@ main(int argc, char **argv)
           2e-5);
   changes_hold("ranks_1");
   radius(argv[2]);
+  preload(argv[2]);
 }

@@ -21,7 +21,8 @@ namespace squeal
     unsigned int         index;     /**< of the pair, from 1 */
     std::string          branch;    /**< of a sweep */
     std::complex<double> lambda;    /**< 1/s */
-    double               residual, error_estimate, condition;
+    Cell                 residual;  /**< nothing where it is not formed */
+    double               error_estimate, condition;
     bool                 is_unstable; /**< sigma beyond its error */
     std::string          name;
     std::vector<double>  energy_shares; /**< one a body */

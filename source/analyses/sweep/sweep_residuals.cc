@@ -19,7 +19,7 @@ namespace squeal
                         const ComplexPairs &pairs) const
   {
     if (small.grams.empty())
-      return Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
+      return {};
     const auto        c      = parts.coefficients(point);
     const ModelCell  &cell   = small.cell_of(point);
     const auto        V      = cell.turn.leftCols(cell.local.n_basis);

@@ -224,7 +224,7 @@ namespace squeal
               PairRow row(pairs, j);
               row.point    = count;
               row.branch   = line.branch_names[at.branch[j]];
-              row.residual = residuals[j];
+              row.residual = residuals.size() > 0 ? Cell(residuals[j]) : Cell();
               row.name     = names[j].text;
               for (Eigen::Index b = 0; b < shares.rows(); ++b)
                 row.energy_shares.push_back(shares(b, j));

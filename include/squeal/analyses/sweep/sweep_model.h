@@ -71,7 +71,7 @@ namespace squeal
     ComplexPairs solve_between(const SweepPoint &point) const;
 
     /** residual_rel of pairs of solve(), from inner products of the products
-     * of all parts with the basis; NaN where contact states change. */
+     * of all parts with the basis; empty where contact states change. */
     Eigen::VectorXd residuals(const SweepPoint   &point,
                               const ComplexPairs &pairs) const;
 
