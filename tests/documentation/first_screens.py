@@ -111,9 +111,17 @@ def sentence_of(page):
     return html.unescape(re.sub(r"<[^>]+>", "", match.group(1))).strip() if match else ""
 
 
-def work_of(page):
-    """CPU seconds and memory of the run of a report, as the gallery writes them."""
-    record = os.path.join(os.path.dirname(page), "run.json")
+def work_of(file, runs):
+    """CPU seconds and memory of the run of a file, as the gallery writes them; nothing
+    if it has not run."""
+    log = os.path.join(runs, file.replace("/", "_") + ".log")
+    if not os.path.isfile(log):
+        return {}
+    with open(log, encoding="utf-8") as lines:
+        names = re.findall(r"^results:\s+([^\s,]+)", lines.read(), re.M)
+    record = os.path.join(runs, names[0], "run.json") if names else ""
+    if not os.path.isfile(record):
+        return {}
     with open(record, encoding="utf-8") as text:
         run_record = json.load(text)
     seconds, gigabytes = run_record["cpu_s"], run_record["peak_memory_mb"] / 1000
@@ -189,17 +197,16 @@ def write_page(entries, sheets):
         page.write("\n".join(lines[:-1]) + "\n")
 
 
-def write_gallery(entries, sheets):
+def write_gallery(work, sheets):
     """Times, memory and sheets of the gallery; questions and answers stay."""
     path = os.path.join(ROOT, "doc/gallery.md")
     with open(path, encoding="utf-8") as page:
         lines = [line for line in page.read().splitlines()
                  if not line.startswith("![First screens")]
-    work = {e["file"]: e for e in entries}
     result = []
     for line in lines:
         match = ROW.match(line)
-        if match and match.group(2) in work:
+        if match and work.get(match.group(2)):
             cells = line.split(" | ")
             entry = work[match.group(2)]
             cells[-2:] = [entry["time"], entry["memory"] + " |"]
@@ -244,12 +251,12 @@ def main():
             failures += [f"{name}: {problem}" for problem in problems]
             print("open ", name + ":", sentence, flush=True)
             entries.append({"chapter": chapter, "name": name, "file": file,
-                            "picture": picture, "sentence": sentence,
-                            **work_of(page)})
+                            "picture": picture, "sentence": sentence})
     if options.write:
         sheets = write_sheets(entries)
         write_page(entries, sheets)
-        write_gallery(entries, sheets)
+        write_gallery({file: work_of(file, runs) for _, _, file, _ in scenes_of_gallery()},
+                      sheets)
     for failure in failures:
         print("FAILED", failure)
     print(f"{len(entries)} reports, {len(failures)} failures; runs in {runs}")
