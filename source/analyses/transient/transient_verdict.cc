@@ -106,8 +106,9 @@ namespace squeal
     const std::string growth = growth_text(f);
     std::string       text =
       explained_verdict(f, trigger) + (growth.empty() ? "" : ", " + growth);
-    if (f.has_limit_cycle)
-      return text + ", " + kind_of_cycle(f) + " at " + limit_cycle_text(f);
+    if (f.has_limit_cycle) // which the verdict names where it is not unstable
+      return text + (f.verdict == "unstable" ? ", " + kind_of_cycle(f) : "") +
+             " at " + limit_cycle_text(f);
     text += "; no limit cycle: " + reason_for_no_cycle(f);
     return f.verdict == "unstable"
              ? text
