@@ -91,6 +91,7 @@ namespace
     f.verdict         = "undecided";
     f.min_normal      = 63.;
     f.max_normal      = 82.;
+    f.mean_normal     = 68.;
     check(has(transient_headline(f, none), "no limit cycle") &&
             has(transient_headline(f, none), "63.0 to 82.0 N"),
           "a forced motion says the range of the force");

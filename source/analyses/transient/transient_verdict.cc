@@ -112,7 +112,10 @@ namespace squeal
     text += "; no limit cycle: " + reason_for_no_cycle(f);
     return f.verdict == "unstable"
              ? text
-             : text + "; normal force " + rounded_text(f.min_normal, 3) +
+             : text + "; normal force " +
+                 (f.min_normal < 1e-6 * f.mean_normal
+                    ? "0"
+                    : rounded_text(f.min_normal, 3)) +
                  " to " + rounded_text(f.max_normal, 3) + " N";
   }
 
