@@ -56,8 +56,8 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/declare_scene.cc
     source/parameters/declare_sweep.cc
     source/parameters/declare_transient.cc
-    source/parameters/entry_traits.cc
     source/parameters/drop_included.cc
+    source/parameters/entry_traits.cc
     source/parameters/face_geometry.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
@@ -260,6 +260,8 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/wav_file.cc)
 
 set(SQUEAL_SOURCES_RUN
+    source/run/campaign_file.cc
+    source/run/campaign_runs.cc
     source/run/checkpoints.cc
     source/run/command_line.cc
     source/run/fingerprint.cc
@@ -306,8 +308,10 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
     source/analyses/limit_cycle/branch_output.cc
+    source/analyses/limit_cycle/cycle_campaign.cc
     source/analyses/limit_cycle/cycle_columns.cc
     source/analyses/limit_cycle/cycle_motion.cc
+    source/analyses/limit_cycle/cycle_outcome.cc
     source/analyses/limit_cycle/limit_cycle_branch.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
@@ -331,7 +335,6 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/sweep/sweep_tables.cc
     source/analyses/transient/campaign_amplitudes.cc
     source/analyses/transient/campaign_plots.cc
-    source/analyses/transient/campaign_runs.cc
     source/analyses/transient/campaign_table.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc

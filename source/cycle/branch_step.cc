@@ -15,8 +15,6 @@ namespace squeal
     /** Changes of period and parameter, over itself and its range, beyond
      * which an iteration is no longer near the branch. */
     constexpr double largest_change = 0.3;
-    /** See shoot(). */
-    constexpr double hold_below = 1e-2, least_gain = 0.3;
 
     /** Where a branch goes, per unit of its length. */
     struct Tangent
@@ -133,8 +131,8 @@ namespace squeal
             x.motion.status = CycleStatus::converged;
             return x;
           }
-        if (!is_held && i > 0 && x.motion.residual < hold_below &&
-            x.motion.residual > least_gain * residual)
+        if (!is_held && i > 0 &&
+            StatusChangeRule::holds(residual, x.motion.residual / residual))
           {
             held    = x.motion.orbit.corrections;
             is_held = true;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 
 namespace squeal
 {
@@ -17,9 +16,18 @@ namespace squeal
     /** Largest velocity of a node, over the sliding speed, of the small motion
      * that amplitudes are scaled up from. */
     constexpr double small_motion = 1e-4;
-    /** Part of the run in which the period is looked for, and how much of the
-     * pair's period it is at least. */
-    constexpr double share_of_run = 1. / 3., shortest_period = .45;
+    /** The run is made in so many parts, in the last of which the period is
+     * looked for, and how much of the pair's period it is at least. */
+    constexpr unsigned int n_parts         = 3;
+    constexpr double       shortest_period = .45;
+    /** Room for that of the period while it is sought. */
+    constexpr double growth_of_period = 1.1;
+    /** A motion that comes back no nearer than this at the end of the run has
+     * no period. */
+    constexpr double no_return = 0.3;
+    /** A run ends early where it comes back as near as this, over its size, and
+     * nearer by this share than a motion that still grows would. */
+    constexpr double near_return = 1e-2, of_growth = 0.1;
 
     MotionState
     state_of_pair(const SteadySliding    &steady,
@@ -32,24 +40,89 @@ namespace squeal
       return {steady.coordinates + x.head(n), x.segment(n, n), steady.forces};
     }
 
-    /** Throws InputError naming @p entry, whose value is @p n steps of a period,
-     * where they are too long. */
-    void
-    require_stable(const ReducedContactModel &model,
-                   const double               period,
-                   const unsigned int         n,
-                   const double               steps_per_entry,
-                   const std::string         &entry)
+    /** @p n steps of @p period, or as many more as are stable when @p factor of
+     * them are one. */
+    unsigned int
+    stable_steps(const ReducedContactModel &model,
+                 const double               period,
+                 const unsigned int         n,
+                 const unsigned int         factor)
     {
-      const double step    = period / n,
-                   largest = largest_stable_step(model, step);
-      if (largest >= step)
+      // The period may grow while it is sought.
+      const double coarse  = growth_of_period * period * factor / n,
+                   largest = largest_stable_step(model, coarse);
+      return largest >= coarse
+               ? n
+               : factor * static_cast<unsigned int>(
+                            std::ceil(growth_of_period * period / largest));
+    }
+
+    /** Moves @p start on by the run of the settings; the times in which it
+     * comes back, s, and how near: see recurrences(). The pair's period and 1
+     * without a run. */
+    std::vector<std::pair<double, double>>
+    run_until_it_returns(const PeriodMap            &map,
+                         const std::complex<double>  pair,
+                         const LimitCycleParameters &settings,
+                         MotionState                &start)
+    {
+      const double                           period = 2. * M_PI / pair.imag();
+      std::vector<std::pair<double, double>> result{{period, 1.}};
+      if (!(settings.run_time > 0.))
+        return result;
+      const double step = period /
+                          stable_steps(
+                            map.reduced_model(), period, settings.run_steps, 1),
+                   is_there =
+                     std::min(near_return, of_growth * pair.real() * period);
+      const auto n = static_cast<unsigned int>(
+        std::max(2., std::ceil(settings.run_time / n_parts / step)));
+      ContactPast past;
+      for (unsigned int i = 0; i < n_parts; ++i)
+        {
+          const Orbit run = map.run(start, n * step, n, past);
+          start           = run.end();
+          past            = run.past_of(n);
+          result          = recurrences(
+            map.reduced_model(), run, shortest_period * period, n * step);
+          if (!result.empty() && result.back().second < is_there)
+            break;
+        }
+      if (!result.empty() && result.back().second > no_return)
+        result.clear();
+      return result;
+    }
+
+    /** The periodic motion near @p start by half of @p n_steps and by all of
+     * them, with its figures. */
+    void
+    search_with(const PeriodMap            &map,
+                const MotionState          &start,
+                const double                guess,
+                const unsigned int          n_steps,
+                const LimitCycleParameters &settings,
+                CycleResult                &result)
+    {
+      ShootingSettings shooting{
+        n_steps / 2, settings.iterations, settings.tolerance};
+      result.motion = {};
+      result.coarse = shoot(map, start, guess, shooting);
+      if (result.coarse.status != CycleStatus::converged)
         return;
-      const double fewest = std::ceil(steps_per_entry * period / largest);
-      throw InputError(
-        "Limit cycle/" + entry + ": steps of " + rounded_text(step, 3) +
-        " s are above the largest stable one, " + rounded_text(largest, 3) +
-        " s; at least " + rounded_text(fewest, 6) + " are needed");
+      shooting.n_steps       = n_steps;
+      shooting.holds_at_once = result.coarse.is_held;
+      result.motion          = shoot(map,
+                            result.coarse.orbit.states.front(),
+                            result.coarse.period,
+                            shooting);
+      if (result.motion.status != CycleStatus::converged)
+        return;
+      result.coarse_figures = cycle_figures(map, result.coarse);
+      result.figures        = cycle_figures(map, result.motion);
+      result.multipliers    = floquet_multipliers(map, result.motion);
+      result.multipliers.error =
+        std::abs(result.multipliers.largest -
+                 floquet_multipliers(map, result.coarse).largest);
     }
 
     /** |a_k| of x = mean + Re sum a_k e^{i k omega t}. */
@@ -230,65 +303,52 @@ namespace squeal
              const LimitCycleParameters &settings)
   {
     CycleResult  result;
-    const double period = 2. * M_PI / linear.lambda[k].imag();
-    result.pair         = linear.lambda[k];
-    require_stable(map.reduced_model(),
-                   period,
-                   settings.run_steps,
-                   1.,
-                   "Run steps per period");
-    const std::vector<double> changes =
-      change_amplitudes(map, steady, linear, k, settings.run_steps);
+    const double period               = 2. * M_PI / linear.lambda[k].imag();
+    result.pair                       = linear.lambda[k];
+    const std::vector<double> changes = change_amplitudes(
+      map,
+      steady,
+      linear,
+      k,
+      stable_steps(map.reduced_model(), period, settings.run_steps, 1));
     if (changes.empty())
       throw ComputationError("no node is closed in steady sliding");
     result.first_change = changes.front();
     result.half_change  = changes[changes.size() / 2];
     MotionState start =
       state_of_pair(steady, linear, k, settings.start * result.half_change);
-    double guess = period;
+    std::vector<std::pair<double, double>> returns;
     try
       {
-        if (settings.run_time > 0.)
-          {
-            const double step = period / settings.run_steps;
-            const auto   n    = static_cast<unsigned int>(
-              std::max(2., std::ceil(settings.run_time / step)));
-            const Orbit run = map.run(start, n * step, n);
-            start           = run.end();
-            std::tie(guess, result.recurrence) =
-              recurrence(map.reduced_model(),
-                         run,
-                         shortest_period * period,
-                         share_of_run * settings.run_time);
-          }
+        returns = run_until_it_returns(map, result.pair, settings, start);
       }
     catch (const ComputationError &)
       {
-        guess = 0.;
+        returns.clear();
       }
-    if (!(guess > 0.))
+    result.coarse.status = CycleStatus::no_period;
+    // Where the shorter period belongs to an unstable motion, the longer one
+    // may be what it has doubled to.
+    for (const auto &[guess, distance] : returns)
       {
-        result.coarse.status = CycleStatus::no_period;
-        return result;
+        CycleResult  next  = result;
+        const double times = std::max(1., std::round(guess / returns[0].first));
+        const auto n_steps = static_cast<unsigned int>(times) * settings.steps;
+        next.recurrence    = distance;
+        search_with(map,
+                    start,
+                    guess,
+                    stable_steps(map.reduced_model(), guess, n_steps, 2),
+                    settings,
+                    next);
+        const bool is_better =
+          !result.has_converged() ||
+          (next.has_converged() && next.multipliers.is_stable());
+        if (is_better)
+          result = std::move(next);
+        if (result.has_converged() && !result.multipliers.is_unstable())
+          break;
       }
-    require_stable(
-      map.reduced_model(), guess, settings.steps / 2, 2., "Steps per period");
-    ShootingSettings shooting{
-      settings.steps / 2, settings.iterations, settings.tolerance};
-    result.coarse = shoot(map, start, guess, shooting);
-    if (result.coarse.status != CycleStatus::converged)
-      return result;
-    shooting.n_steps = settings.steps;
-    result.motion    = shoot(
-      map, result.coarse.orbit.states.front(), result.coarse.period, shooting);
-    if (result.motion.status != CycleStatus::converged)
-      return result;
-    result.coarse_figures = cycle_figures(map, result.coarse);
-    result.figures        = cycle_figures(map, result.motion);
-    result.multipliers    = floquet_multipliers(map, result.motion);
-    result.multipliers.error =
-      std::abs(result.multipliers.largest -
-               floquet_multipliers(map, result.coarse).largest);
     return result;
   }
 } // namespace squeal

@@ -147,6 +147,10 @@ namespace squeal
       {
         return false;
       }
+    catch (const InputError &) // a period too long for its steps
+      {
+        return false;
+      }
     m.period   = period;
     m.is_held  = held != nullptr;
     m.residual = energy_norm(map.reduced_model(), m.orbit.end(), start) /
@@ -183,12 +187,15 @@ namespace squeal
     A.row(n).head(n) = start_rate.transpose() / start_rate.norm();
     rhs              = Eigen::VectorXd::Zero(n + 1);
     rhs.head(n)      = scaled.difference(end, start);
+    factors.compute(A);
   }
 
   Eigen::VectorXd
-  PeriodEquations::solve() const
+  PeriodEquations::solve(const Eigen::VectorXd &missing) const
   {
-    return A.partialPivLu().solve(rhs);
+    Eigen::VectorXd b      = Eigen::VectorXd::Zero(A.rows());
+    b.head(missing.size()) = missing;
+    return factors.solve(b);
   }
 
   Eigen::VectorXd

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace squeal
 {
@@ -15,12 +16,41 @@ namespace squeal
   {
     /** The period changes by no more than this share in an iteration. */
     constexpr double largest_change = 0.1;
-    /** Residual below which located changes are held where an iteration gains
-     * less than the share below: the steps jump a little where a change of one
-     * node disturbs what is told from the steps before another one. */
-    constexpr double hold_below = 1e-2, least_gain = 0.3;
     /** Shortest step of Newton's method over its full one. */
     constexpr double shortest_step = 1. / 64.;
+    /** A motion that comes back as near as this, over the mean distance, may
+     * have that time as its period although it comes nearer later. */
+    constexpr double near_return = 0.1;
+    /** The derivative of earlier iterations serves while one leaves no more
+     * than this share of the residual: it takes as long as five periods. */
+    constexpr double gain_of_chord = 0.2;
+
+    /** The equations of a period as they were linearised last. */
+    struct Linearised
+    {
+      Linearised(const PeriodMap        &map,
+                 const PeriodicMotion   &m,
+                 const std::vector<int> &r,
+                 const StatusChanges     changes)
+        : rows(r)
+        , scaled(map.reduced_model(), rows, m.period)
+        , equations(map, m, scaled, rows, changes)
+      {
+      }
+
+      /** Newton's step or, of another motion than that of the equations, the
+       * chord's. */
+      Eigen::VectorXd
+      step(const PeriodicMotion &m) const
+      {
+        return equations.solve(
+          scaled.difference(m.orbit.end(), m.orbit.states.front()));
+      }
+
+      const std::vector<int> rows;
+      const ScaledMotion     scaled;
+      const PeriodEquations  equations;
+    };
 
     /** The best orbit along Newton's step @p change; @p full_only: its end
      * alone. The residual is the largest number where there is none. */
@@ -62,11 +92,11 @@ namespace squeal
 
 
 
-  std::pair<double, double>
-  recurrence(const ReducedContactModel &model,
-             const Orbit               &orbit,
-             const double               shortest,
-             const double               longest)
+  std::vector<std::pair<double, double>>
+  recurrences(const ReducedContactModel &model,
+              const Orbit               &orbit,
+              const double               shortest,
+              const double               longest)
   {
     const auto          n = static_cast<std::size_t>(orbit.n_steps());
     std::vector<double> distance{0.};
@@ -78,28 +108,182 @@ namespace squeal
         mean += distance.back();
       }
     mean /= std::max<std::size_t>(distance.size() - 1, 1);
-    const auto is_minimum = [&](const std::size_t k) {
-      return k * orbit.step >= shortest && distance[k] <= distance[k - 1] &&
-             distance[k] <= distance[k + 1];
-    };
+    std::vector<std::size_t> minima;
     for (std::size_t k = 1; k + 1 < distance.size(); ++k)
-      if (is_minimum(k))
-        least = std::min(least, distance[k]);
-    for (std::size_t k = 1; k + 1 < distance.size(); ++k)
-      if (is_minimum(k) && distance[k] <= 1.5 * least)
+      if (k * orbit.step >= shortest && distance[k] <= distance[k - 1] &&
+          distance[k] <= distance[k + 1])
         {
-          const auto square = [&](const std::size_t i) {
-            return distance[i] * distance[i];
-          };
-          const double curvature =
-            square(k - 1) - 2. * square(k) + square(k + 1);
-          const double shift =
-            curvature > 0. ? .5 * (square(k - 1) - square(k + 1)) / curvature
-                           : 0.;
-          return {(k + shift) * orbit.step, distance[k] / mean};
+          minima.push_back(k);
+          least = std::min(least, distance[k]);
         }
-    return {0., 1.};
+    const auto time_of = [&](const std::size_t k) {
+      const auto square = [&](const std::size_t i) {
+        return distance[i] * distance[i];
+      };
+      const double curvature = square(k - 1) - 2. * square(k) + square(k + 1);
+      const double shift =
+        curvature > 0. ? .5 * (square(k - 1) - square(k + 1)) / curvature : 0.;
+      return (k + shift) * orbit.step;
+    };
+    std::vector<std::pair<double, double>> result;
+    for (const double bound : {near_return * mean, 1.5 * least})
+      {
+        const auto k =
+          std::find_if(minima.begin(), minima.end(), [&](const std::size_t i) {
+            return distance[i] <= std::max(bound, 1.5 * least);
+          });
+        if (k != minima.end() &&
+            (result.empty() || time_of(*k) > result.back().first))
+          result.emplace_back(time_of(*k), distance[*k] / mean);
+      }
+    return result;
   }
+
+  std::pair<double, double>
+  recurrence(const ReducedContactModel &model,
+             const Orbit               &orbit,
+             const double               shortest,
+             const double               longest)
+  {
+    const auto all = recurrences(model, orbit, shortest, longest);
+    return all.empty() ? std::pair<double, double>{0., 1.} : all.back();
+  }
+
+
+
+  namespace
+  {
+    /** The iterations of shoot(). */
+    class Shooting
+    {
+    public:
+      Shooting(const PeriodMap &m, const ShootingSettings &s, PeriodicMotion x)
+        : map(m)
+        , settings(s)
+        , motion(std::move(x))
+      {
+        if (settings.holds_at_once)
+          hold();
+      }
+
+      PeriodicMotion
+      iterate()
+      {
+        for (;; ++motion.iterations)
+          {
+            motion.history.push_back(motion.residual);
+            if (is_steady(map, motion.orbit))
+              motion.status = CycleStatus::steady_sliding;
+            else if (is_there() && !has_located_anew())
+              motion.status = CycleStatus::converged;
+            if (motion.status != CycleStatus::not_converged ||
+                motion.iterations >= settings.iterations || !improve())
+              return motion;
+          }
+      }
+
+    private:
+      using Rule = StatusChangeRule;
+
+      bool
+      is_there() const
+      {
+        return motion.residual <= settings.tolerance &&
+               motion.orbit.past.is_known();
+      }
+
+      /** A better motion; false where none is found. */
+      bool
+      improve()
+      {
+        const std::vector<int> rows      = map.closed_rows(motion.orbit);
+        const bool             is_newton = !linear || linear->rows != rows;
+        if (is_newton)
+          linear.emplace(map,
+                         motion,
+                         rows,
+                         is_held() ? StatusChanges::held
+                                   : StatusChanges::located);
+        const Eigen::VectorXd change = linear->step(motion);
+        if (!change.allFinite())
+          return false;
+        const double   residual = motion.residual;
+        const bool     is_near  = !is_held() && residual < Rule::near_enough;
+        PeriodicMotion best     = search_along(map,
+                                           motion,
+                                           linear->scaled,
+                                           change,
+                                           settings,
+                                           is_held() ? &*held : nullptr,
+                                           is_near || !is_newton);
+        const double   gain     = best.residual / residual;
+        if (gain < 1.)
+          take(best);
+        if (!(gain < gain_of_chord))
+          linear.reset();
+        const bool will_hold =
+          !is_held() && is_newton && Rule::holds(residual, gain);
+        if (will_hold)
+          hold();
+        return gain < 1. || !is_newton || will_hold;
+      }
+
+      void
+      take(PeriodicMotion &next)
+      {
+        motion.orbit    = std::move(next.orbit);
+        motion.period   = next.period;
+        motion.residual = next.residual;
+        motion.is_held  = next.is_held;
+      }
+
+      bool
+      is_held() const
+      {
+        return held.has_value();
+      }
+
+      void
+      hold()
+      {
+        held    = motion.orbit.corrections;
+        held_at = motion.residual;
+        linear.reset();
+      }
+
+      /** Whether changes that were held from far away can be located on the
+       * motion that has been found, so that it moves on to one of its own:
+       * where the steps are too rough for that the residual is large again. */
+      bool
+      has_located_anew()
+      {
+        if (!is_held() || held_at < Rule::near_enough)
+          return false;
+        held_at = 0.;
+        PeriodicMotion located;
+        if (!try_orbit(map,
+                       motion.orbit.states.front(),
+                       motion.period,
+                       settings.n_steps,
+                       motion.orbit.past_of(settings.n_steps),
+                       nullptr,
+                       located) ||
+            !(located.residual < Rule::near_enough))
+          return false;
+        take(located);
+        held.reset();
+        linear.reset();
+        return true;
+      }
+
+      const PeriodMap               &map;
+      const ShootingSettings        &settings;
+      PeriodicMotion                 motion;
+      std::optional<Linearised>      linear;
+      std::optional<StepCorrections> held;
+      double                         held_at = 0.; /**< residual */
+    };
+  } // namespace
 
 
 
@@ -112,58 +296,7 @@ namespace squeal
     PeriodicMotion m;
     if (!try_orbit(map, start, period, settings.n_steps, {}, nullptr, m))
       return m;
-    StepCorrections held;
-    bool            is_held = false;
-    for (;; ++m.iterations)
-      {
-        m.history.push_back(m.residual);
-        if (is_steady(map, m.orbit))
-          {
-            m.status = CycleStatus::steady_sliding;
-            return m;
-          }
-        if (m.residual <= settings.tolerance && m.orbit.past.is_known())
-          {
-            m.status = CycleStatus::converged;
-            return m;
-          }
-        if (m.iterations >= settings.iterations)
-          return m;
-        const std::vector<int> rows = map.closed_rows(m.orbit);
-        const ScaledMotion     scaled(map.reduced_model(), rows, m.period);
-        const PeriodEquations  equations(map,
-                                        m,
-                                        scaled,
-                                        rows,
-                                        is_held ? StatusChanges::held
-                                                 : StatusChanges::located);
-        const Eigen::VectorXd  change = equations.solve();
-        if (!change.allFinite())
-          return m;
-        const bool     may_hold     = !is_held && m.residual < hold_below;
-        PeriodicMotion best         = search_along(map,
-                                           m,
-                                           scaled,
-                                           change,
-                                           settings,
-                                           is_held ? &held : nullptr,
-                                           may_hold);
-        const bool     has_improved = best.residual < m.residual;
-        if (may_hold && !(best.residual < least_gain * m.residual))
-          {
-            held    = (has_improved ? best : m).orbit.corrections;
-            is_held = true;
-          }
-        else if (!has_improved)
-          return m;
-        if (has_improved)
-          {
-            m.orbit    = std::move(best.orbit);
-            m.period   = best.period;
-            m.residual = best.residual;
-            m.is_held  = best.is_held;
-          }
-      }
+    return Shooting(map, settings, std::move(m)).iterate();
   }
 
 

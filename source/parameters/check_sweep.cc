@@ -17,6 +17,17 @@ namespace squeal
     {
       using Scale = SweepAxisParameters::Scale;
 
+      /** Whole runs at the points of the axes instead of a sweep of one model.
+       */
+      bool
+      is_campaign_of_runs(const Parameters &p)
+      {
+        return p.analysis == Parameters::Analysis::transient
+                 ? !p.sweep.axes.empty()
+                 : p.analysis == Parameters::Analysis::limit_cycle &&
+                     p.limit_cycle.campaign;
+      }
+
       /** The entry must be there and be one number. */
       void
       require_number(const Parameters  &parameters,
@@ -34,8 +45,7 @@ namespace squeal
           }
         if (starts_with(path, "Scene/"))
           return;
-        const bool is_campaign =
-          parameters.analysis == Parameters::Analysis::transient;
+        const bool is_campaign = is_campaign_of_runs(parameters);
         if (!is_campaign || !is_resolution_entry(path))
           refuse_entry(section,
                        name,
@@ -201,10 +211,8 @@ namespace squeal
     check_sweep(const Parameters &parameters)
     {
       require_saved_name(parameters.sweep.basis_file, "Sweep", "Basis file");
-      const SweepParameters &s = parameters.sweep;
-      const bool             is_campaign =
-        parameters.analysis == Parameters::Analysis::transient &&
-        !s.axes.empty();
+      const SweepParameters &s           = parameters.sweep;
+      const bool             is_campaign = is_campaign_of_runs(parameters);
       if (parameters.analysis != Parameters::Analysis::sweep && !is_campaign)
         return;
       if (s.axes.empty())
@@ -225,7 +233,7 @@ namespace squeal
               axis.shown_as != SweepAxisParameters::ShownAs::value)
             refuse_entry("Sweep/Axis " + axis.name,
                          "Shown as",
-                         "is for campaigns of transients; a sweep shows the "
+                         "is for campaigns of runs; a sweep shows the "
                          "value itself");
           if (axis.shown_as == SweepAxisParameters::ShownAs::common_logarithm)
             require_positive(axis);

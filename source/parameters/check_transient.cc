@@ -172,7 +172,13 @@ namespace squeal
           refuse_entry("Transient",
                        "Cut-off",
                        "must not be below 'Eigenvalues/Highest frequency'");
-        check_branch(p.sweep.axes);
+        if (!p.limit_cycle.campaign)
+          check_branch(p.sweep.axes);
+        else if (!t.integrators.empty())
+          refuse_entry("Transient",
+                       "Integrators",
+                       "must be empty: limit cycles are those of the reduced "
+                       "model");
       }
 
       void
@@ -450,7 +456,10 @@ namespace squeal
       if (p.analysis == Analysis::preload)
         check_stiffness(p);
       if (p.analysis == Analysis::limit_cycle)
-        check_limit_cycle(p);
+        {
+          check_limit_cycle(p);
+          check_tops(p);
+        }
       if (p.analysis == Analysis::transient)
         {
           check_times(p);

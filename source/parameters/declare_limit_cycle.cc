@@ -25,6 +25,14 @@ namespace squeal
                  l.every_pair,
                  "One cycle for each growing pair of the band of "
                  "'Eigenvalues', in competition.csv.");
+      schema.add(
+        "Campaign",
+        l.campaign,
+        "The cycles of every growing pair at each point of the axes of "
+        "'Sweep' and for each of 'Transient/Tops' instead of one "
+        "branch: competition.csv has a row for each pair and "
+        "campaign.csv one for each point, with what is left of "
+        "them.");
       schema.add("Start amplitude",
                  l.start,
                  Allowed::positive(1e3),
@@ -34,19 +42,21 @@ namespace squeal
       schema.add("Run time",
                  l.run_time,
                  Allowed::number(0.),
-                 "How long the motion is followed from there before Newton's "
-                 "method looks for the periodic one.",
+                 "How long the motion is followed from there at most before "
+                 "Newton's method looks for the periodic one: less where it "
+                 "comes back to where it was before.",
                  "s");
       schema.add("Run steps per period",
                  l.run_steps,
                  Allowed::integer(16, 4096),
-                 "Time steps of a period of the pair in that run.");
+                 "Time steps of a period of the pair in that run; more "
+                 "are taken where these would be unstable.");
       schema.add("Steps per period",
                  l.steps,
                  Allowed::integer(32, 8192),
-                 "Time steps of the periodic motion; it is sought with half "
-                 "of them as well, and the difference is the error that is "
-                 "printed.");
+                 "Time steps of the periodic motion, more where these would "
+                 "be unstable; it is sought with half of them as well, and "
+                 "the difference is the error that is printed.");
       schema.add("Harmonics",
                  l.harmonics,
                  Allowed::integer(1, 1000),

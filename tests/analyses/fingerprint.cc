@@ -3,10 +3,10 @@
 // What decides whether saved results are taken over: every entry but those of
 // one list, the content of every file, the program.
 
-#include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/base/inputs_read.h>
 #include <squeal/base/program_id.h>
 #include <squeal/parameters/declarations.h>
+#include <squeal/run/campaign_runs.h>
 #include <squeal/run/fingerprint.h>
 
 #include <fstream>

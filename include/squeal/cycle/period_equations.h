@@ -46,6 +46,28 @@ namespace squeal
                  const StepCorrections *held,
                  PeriodicMotion        &motion);
 
+  /** When the changes of status within steps are no longer located anew: the
+   * steps jump a little where a change of one node disturbs what is told from
+   * the steps before another one. */
+  struct StatusChangeRule
+  {
+    /** Near the periodic motion, below this residual, they are held */
+    static constexpr double near_enough = 1e-2;
+    /** where an iteration leaves more than this share of it; */
+    static constexpr double least_gain = 0.3;
+    /** farther away, below this one, */
+    static constexpr double farthest = 0.5;
+    /** where it leaves more than this. */
+    static constexpr double no_gain = 0.9;
+
+    static bool
+    holds(const double residual, const double gain)
+    {
+      return residual < near_enough ? !(gain < least_gain)
+                                    : residual < farthest && !(gain < no_gain);
+    }
+  };
+
   /** The equations of shooting linearised about a motion: that it is where it
    * started after a period, and that the start does not move along it. Unknowns
    * are the scaled state and the period in shares of itself. */
@@ -58,7 +80,9 @@ namespace squeal
                     const std::vector<int> &rows,
                     const StatusChanges     changes);
 
-    Eigen::VectorXd solve() const;
+    /** The change for what the motion of the equations, or one near it, misses
+     * its start by, scaled: end less start. */
+    Eigen::VectorXd solve(const Eigen::VectorXd &missing) const;
 
     /** With a number more, which moves the end of the period by @p by_number a
      * unit, and the equation @p row * change = @p value. */
@@ -67,8 +91,9 @@ namespace squeal
                                const double           value) const;
 
   private:
-    Eigen::MatrixXd A;
-    Eigen::VectorXd rhs;
+    Eigen::MatrixXd                      A;
+    Eigen::VectorXd                      rhs;
+    Eigen::PartialPivLU<Eigen::MatrixXd> factors; /**< of A */
   };
 } // namespace squeal
 

@@ -5,6 +5,8 @@
 #include <squeal/cycle/period_map.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace squeal
 {
@@ -34,6 +36,8 @@ namespace squeal
     unsigned int n_steps    = 128;
     unsigned int iterations = 30;
     double       tolerance  = 1e-6;
+    /** The start is that of a motion whose changes of status were held. */
+    bool holds_at_once = false;
   };
 
   /**
@@ -59,12 +63,19 @@ namespace squeal
                      const MotionState         &b);
 
   /**
-   * The time after which the end of @p orbit was before where it is, of those
-   * between the times @p shortest and @p longest: the shortest at which the
-   * distance has a minimum that is no more than half above the least one.
-   * Returns the time, s, and that distance over the mean one; 0 and 1 where
-   * there is none.
+   * The times after which the end of @p orbit was before where it is, of those
+   * between the times @p shortest and @p longest, and how near, over the mean
+   * distance: the shortest of the minima of the distance that are below a tenth
+   * of it, and the shortest of those no more than half above the least one, if
+   * that is another. None where there is no minimum.
    */
+  std::vector<std::pair<double, double>> recurrences(
+    const ReducedContactModel &model,
+    const Orbit               &orbit,
+    const double               shortest,
+    const double               longest);
+
+  /** The last of them, the time in s; 0 and 1 where there is none. */
   std::pair<double, double> recurrence(const ReducedContactModel &model,
                                        const Orbit               &orbit,
                                        const double               shortest,

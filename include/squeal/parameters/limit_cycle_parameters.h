@@ -10,6 +10,7 @@ namespace squeal
     double frequency = 0.;          /**< Hz, of the pair it starts from; 0:
                                        that of the largest sigma in the band */
     bool   every_pair = false;      /**< one cycle for each growing pair */
+    bool   campaign   = false;      /**< at every point of the axes */
     double start      = 2.;         /**< amplitude over that at which
                                        half of the nodes open or stick */
     double       run_time   = 0.02; /**< s, of the motion before Newton */

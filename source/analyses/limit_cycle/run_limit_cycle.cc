@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/branch_output.h>
+#include <squeal/analyses/limit_cycle/cycle_campaign.h>
 #include <squeal/analyses/limit_cycle/cycle_motion.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
@@ -22,24 +23,6 @@ namespace squeal
   {
     /** Moments of the moving picture of a period. */
     constexpr unsigned int n_frames = 32;
-    /** Growing pairs of the band, the fastest first. */
-    std::vector<Eigen::Index>
-    growing_pairs(const LinearizedMotion &linear, const EigenParameters &band)
-    {
-      std::vector<Eigen::Index> result;
-      for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
-        if (const double f = linear.lambda[k].imag() / (2. * M_PI);
-            linear.lambda[k].real() > 0. && f >= band.lowest_frequency &&
-            f <= band.highest_frequency)
-          result.push_back(k);
-      std::sort(result.begin(),
-                result.end(),
-                [&](const Eigen::Index a, const Eigen::Index b) {
-                  return linear.lambda[a].real() > linear.lambda[b].real();
-                });
-      return result;
-    }
-
     /** The pairs that cycles are sought from, the one that was asked for
      * first. */
     std::vector<Eigen::Index>
@@ -189,9 +172,33 @@ namespace squeal
 
 
 
+  std::vector<Eigen::Index>
+  growing_pairs(const LinearizedMotion &linear, const EigenParameters &band)
+  {
+    std::vector<Eigen::Index> result;
+    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
+      if (const double f = linear.lambda[k].imag() / (2. * M_PI);
+          linear.lambda[k].real() > 0. && f >= band.lowest_frequency &&
+          f <= band.highest_frequency)
+        result.push_back(k);
+    std::sort(result.begin(),
+              result.end(),
+              [&](const Eigen::Index a, const Eigen::Index b) {
+                return linear.lambda[a].real() > linear.lambda[b].real();
+              });
+    return result;
+  }
+
+
+
   void
   run_limit_cycle(RunContext &context)
   {
+    if (context.parameters.limit_cycle.campaign)
+      {
+        run_cycle_campaign(context);
+        return;
+      }
     Parameters p = context.parameters;
     for (auto &contact : p.scene.contacts)
       contact.state = ContactParameters::State::full;

@@ -3,11 +3,11 @@
 // Amplitude of the limit cycles of a campaign over growth rate and sliding
 // speed, the friction that is measured from outside, and ladders.
 
-#include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/column_title.h>
+#include <squeal/run/campaign_runs.h>
 #include <squeal/run/run_context.h>
 
 #include <algorithm>

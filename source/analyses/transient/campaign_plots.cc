@@ -2,9 +2,9 @@
 
 // Pictures of a campaign of transients beside the eigenvalue analyses.
 
-#include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/results/chart.h>
+#include <squeal/run/campaign_runs.h>
 #include <squeal/run/run_context.h>
 
 #include <algorithm>

@@ -5,23 +5,18 @@
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
-#include <squeal/base/inputs_read.h>
-#include <squeal/base/root_action.h>
-#include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/column_title.h>
-#include <squeal/run/finished_runs.h>
+#include <squeal/run/campaign_file.h>
+#include <squeal/run/campaign_runs.h>
 #include <squeal/run/run_context.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <future>
-#include <map>
 #include <memory>
 #include <sstream>
 
@@ -158,24 +153,11 @@ namespace squeal
       return label;
     }
 
-    /** All rows of a table of numbers one after the other, and back. */
-    std::vector<Cell>
-    joined(const Table &table)
-    {
-      std::vector<Cell> all;
-      for (std::size_t i = 0; i < table.n_rows(); ++i)
-        for (std::size_t c = 0; c < table.columns().size(); ++c)
-          all.push_back(table.cell(i, c));
-      return all;
-    }
-
     Table
     phases_of(const std::vector<Cell> &all)
     {
-      Table             table = phase_table(TransientRecord(), {});
-      const std::size_t n     = table.columns().size();
-      for (std::size_t i = 0; i + n <= all.size(); i += n)
-        table.add_row({all.begin() + i, all.begin() + i + n});
+      Table table = phase_table(TransientRecord(), {});
+      add_rows(table, all);
       return table;
     }
 
@@ -246,24 +228,11 @@ namespace squeal
       }
 
     private:
-      RunContext      &context;
-      FinishedRuns    &finished;
-      Progress        &progress;
-      CampaignResults &results;
-      /** Contents that the runs are known by. */
-      const std::map<std::string, std::string> inputs = inputs_read();
-
-      /** A run that has read other files than it is known by is not kept. */
-      void
-      require_same_inputs() const
-      {
-        const auto now = inputs_read();
-        for (const auto &[file, content] : inputs)
-          if (now.at(file) != content)
-            throw InputError("'" + file +
-                             "' has changed since the campaign was started: "
-                             "start it again");
-      }
+      RunContext         &context;
+      FinishedRuns       &finished;
+      Progress           &progress;
+      CampaignResults    &results;
+      const InputsAtStart inputs;
 
       void
       start(const CampaignRun              &run,
@@ -328,7 +297,7 @@ namespace squeal
             stop.repeat();
           }
         const auto outcome = group->evaluate(run, *started[i].prepared, record);
-        keep(run, outcome.row, joined(outcome.phases));
+        keep(run, outcome.row, all_cells(outcome.phases));
       }
 
       void
@@ -349,7 +318,7 @@ namespace squeal
            const std::vector<Cell> &row,
            const std::vector<Cell> &phases)
       {
-        require_same_inputs();
+        inputs.require_same();
         add(run, row, phases);
         if (!context.is_root)
           return;
@@ -359,51 +328,6 @@ namespace squeal
         finished.add(run.fingerprint, row_name, row);
       }
     };
-
-
-
-    /** Says what the file of finished runs has for these @p runs. */
-    void
-    report_finished(const FinishedRuns             &finished,
-                    const std::vector<CampaignRun> &runs,
-                    const std::size_t               n_columns,
-                    const std::string              &file,
-                    RunLog                         &log)
-    {
-      std::vector<Cell>  row;
-      const CampaignRun *missing = nullptr;
-      unsigned int       n_found = 0;
-      for (const CampaignRun &run : runs)
-        if (finished.find(run.fingerprint, row_name, n_columns, row))
-          ++n_found;
-        else if (!missing)
-          missing = &run;
-      if (n_found > 0)
-        log.info("  " + std::to_string(n_found) + " of " +
-                 std::to_string(runs.size()) + " runs are taken from " + file);
-      else if (missing && finished.n_rows() > 0)
-        log.warning("the runs in " + file +
-                    " are others and are kept there: of the one most alike, " +
-                    finished.nearest_difference(missing->fingerprint));
-    }
-
-
-
-    /** The file of finished runs; without `Resume` an earlier one is put
-     * aside. */
-    std::string
-    finished_file(RunContext &context)
-    {
-      const std::string file = context.output.state_file(
-        "runs.json", state_kind::rows, "Output directory");
-      if (context.is_root && !context.parameters.transient.resume &&
-          std::filesystem::exists(file))
-        context.log.warning("the runs in " + file +
-                            " are not used, as Transient/Resume is false; kept "
-                            "as '" +
-                            set_aside(file) + "'");
-      return file;
-    }
 
 
 
@@ -462,21 +386,12 @@ namespace squeal
   void
   run_campaign(RunContext &context)
   {
-    const Parameters        &p      = context.parameters;
-    const auto               groups = campaign_groups(p);
-    std::vector<CampaignRun> runs;
-    for (const auto &group : groups)
-      runs.insert(runs.end(), group.begin(), group.end());
-    CampaignResults   results(p);
-    const std::string file =
-      on_root(context.is_root, [&]() { return finished_file(context); });
-    FinishedRuns finished(file, on_root(context.is_root, [&]() {
-                            return std::filesystem::exists(file)
-                                     ? read_file(file)
-                                     : "";
-                          }));
-    report_finished(
-      finished, runs, results.table.columns().size(), file, context.log);
+    const Parameters              &p      = context.parameters;
+    const auto                     groups = campaign_groups(p);
+    const std::vector<CampaignRun> runs   = all_runs(groups);
+    CampaignResults                results(p);
+    FinishedRuns                   finished =
+      finished_runs(context, runs, row_name, results.table.columns().size());
     {
       Progress       progress(context.log, "transients", runs.size());
       CampaignRunner runner(context, finished, progress, results);

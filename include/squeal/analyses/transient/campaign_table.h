@@ -2,8 +2,8 @@
 #ifndef squeal_analyses_transient_campaign_table_h
 #define squeal_analyses_transient_campaign_table_h
 
-#include <squeal/analyses/transient/campaign_runs.h>
 #include <squeal/analyses/transient/transient_results.h>
+#include <squeal/run/campaign_runs.h>
 
 #include <string>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/analyses/transient/campaign_runs.h>
-#include <squeal/analyses/transient/transient_results.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/number_access.h>
+#include <squeal/run/campaign_runs.h>
 #include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
@@ -279,5 +279,16 @@ namespace squeal
               }
         }
     return groups;
+  }
+
+
+
+  std::vector<CampaignRun>
+  all_runs(const std::vector<std::vector<CampaignRun>> &groups)
+  {
+    std::vector<CampaignRun> runs;
+    for (const auto &group : groups)
+      runs.insert(runs.end(), group.begin(), group.end());
+    return runs;
   }
 } // namespace squeal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef squeal_analyses_transient_campaign_runs_h
-#define squeal_analyses_transient_campaign_runs_h
+#ifndef squeal_run_campaign_runs_h
+#define squeal_run_campaign_runs_h
 
 #include <squeal/parameters/parameters.h>
 #include <squeal/run/fingerprint.h>
@@ -27,6 +27,10 @@ namespace squeal
    */
   std::vector<std::vector<CampaignRun>> campaign_groups(
     const Parameters &parameters);
+
+  /** Those of all groups, one after the other. */
+  std::vector<CampaignRun> all_runs(
+    const std::vector<std::vector<CampaignRun>> &groups);
 
   /** The unit of an axis' values as tables show them: that of its entries, MPa
    * where its name ends in "_mpa", none of a logarithm. */

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_limit_cycle_cycle_campaign_h
+#define squeal_analyses_limit_cycle_cycle_campaign_h
+
+#include <squeal/cycle/cycle_search.h>
+#include <squeal/parameters/parameters.h>
+#include <squeal/results/table.h>
+#include <squeal/transient/linearized_motion.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal
+{
+  class RunContext;
+
+  /** Growing pairs of the band, the fastest first. */
+  std::vector<Eigen::Index> growing_pairs(const LinearizedMotion &linear,
+                                          const EigenParameters  &band);
+
+  /**
+   * The limit cycles of every growing pair at each point of the axes of `Sweep`
+   * and for each of `Transient/Tops`: what can be heard, where several pairs
+   * grow. Finished points are kept; the same command goes on with the rest.
+   */
+  void run_cycle_campaign(RunContext &context);
+
+  /** What the cycles of all growing pairs of a point come to. */
+  struct CycleOutcome
+  {
+    std::string text;            /**< in words */
+    std::size_t n_converged = 0; /**< pairs that have led to a cycle */
+    std::size_t n_different = 0; /**< of those cycles */
+    std::size_t n_stable    = 0; /**< different ones that are stable */
+    /** The stable one of the largest rms of the normal force; else the only one
+     * whose stability is left open; else -1. */
+    int heard = -1;
+  };
+
+  /** @p cycles: one for each growing pair; none: steady sliding is stable. Two
+   * are the same if frequencies and rms agree within their errors and 0.1 and
+   * 1 %. */
+  CycleOutcome outcome_of(const std::vector<CycleResult> &cycles);
+
+  /** Columns of what a point comes to, without those of the axes; one row. */
+  Table outcome_table(const std::vector<CycleResult> &cycles);
+  /** The row of a point without steady sliding. */
+  Table outcome_without_sliding();
+} // namespace squeal
+
+#endif

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Limit cycles over the axes of `Sweep` and several tops.
+
+#include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
+#include <squeal/analyses/limit_cycle/limit_cycle_output.h>
+#include <squeal/base/exceptions.h>
+#include <squeal/base/stop_request.h>
+#include <squeal/model/pressed_model.h>
+#include <squeal/results/chart.h>
+#include <squeal/results/html_report.h>
+#include <squeal/run/campaign_file.h>
+#include <squeal/run/run_context.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+
+    /** Names of what a finished point keeps. */
+    const std::string point_name = "cycle point", pairs_name = "cycle pairs";
+
+    /** All points with one set of bodies. */
+    class PointGroup
+    {
+    public:
+      PointGroup(const Parameters &p, RunContext &c)
+        : parameters(p)
+        , context(c)
+        , model(parameters, c.timers, {}, Model::Contacts::open)
+        , pressed(parameters,
+                  *model.discretization(),
+                  model.body_matrices(),
+                  parameters.transient.cut_off,
+                  c.timers,
+                  parameters.transient.interface_cut_off)
+      {
+        context.record.n_dofs = model.n_unknowns();
+      }
+
+      /** Of every growing pair; none where there is no steady sliding. */
+      std::optional<std::vector<CycleResult>>
+      cycles(const CampaignRun &run)
+      {
+        try
+          {
+            const Parameters &p = run.parameters;
+            const SteadyModel about =
+              pressed.with_friction(friction_sizes(p.scene.contacts))
+                .steady(p.preload.tolerance, context.timers);
+            const LinearizedMotion linear =
+              linearize(about.pressed.model(),
+                        about.sliding,
+                        about.pressed.sliding_friction(),
+                        about.pressed.speed());
+            const PeriodMap          map = period_map_of(about);
+            std::vector<CycleResult> result;
+            Timers::Section section(context.timers, "Solve: limit cycles");
+            for (const Eigen::Index k : growing_pairs(linear, p.eigen))
+              result.push_back(
+                find_cycle(map, about.sliding, linear, k, p.limit_cycle));
+            return result;
+          }
+        catch (const ComputationError &e)
+          {
+            context.log.warning(e.what());
+            return {};
+          }
+      }
+
+    private:
+      const Parameters parameters;
+      RunContext      &context;
+      Model            model;
+      PressedModel     pressed;
+    };
+
+
+
+    /** The values of the axes and the top in front of every row. */
+    void
+    put_place(Table &table, const CampaignRun &run, const Parameters &p)
+    {
+      if (!run.top.empty())
+        table.put_first({"top", Type::text, "", "kind of the support"},
+                        run.top);
+      for (std::size_t i = run.shown.size(); i-- > 0;)
+        table.put_first({p.sweep.axes[i].name,
+                         Type::real,
+                         shown_unit(p.sweep.axes[i], p.scene),
+                         "of the axis"},
+                        run.shown[i]);
+    }
+
+    struct CampaignTables
+    {
+      Table points, pairs;
+    };
+
+    /** Runs what is not finished. */
+    CampaignTables
+    tables_of(RunContext                                  &context,
+              const std::vector<std::vector<CampaignRun>> &groups,
+              FinishedRuns                                &finished,
+              const std::size_t                            n_points)
+    {
+      const Parameters &p = context.parameters;
+      CampaignTables    all;
+      Progress          progress(context.log, "points", n_points);
+      StopRequest       stop;
+      InputsAtStart     inputs;
+      for (const auto &runs : groups)
+        {
+          std::unique_ptr<PointGroup> group;
+          for (const CampaignRun &run : runs)
+            {
+              Table point = outcome_without_sliding(),
+                    pairs = cycle_table({}, p.limit_cycle.harmonics);
+              std::vector<Cell> row, rows;
+              if (finished.find(
+                    run.fingerprint, point_name, point.columns().size(), row))
+                {
+                  finished.find(run.fingerprint, pairs_name, 0, rows);
+                  point = Table(point.columns());
+                  add_rows(point, row);
+                  add_rows(pairs, rows);
+                }
+              else
+                {
+                  if (!group)
+                    group =
+                      std::make_unique<PointGroup>(run.parameters, context);
+                  if (const auto cycles = group->cycles(run))
+                    {
+                      point = outcome_table(*cycles);
+                      pairs = cycle_table(*cycles, p.limit_cycle.harmonics);
+                    }
+                  inputs.require_same();
+                  if (context.is_root)
+                    {
+                      finished.add(
+                        run.fingerprint, pairs_name, all_cells(pairs));
+                      finished.add(
+                        run.fingerprint, point_name, all_cells(point));
+                    }
+                }
+              put_place(point, run, p);
+              put_place(pairs, run, p);
+              all.points.append(point);
+              all.pairs.append(pairs);
+              progress.advance(1, run.top);
+              if (stop.is_there())
+                {
+                  context.log.info("stopped; the same command goes on with the "
+                                   "points that are left");
+                  stop.repeat();
+                }
+            }
+        }
+      return all;
+    }
+
+
+
+    /** "14 of 36 points grow: ..." */
+    std::string
+    campaign_sentence(const Table &points)
+    {
+      std::map<std::string, std::size_t> outcomes;
+      std::size_t                        n_growing = 0;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        {
+          ++outcomes[points.text(i, "outcome")];
+          n_growing += points.integer(i, "n_growing") > 0;
+        }
+      std::string text = std::to_string(n_growing) + " of " +
+                         std::to_string(points.n_rows()) +
+                         " points have growing pairs";
+      for (const auto &[outcome, n] : outcomes)
+        text += ", " + std::to_string(n) + " x " + outcome;
+      return text;
+    }
+
+    /** The line that is heard over the first axis, one series for each value of
+     * the others. */
+    void
+    draw_points(RunContext &context, const Table &points, HtmlReport &report)
+    {
+      const Parameters                  &p = context.parameters;
+      std::map<std::string, ChartSeries> series;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        {
+          const double line = points.real(i, "dominant_line_hz");
+          if (!std::isfinite(line))
+            continue;
+          std::string label;
+          for (std::size_t a = 1; a < p.sweep.axes.size(); ++a)
+            label +=
+              (label.empty() ? "" : ", ") + p.sweep.axes[a].name + " " +
+              points.display(i, points.column_index(p.sweep.axes[a].name));
+          if (points.has_column("top"))
+            label += (label.empty() ? "" : ", ") + points.text(i, "top");
+          ChartSeries &s = series[label];
+          s.label        = label;
+          s.x.push_back(points.real(i, p.sweep.axes[0].name));
+          s.y.push_back(line);
+        }
+      if (series.empty())
+        return;
+      Chart chart;
+      chart.title   = "Largest line of the limit cycle that is heard";
+      chart.x.label = shown_title(p.sweep.axes[0], p.scene);
+      chart.y.label = "frequency in Hz";
+      for (auto &[label, s] : series)
+        {
+          s.ink    = series_ink(chart.series.size());
+          s.marker = static_cast<ChartSeries::Marker>(chart.series.size() % 4);
+          chart.series.push_back(s);
+        }
+      context.output.file("plots/campaign.png");
+      const std::string path = context.output.path() + "/plots/campaign";
+      context.plotter.draw(draw_charts({chart}), path);
+      report.section("What is heard");
+      report.figure(path + ".png",
+                    "The largest line of the normal force in the limit cycle "
+                    "that is heard, where there is one",
+                    true);
+    }
+  } // namespace
+
+
+
+  void
+  run_cycle_campaign(RunContext &context)
+  {
+    const Parameters              &p        = context.parameters;
+    const auto                     groups   = campaign_groups(p);
+    const std::vector<CampaignRun> runs     = all_runs(groups);
+    FinishedRuns                   finished = finished_runs(
+      context, runs, point_name, outcome_without_sliding().columns().size());
+    const CampaignTables tables =
+      tables_of(context, groups, finished, runs.size());
+    context.write_table("campaign.csv", tables.points);
+    context.write_table("competition.csv", tables.pairs);
+    std::ostringstream text;
+    tables.points.print(text);
+    context.log.heading("Campaign of limit cycles");
+    context.log.info(text.str());
+    context.record.figures = {
+      {"points", std::to_string(tables.points.n_rows())},
+      {"growing pairs", std::to_string(tables.pairs.n_rows())}};
+    HtmlReport report("Limit cycles of " + p.scene.name,
+                      "over the axes of the campaign");
+    report.set_verdict(HtmlReport::Verdict::neutral,
+                       campaign_sentence(tables.points),
+                       context.record.figures);
+    if (p.output.plots && context.is_root)
+      draw_points(context, tables.points, report);
+    report.section("Points");
+    report.table(tables.points, "What the growing pairs of each point lead to");
+    report.section("Cycles");
+    report.table(tables.pairs, "Limit cycles of all growing pairs");
+    context.finish(p.output.report ? &report : nullptr, "");
+  }
+} // namespace squeal

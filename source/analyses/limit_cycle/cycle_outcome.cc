@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What is left of the limit cycles of several growing pairs.
+
+#include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
+
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+
+    /** Cycles are the same within these shares and their errors. */
+    constexpr double same_frequency = 1e-3, same_rms = 1e-2;
+
+    bool
+    agree(const double a,
+          const double b,
+          const double share,
+          const double error)
+    {
+      return std::abs(a - b) <=
+             share * std::max(std::abs(a), std::abs(b)) + error;
+    }
+
+    bool
+    are_same(const CycleResult &a, const CycleResult &b)
+    {
+      const auto error = [](const CycleResult &c, double CycleFigures::*of) {
+        return std::abs(c.figures.*of - c.coarse_figures.*of);
+      };
+      const auto within = [&](double CycleFigures::*of, const double share) {
+        return agree(
+          a.figures.*of, b.figures.*of, share, error(a, of) + error(b, of));
+      };
+      return within(&CycleFigures::frequency, same_frequency) &&
+             within(&CycleFigures::rms_normal, same_rms);
+    }
+
+    struct PointRow
+    {
+      const std::vector<CycleResult> &cycles;
+      CycleOutcome                    outcome;
+
+      const CycleResult *
+      heard() const
+      {
+        return outcome.heard < 0 ? nullptr : &cycles[outcome.heard];
+      }
+      /** The pair of the largest growth rate; the cycles are in that order. */
+      const CycleResult *
+      fastest() const
+      {
+        return cycles.empty() ? nullptr : &cycles.front();
+      }
+    };
+
+    using Column = ColumnOf<PointRow>;
+
+    /** Of one of the cycles, if there is one. */
+    Column
+    of(const Table::Column &declaration,
+       const CycleResult *(PointRow::*which)() const,
+       const std::function<double(const CycleResult &)> &value)
+    {
+      return {declaration, [which, value](const PointRow &row) {
+                const CycleResult *c = (row.*which)();
+                return c ? Cell(value(*c)) : Cell();
+              }};
+    }
+
+    std::vector<Column>
+    count_columns()
+    {
+      const auto count = [](std::size_t CycleOutcome::*number) {
+        return
+          [number](const PointRow &row) { return Cell(row.outcome.*number); };
+      };
+      return {
+        {{"outcome", Type::text, "", "of all growing pairs"},
+         [](const PointRow &row) { return Cell(row.outcome.text); }},
+        {{"n_growing", Type::integer, "", "pairs about steady sliding"},
+         [](const PointRow &row) { return Cell(row.cycles.size()); }},
+        {{"n_converged",
+          Type::integer,
+          "",
+          "growing pairs from which a periodic motion was found"},
+         count(&CycleOutcome::n_converged)},
+        {{"n_different", Type::integer, "", "periodic motions among them"},
+         count(&CycleOutcome::n_different)},
+        {{"n_stable", Type::integer, "", "stable ones"},
+         count(&CycleOutcome::n_stable)}};
+    }
+
+    std::vector<Column>
+    columns()
+    {
+      std::vector<Column>       result = count_columns();
+      const std::vector<Column> more   = {
+          of({"fastest_pair_hz",
+              Type::real,
+              "Hz",
+              "frequency of the pair of the largest growth rate"},
+           &PointRow::fastest,
+           [](const CycleResult &c) { return c.pair.imag() / (2. * M_PI); }),
+          of({"fastest_sigma_per_s", Type::real, "1/s", "its growth rate"},
+           &PointRow::fastest,
+           [](const CycleResult &c) { return c.pair.real(); }),
+          of({"frequency_hz",
+              Type::real,
+              "Hz",
+              "1/period of the motion that is heard",
+              8},
+           &PointRow::heard,
+           [](const CycleResult &c) { return c.figures.frequency; }),
+          of({"frequency_error_hz",
+              Type::real,
+              "Hz",
+              "difference to half the steps",
+              3},
+           &PointRow::heard,
+           [](const CycleResult &c) {
+             return std::abs(c.figures.frequency - c.coarse_figures.frequency);
+           }),
+          of({"dominant_line_hz",
+              Type::real,
+              "Hz",
+              "largest harmonic of its normal force"},
+           &PointRow::heard,
+           [](const CycleResult &c) {
+             return c.figures.largest_harmonic * c.figures.frequency;
+           }),
+          of({"rms_normal_n", Type::real, "N", "of its normal force"},
+           &PointRow::heard,
+           [](const CycleResult &c) { return c.figures.rms_normal; }),
+          of({"rms_normal_error_n",
+              Type::real,
+              "N",
+              "difference to half the steps",
+              3},
+           &PointRow::heard,
+           [](const CycleResult &c) {
+             return std::abs(c.figures.rms_normal -
+                             c.coarse_figures.rms_normal);
+           }),
+          of({"min_normal_n", Type::real, "N", "least normal force"},
+           &PointRow::heard,
+           [](const CycleResult &c) { return c.figures.min_normal; }),
+          of({"max_normal_n", Type::real, "N", "largest normal force"},
+           &PointRow::heard,
+           [](const CycleResult &c) { return c.figures.max_normal; }),
+          of({"largest_multiplier", Type::real, "", "its stability"},
+           &PointRow::heard,
+           [](const CycleResult &c) { return c.multipliers.largest; })};
+      result.insert(result.end(), more.begin(), more.end());
+      return result;
+    }
+  } // namespace
+
+
+
+  CycleOutcome
+  outcome_of(const std::vector<CycleResult> &cycles)
+  {
+    CycleOutcome     result;
+    std::vector<int> different;
+    std::size_t      n_open = 0;
+    int              open   = -1;
+    for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
+      if (cycles[i].has_converged())
+        {
+          ++result.n_converged;
+          bool is_new = true;
+          for (const int k : different)
+            is_new = is_new && !are_same(cycles[i], cycles[k]);
+          if (!is_new)
+            continue;
+          different.push_back(i);
+          if (cycles[i].multipliers.is_stable())
+            {
+              ++result.n_stable;
+              if (result.heard < 0 || cycles[result.heard].figures.rms_normal <
+                                        cycles[i].figures.rms_normal)
+                result.heard = i;
+            }
+          else if (!cycles[i].multipliers.is_unstable())
+            {
+              ++n_open;
+              open = i;
+            }
+        }
+    result.n_different = different.size();
+    if (result.n_stable == 0 && n_open == 1)
+      result.heard = open;
+    result.text = cycles.empty()            ? "steady sliding"
+                  : result.n_stable > 1     ? "several stable limit cycles"
+                  : result.n_stable == 1    ? "stable limit cycle"
+                  : n_open > 0              ? "limit cycle, stability open"
+                  : result.n_converged == 0 ? "no limit cycle found"
+                                            : "limit cycles found are unstable";
+    return result;
+  }
+
+  Table
+  outcome_table(const std::vector<CycleResult> &cycles)
+  {
+    return table_of(columns(),
+                    std::vector<PointRow>{{cycles, outcome_of(cycles)}});
+  }
+
+  Table
+  outcome_without_sliding()
+  {
+    CycleOutcome outcome;
+    outcome.text = "no steady sliding";
+    const std::vector<CycleResult> none;
+    return table_of(columns(), std::vector<PointRow>{{none, outcome}});
+  }
+} // namespace squeal
