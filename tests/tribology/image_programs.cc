@@ -14,6 +14,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
+#include <filesystem>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -127,6 +128,40 @@ namespace
 
 
 
+  /** Images and made specimens have a report, in units that are read at a
+   * glance, with its pictures inside. */
+  void
+  check_reports()
+  {
+    const auto shows = [](const std::string              &directory,
+                          const std::vector<std::string> &texts) {
+      const std::string report = text_of(directory + "/report.html");
+      for (const std::string &text : texts)
+        check(report.find(text) != std::string::npos,
+              "the report of " + directory + " has '" + text + "'");
+    };
+    shows("whole",
+          {"mm per mm^2",
+           "How sure the figures are",
+           "What was left out",
+           "data:image/png;base64,",
+           "whole (made)"});
+    write_text("made.prm",
+               "set Analysis = synthetic specimen\nset Overwrite = true\n"
+               "set Output directory = made\nsubsection Synthetic specimen\n"
+               "  set Field = 300, 200\nend\n");
+    const Outcome outcome = run_program({program, "made.prm"});
+    check(outcome.code == 0, "specimens are made: " + outcome.errors);
+    shows("made", {"not photographed", "crack length", "data:image/png"});
+    write_text("quiet.prm",
+               "include made.prm\nset Output directory = quiet\n"
+               "subsection Output\n  set Report = false\nend\n");
+    check(run_program({program, "quiet.prm"}).code == 0, "or without a report");
+    check(!std::filesystem::exists("quiet/report.html"), "which is not there");
+  }
+
+
+
   /** Resin, a bright layer of 40 um, bulk, and cracks 100 um deep. */
   void
   check_section()
@@ -184,6 +219,7 @@ main(int argc, char **argv)
   check(argc == 2, "one argument");
   program = argv[1];
   check_mosaic();
+  check_reports();
   check_section();
   return 0;
 }

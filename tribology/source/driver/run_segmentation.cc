@@ -3,6 +3,7 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/rater_masks.h>
 #include <squeal/tribology/images/section_profile.h>
@@ -101,7 +102,17 @@ namespace squeal::tribology
         context.record.figures = {
           {"images", std::to_string(record.images.size())},
           {"cracks found", rounded_text(1e3 * length, 3) + " mm"}};
-        context.finish(nullptr, "");
+        HtmlReport report("Images" + (context.parameters.name.empty()
+                                        ? ""
+                                        : ": " + context.parameters.name),
+                          "cracks, exfoliations and plateaus");
+        report.set_verdict(HtmlReport::Verdict::neutral,
+                           cracks_in_words(record),
+                           context.record.figures);
+        const bool writes = context.parameters.output.report;
+        if (writes)
+          fill_image_report(report, record, context);
+        context.finish(writes ? &report : nullptr, "");
       }
 
     private:

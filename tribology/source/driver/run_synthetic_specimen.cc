@@ -4,6 +4,7 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/specimen.h>
 
@@ -166,6 +167,17 @@ namespace squeal::tribology
        std::to_string(n_cracks) + ", together " +
          rounded_text(1e3 * length, 3) + " mm, " +
          (p.link_strength > 0. ? "where the damage is" : "anywhere")}};
-    context.finish(nullptr, "");
+    HtmlReport report(
+      "Synthetic specimens" +
+        (context.parameters.name.empty() ? "" : ": " + context.parameters.name),
+      "made images with known cracks");
+    report.set_verdict(HtmlReport::Verdict::neutral,
+                       context.record.figures[1].first + ": " +
+                         context.record.figures[1].second,
+                       context.record.figures);
+    const bool writes = context.parameters.output.report;
+    if (writes)
+      fill_specimen_report(report, truth, context);
+    context.finish(writes ? &report : nullptr, "");
   }
 } // namespace squeal::tribology

@@ -2,11 +2,9 @@
 #include <squeal/parameters/text.h>
 #include <squeal/results/table.h>
 #include <squeal/run/settings.h>
+#include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/driver/study_report.h>
 #include <squeal/tribology/statistics/quantity_text.h>
-
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +16,6 @@ namespace squeal::tribology
   namespace
   {
     namespace fs = std::filesystem;
-
-    constexpr int picture_width = 820; // pixels
 
     const std::map<std::string, std::string> &
     meanings()
@@ -67,20 +63,6 @@ namespace squeal::tribology
     }
 
 
-
-    /** A smaller copy of a picture; empty where there is none. */
-    std::string
-    reduced(const std::string &from, const std::string &to)
-    {
-      const cv::Mat image = cv::imread(from, cv::IMREAD_COLOR);
-      if (image.empty())
-        return "";
-      const double scale = std::min(1., double(picture_width) / image.cols);
-      cv::Mat      small;
-      cv::resize(image, small, cv::Size(), scale, scale, cv::INTER_AREA);
-      cv::imwrite(to, small);
-      return to;
-    }
 
     std::string
     command_of(const RunRecord &record)
@@ -211,8 +193,9 @@ namespace squeal::tribology
       {
         const std::string stem = table.text(i, "image");
         report.figure(
-          reduced(run.directory + "/" + stem + "_overlay.png",
-                  context.output.file("plots/" + name + "_" + stem + ".png")),
+          reduced_picture(
+            run.directory + "/" + stem + "_overlay.png",
+            context.output.file("plots/" + name + "_" + stem + ".png")),
           run.record.scene + ", " + stem +
             ": cracks in red, outlines of exfoliations in purple, of contact "
             "plateaus in blue.",
