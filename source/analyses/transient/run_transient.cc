@@ -172,7 +172,7 @@ namespace squeal
       context.write_table("transient.csv", tables.summary);
       context.write_table("branches.csv", tables.branches);
       context.write_table("forces.csv", force_table(prepared, record));
-      context.write_table("energy.csv", energy_table(record));
+      context.write_table("energy.csv", energy_table(prepared, record));
       context.write_table("probes.csv", probe_table(prepared, record));
       context.write_table("zones.csv", tables.zones);
       context.write_table("phase.csv", tables.phases);

@@ -46,9 +46,10 @@ namespace squeal
     const Fields<PairSample> pair_fields = {
       {"tangential", &PairSample::tangential},
       {"radial", &PairSample::radial},
-      {"normal", &PairSample::normal}};
-    static_assert(sizeof(PairSample) == (3 + 2 * 3) * sizeof(double),
-                  "every member of a pair is kept: 3 numbers, 2 vectors");
+      {"normal", &PairSample::normal},
+      {"friction", &PairSample::friction}};
+    static_assert(sizeof(PairSample) == (4 + 2 * 3) * sizeof(double),
+                  "every member of a pair is kept: 4 numbers, 2 vectors");
 
     const Fields<NodeShares> node_fields = {
       {"open", &NodeShares::open},

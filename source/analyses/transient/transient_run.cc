@@ -247,6 +247,7 @@ namespace squeal
   TransientRun::take_pair_samples(TransientSample &s)
   {
     const Eigen::VectorXd &lambda = motion->forces();
+    const Eigen::VectorXd &losses = motion->friction_losses();
     const Eigen::VectorXd  x      = motion->observed_motion(),
                           a       = motion->observed_accelerations();
     const auto &pairs             = pressed.nodes().pairs();
@@ -258,6 +259,8 @@ namespace squeal
         sample.radial     = force[0];
         sample.tangential = force[1];
         sample.normal     = force[2];
+        sample.friction =
+          losses.segment(pairs[i].first, pairs[i].n_nodes()).sum();
         const unsigned int centre =
           PressedModel::observer(i, PressedModel::centre_x);
         for (unsigned int c = 0; c < 3; ++c)

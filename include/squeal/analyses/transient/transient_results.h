@@ -153,7 +153,9 @@ namespace squeal
   Table branch_table(const TransientFigures &figures);
   Table force_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
-  Table energy_table(const TransientRecord &record);
+  /** The ledger; of several pairs what each loses in its slip as well. */
+  Table energy_table(const PreparedTransient &prepared,
+                     const TransientRecord   &record);
   Table probe_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
   /** Phase between tangential and normal resultant at the largest line of the

@@ -46,6 +46,7 @@ namespace squeal
     double tangential = 0., radial = 0.,
            normal = 0.;          /**< N: as in mean_frame(),
                                     target on source */
+    double friction        = 0.; /**< J: lost in its slip since the start */
     double position[3]     = {}; /**< of the source's centre, m */
     double acceleration[3] = {}; /**< m/s^2 */
   };
