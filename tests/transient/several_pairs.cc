@@ -363,7 +363,7 @@ namespace
                      r.p);
     // The linear phase tells; what follows takes its time.
     run.advance(
-      [&](const unsigned int) { return !run.record().changes.empty(); });
+      [&](const unsigned int) { return run.record().n_changes > 0.; });
     const ComplexPairs cea = whole_model_pairs(
       r.p, prepared.pressed.states_of(prepared.steady), log, r.timers);
     const TransientFigures f =
@@ -456,14 +456,11 @@ namespace
                            mean) /
                   scale);
       }
-    check(record.samples.size() == 11, claim + "eleven samples");
+    worst.add(std::abs(forces.real(5, "friction_power_w") / whole - 1.));
     check(forces.is_missing(0, "friction_power_w"),
           "no power before the start");
     check_below(
       worst.largest(), 1e-6, claim + "each pair loses mu N v, also in sum");
-    check_below(std::abs(forces.real(5, "friction_power_w") - whole) / whole,
-                1e-6,
-                claim + "and all of them the sum");
     check_below(losses_beside_whole(record), 1e-12, claim + "losses add up");
   }
 
