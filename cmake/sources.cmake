@@ -24,6 +24,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/packing.cc
     source/base/program_id.cc
     source/base/root_action.cc
+    source/base/row_file.cc
     source/base/row_space.cc
     source/base/run_log.cc
     source/base/sealed_file.cc
@@ -234,6 +235,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/drawn_bodies.cc
     source/results/hdf5_file.cc
     source/results/history_reader.cc
+    source/results/history_stream.cc
     source/results/history_writer.cc
     source/results/html_report.cc
     source/results/json_file.cc
@@ -339,6 +341,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/run_transient.cc
+    source/analyses/transient/saved_transient.cc
     source/analyses/transient/transient_campaign.cc
     source/analyses/transient/transient_checkpoint.cc
     source/analyses/transient/transient_figures.cc

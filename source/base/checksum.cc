@@ -74,4 +74,25 @@ namespace squeal
   {
     return checksum_of(text.data(), text.size());
   }
+
+
+
+  RunningChecksum::RunningChecksum()
+    : remainder(Crc().get_interim_remainder())
+  {
+  }
+
+  void
+  RunningChecksum::add(const char *data, const std::size_t size)
+  {
+    Crc crc(remainder);
+    crc.process_bytes(data, size);
+    remainder = crc.get_interim_remainder();
+  }
+
+  std::uint64_t
+  RunningChecksum::value() const
+  {
+    return Crc(remainder).checksum();
+  }
 } // namespace squeal

@@ -45,8 +45,11 @@ namespace squeal
   bool
   is_state_file(const std::string &path)
   {
-    for (const char *kind :
-         {state_kind::checkpoint, state_kind::basis, state_kind::rows})
+    for (const char *kind : {state_kind::checkpoint,
+                             state_kind::basis,
+                             state_kind::rows,
+                             state_kind::samples,
+                             state_kind::changes})
       if (is_state_file(path, kind))
         return true;
     return false;

@@ -14,7 +14,7 @@ namespace squeal
 
   namespace
   {
-    constexpr double format_version = 4.;
+    constexpr double format_version = 5.;
 
     /** A file as it was found. */
     struct Candidate

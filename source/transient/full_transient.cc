@@ -170,9 +170,11 @@ namespace squeal
                                 motion_of_nodes.segment<3>(3 * j) + turned;
         const double sliding =
           step.duration * step.speed * model.speed_ratio[j];
-        energies.driving += force[1] * sliding + force.dot(turned);
-        energies.friction +=
+        const double lost =
           force[1] * (sliding + change[1]) + force[2] * change[2];
+        energies.driving += force[1] * sliding + force.dot(turned);
+        energies.friction += lost;
+        losses[j] += lost;
         energies.numerical += force[0] * change[0];
       }
   }
@@ -217,6 +219,7 @@ namespace squeal
     lambda = lambda_1 = lambda_2 = forces;
     nodes_motion                 = relative(u) + model.motion_offset;
     energies                     = {};
+    losses                       = Eigen::VectorXd::Zero(model.n_nodes());
     friction.start(relative(v));
     initialize();
     energies.start = energies.kinetic + energies.elastic;
@@ -258,6 +261,12 @@ namespace squeal
   FullTransient::ledger() const
   {
     return energies;
+  }
+
+  const Eigen::VectorXd &
+  FullTransient::friction_losses() const
+  {
+    return losses;
   }
 
   unsigned int
@@ -304,7 +313,8 @@ namespace squeal
       {"forces_before_that", &lambda_2},
       {"motion", &nodes_motion},
       {"way", &way},
-      {"friction", &friction.state()}};
+      {"friction", &friction.state()},
+      {"friction_losses", &losses}};
     for (const auto &further : further_state())
       result.push_back(further);
     return result;

@@ -147,6 +147,7 @@ namespace squeal
     friction.start(model.participation * v);
     energies       = {};
     energies.start = stored_energy();
+    losses         = Eigen::VectorXd::Zero(model.n_nodes());
   }
 
 
@@ -236,8 +237,10 @@ namespace squeal
           0.5 * (lambda + forces_before).segment<3>(3 * j);
         const Eigen::Vector3d change = (u - motion_before).segment<3>(3 * j);
         const double          way    = dt * speed * model.speed_ratio[j];
+        const double lost = mean[1] * (way + change[1]) + mean[2] * change[2];
         energies.driving += mean[1] * way;
-        energies.friction += mean[1] * (way + change[1]) + mean[2] * change[2];
+        energies.friction += lost;
+        losses[j] += lost;
         energies.numerical += mean[0] * change[0];
       }
   }
@@ -289,6 +292,12 @@ namespace squeal
     return result;
   }
 
+  const Eigen::VectorXd &
+  ReducedTransient::friction_losses() const
+  {
+    return losses;
+  }
+
   Eigen::VectorXd
   ReducedTransient::observed_motion() const
   {
@@ -325,7 +334,8 @@ namespace squeal
             {"forces_before_that", &lambda_2},
             {"load", &load_now},
             {"motion_of_load", &motion_now},
-            {"friction", &friction.state()}};
+            {"friction", &friction.state()},
+            {"friction_losses", &losses}};
   }
 
   NamedNumbers

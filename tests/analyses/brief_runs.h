@@ -40,7 +40,7 @@ subsection Transient
   set End time            = )" +
              end_time +
              R"(
-  set History start       = 0.005
+  set History start       = 0
   set Checkpoint interval = 0.05
 end
 subsection Output

@@ -111,6 +111,25 @@ namespace
 
 
   void
+  damaged_history()
+  {
+    stop_with_checkpoint("history");
+    const std::string path = "history/out/checkpoint_samples.bin";
+    std::string       text = text_of(path);
+    check(text.size() > 2000, "the history is written as it comes");
+    text[1000] = static_cast<char>(text[1000] ^ 4);
+    write_text(path, text);
+    const Outcome o = run_in("history", program, "run.prm");
+    check(o.code == 2 && o.errors.find("checkpoint_samples.bin': has other "
+                                       "rows than its checkpoint; move") !=
+                           std::string::npos,
+          "a damaged history is refused: " + o.errors);
+    check(text_of(path) == text, "and left as it is");
+  }
+
+
+
+  void
   files_of_others()
   {
     fs::remove_all("others");
@@ -201,6 +220,7 @@ main(int argc, char *argv[])
   folder  = argv[2];
   another_mesh();
   damaged_checkpoint();
+  damaged_history();
   files_of_others();
   one_owner();
 }

@@ -3,7 +3,7 @@
 // Several pairs in one scene: pads far apart on a stiff plate do not know of
 // each other; a pad that is dragged against its abutment; two pads on a disc,
 // whose growth in time is that of the eigenvalue analysis about the same
-// contact.
+// contact; what each pair loses in its slip.
 
 #include "scenes.h"
 #include "worst.h"
@@ -318,6 +318,22 @@ namespace
     return s;
   }
 
+  /** Largest relative difference of the sum over pairs to the ledger's loss in
+   * slip, over all samples. */
+  double
+  losses_beside_whole(const TransientRecord &record)
+  {
+    Worst worst;
+    for (std::size_t k = 1; k < record.samples.size(); ++k)
+      {
+        double sum = 0.;
+        for (unsigned int i = 0; i < record.n_pairs(); ++i)
+          sum += record.pair(k, i).friction;
+        worst.add(std::abs(sum / record.samples[k].friction - 1.));
+      }
+    return worst.largest();
+  }
+
   void
   growth()
   {
@@ -347,7 +363,7 @@ namespace
                      r.p);
     // The linear phase tells; what follows takes its time.
     run.advance(
-      [&](const unsigned int) { return !run.record().changes.empty(); });
+      [&](const unsigned int) { return run.record().n_changes > 0.; });
     const ComplexPairs cea = whole_model_pairs(
       r.p, prepared.pressed.states_of(prepared.steady), log, r.timers);
     const TransientFigures f =
@@ -378,6 +394,89 @@ namespace
                          run.record().pair(k, 1).normal -
                          run.record().samples[k].normal));
     check_below(worst.largest(), 1e-9, "normal forces of both pads add up, N");
+    check_below(
+      losses_beside_whole(run.record()), 1e-12, "losses of both pads add up");
+  }
+
+
+
+  /** Power that a pair loses in steady sliding, mu N |V| of every node, W. */
+  double
+  power_of(const Pressed &r, const ContactPair &pair, const double mu)
+  {
+    double result = 0.;
+    for (unsigned int j = pair.first; j < pair.first + pair.n_nodes(); ++j)
+      result += mu * r.steady.forces[3 * j] * r.pressed.speed() *
+                r.pressed.model().speed_ratio[j];
+    return result;
+  }
+
+  void
+  dissipation_of(const SceneParameters                &scene,
+                 const std::vector<double>            &friction,
+                 const TransientParameters::Integrator integrator,
+                 const std::string                    &claim)
+  {
+    Parameters p                = parameters_of(scene);
+    p.transient.integrator      = integrator;
+    p.transient.time_step       = 2e-7;
+    p.transient.sample_interval = 1e-5;
+    p.transient.end_time        = 1e-4;
+    p.transient.tolerance       = 1e-11;
+    p.transient.disturbance     = 0.;
+    if (integrator == TransientParameters::Integrator::explicit_)
+      p.discretization.mass = DiscretizationParameters::Mass::lumped;
+    Pressed                 r(p);
+    const PreparedTransient prepared(r.pressed, r.p, r.timers);
+    TransientRun            run(prepared.pressed,
+                     prepared.steady,
+                     prepared.linear,
+                     prepared.branches,
+                     r.p);
+    run.advance();
+    const TransientRecord &record = run.record();
+    const Table            forces = force_table(prepared, record),
+                energies          = energy_table(prepared, record);
+    Worst  worst;
+    double whole = 0.;
+    for (unsigned int i = 0; i < friction.size(); ++i)
+      {
+        const ContactPair &pair = r.pressed.nodes().pairs()[i];
+        const double       mean = power_of(r, pair, friction[i]);
+        whole += mean;
+        // A pair at rest is measured by what a sliding one of its force loses.
+        const double scale =
+          mean > 0. ? mean : r.pressed.speed() * r.resultant(i)[0];
+        for (std::size_t k = 1; k < record.samples.size(); ++k)
+          worst.add(
+            std::abs(forces.real(k, pair.name() + "_friction_power_w") - mean) /
+            scale);
+        worst.add(std::abs(energies.real(10, pair.name() + "_friction_j") /
+                             p.transient.end_time -
+                           mean) /
+                  scale);
+      }
+    worst.add(std::abs(forces.real(5, "friction_power_w") / whole - 1.));
+    check(forces.is_missing(0, "friction_power_w"),
+          "no power before the start");
+    check_below(
+      worst.largest(), 1e-6, claim + "each pair loses mu N v, also in sum");
+    check_below(losses_beside_whole(record), 1e-12, claim + "losses add up");
+  }
+
+  void
+  dissipation()
+  {
+    using Integrator = TransientParameters::Integrator;
+    dissipation_of(
+      pad_in_abutment(.3), {.4, 0.}, Integrator::reduced, "abutment: ");
+    SceneParameters pads                  = disc_brake(.1);
+    pads.contacts[1].friction_coefficient = .2;
+    for (const auto &[integrator, name] :
+         {std::make_pair(Integrator::reduced, "reduced: "),
+          std::make_pair(Integrator::implicit, "implicit: "),
+          std::make_pair(Integrator::explicit_, "explicit: ")})
+      dissipation_of(pads, {.1, .2}, integrator, name);
   }
 } // namespace
 
@@ -394,6 +493,8 @@ main(int argc, char **argv)
     abutment();
   else if (which == "growth")
     growth();
+  else if (which == "dissipation")
+    dissipation();
   else
-    check(false, "an argument: apart, abutment or growth");
+    check(false, "an argument: apart, abutment, growth or dissipation");
 }

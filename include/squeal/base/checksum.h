@@ -3,6 +3,7 @@
 #define squeal_base_checksum_h
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace squeal
@@ -22,6 +23,18 @@ namespace squeal
 
   /** The same of a text. */
   std::string checksum_of(const std::string &text);
+
+  /** The same of bytes that come in pieces. */
+  class RunningChecksum
+  {
+  public:
+    RunningChecksum();
+    void          add(const char *data, std::size_t size);
+    std::uint64_t value() const;
+
+  private:
+    std::uint64_t remainder; /**< before its last reflection */
+  };
 } // namespace squeal
 
 #endif

@@ -20,6 +20,8 @@ namespace squeal
     constexpr const char *checkpoint = "checkpoint";
     constexpr const char *basis      = "basis";
     constexpr const char *rows       = "campaign rows";
+    constexpr const char *samples    = "samples of a history";
+    constexpr const char *changes    = "changes of a history";
   } // namespace state_kind
 
   /** How a text file (JSON) of a @p kind begins. */

@@ -66,6 +66,7 @@ namespace squeal
     Eigen::VectorXd        observed_motion() const override;
     Eigen::VectorXd        observed_accelerations() const override;
     EnergyLedger           ledger() const override;
+    const Eigen::VectorXd &friction_losses() const override;
     unsigned int           n_inversions() const override;
     NamedNumbers           memory() const override;
     void                   restore(const NamedNumbers &memory) override;
@@ -131,6 +132,7 @@ namespace squeal
     Eigen::VectorXd lambda, lambda_1, lambda_2; /**< now and before, N */
     Eigen::VectorXd nodes_motion;               /**< B u + motion_offset, m */
     EnergyLedger    energies;
+    Eigen::VectorXd losses; /**< in slip, of every node, J */
 
     std::shared_ptr<const Functionals> B; /**< at the end of the last step */
     /** Speed of the drive over time so far, m; empty where no mesh turns. */

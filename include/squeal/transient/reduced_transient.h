@@ -38,6 +38,7 @@ namespace squeal
     Eigen::VectorXd        observed_motion() const override;
     Eigen::VectorXd        observed_accelerations() const override;
     EnergyLedger           ledger() const override;
+    const Eigen::VectorXd &friction_losses() const override;
     unsigned int           n_inversions() const override;
     NamedNumbers           memory() const override;
     void                   restore(const NamedNumbers &memory) override;
@@ -83,6 +84,7 @@ namespace squeal
     Eigen::VectorXd lambda, lambda_1, lambda_2; /**< now and before */
     Eigen::VectorXd load_now, motion_now;       /**< by all but the contact */
     EnergyLedger    energies;
+    Eigen::VectorXd losses; /**< in slip, of every node, J */
   };
 } // namespace squeal
 

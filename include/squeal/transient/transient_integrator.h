@@ -95,7 +95,9 @@ namespace squeal
     virtual Eigen::VectorXd observed_motion() const        = 0;
     virtual Eigen::VectorXd observed_accelerations() const = 0;
     virtual EnergyLedger    ledger() const                 = 0;
-    virtual unsigned int    n_inversions() const = 0; /**< see ContactSolver */
+    /** EnergyLedger::friction of every node, J. */
+    virtual const Eigen::VectorXd &friction_losses() const = 0;
+    virtual unsigned int n_inversions() const = 0; /**< see ContactSolver */
 
     /** @name All that later steps depend on: the same bits after restore() */
     //@{

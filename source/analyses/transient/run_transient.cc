@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/motion_output.h>
+#include <squeal/analyses/transient/saved_transient.h>
 
 #include <squeal/analyses/analyses.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/base/root_action.h>
-#include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/results/wav_file.h>
-#include <squeal/run/checkpoints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,64 +23,13 @@ namespace squeal
     /** Length of the sound file, s: long enough to tell a squeal by ear. */
     constexpr double sound_seconds = 3.;
 
-    /** Checkpoints of @p run, in the output directory. */
-    Checkpoints
-    checkpoints_of(const TransientRun &run, RunContext &context)
-    {
-      const Parameters &p = context.parameters;
-      Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
-      run.describe(fingerprint);
-      const std::string &asked = p.transient.checkpoint_file;
-      const std::string  name  = asked.empty() ? "checkpoint.h5" : asked;
-      const auto         path  = [&](const std::string &file) {
-        return on_root(context.is_root, [&]() {
-          return context.output.state_file(
-            file, state_kind::checkpoint, "Transient/Checkpoint file");
-        });
-      };
-      path(Checkpoints::name_before(name));
-      return {path(name), fingerprint};
-    }
-
-    /** Takes over what an earlier run has left; all ranks do as the root. */
-    void
-    resume(TransientRun      &run,
-           const Checkpoints &checkpoints,
-           RunContext        &context)
-    {
-      Checkpoints::Found found;
-      const std::string  state = on_root(context.is_root, [&]() {
-        found = checkpoints.find(context.parameters.transient.resume);
-        return found.state ? found.state->bytes() : std::string();
-      });
-      for (const std::string &note : found.notes)
-        context.log.warning(note);
-      if (state.empty())
-        return;
-      found.file = from_root(found.file);
-      try
-        {
-          run.restore(NamedNumbers::from_bytes(state));
-        }
-      catch (const InputError &e)
-        {
-          throw InputError("checkpoint '" + found.file +
-                           "' does not fit this run: " + e.what() +
-                           "; move it away or set Transient/Resume = false");
-        }
-      context.log.info("  continues from " + found.file + " at step " +
-                       std::to_string(static_cast<long>(run.record().n_steps)));
-    }
-
     /** Goes on to the end with progress and checkpoints; a signal ends the
      * program after one more checkpoint. */
     void
-    integrate(TransientRun      &run,
-              const Checkpoints &checkpoints,
-              RunContext        &context)
+    integrate(TransientRun &run, SavedTransient &saved, RunContext &context)
     {
       const auto &t = context.parameters.transient;
-      resume(run, checkpoints, context);
+      saved.resume(run, context);
       StopRequest stop;
       bool        finished;
       {
@@ -94,9 +41,9 @@ namespace squeal
             n,
             "t = " + rounded_text(run.record().samples.back().time, 4) + " s");
           if (t.checkpoint_interval > 0. &&
-              wall_seconds() - last > t.checkpoint_interval && context.is_root)
+              wall_seconds() - last > t.checkpoint_interval)
             {
-              checkpoints.write(run.memory());
+              saved.write(run);
               last = wall_seconds();
             }
           return stop.is_there();
@@ -104,10 +51,9 @@ namespace squeal
       }
       if (!finished)
         {
-          if (context.is_root)
-            checkpoints.write(run.memory());
+          saved.write(run);
           context.log.info("stopped; the same command continues from " +
-                           checkpoints.path());
+                           saved.path());
           stop.repeat();
           throw ComputationError("stopped by a signal");
         }
@@ -172,7 +118,7 @@ namespace squeal
       context.write_table("transient.csv", tables.summary);
       context.write_table("branches.csv", tables.branches);
       context.write_table("forces.csv", force_table(prepared, record));
-      context.write_table("energy.csv", energy_table(record));
+      context.write_table("energy.csv", energy_table(prepared, record));
       context.write_table("probes.csv", probe_table(prepared, record));
       context.write_table("zones.csv", tables.zones);
       context.write_table("phase.csv", tables.phases);
@@ -181,12 +127,13 @@ namespace squeal
 
 
 
-    /** History, JSON and sound. */
+    /** History (null on other ranks than the root), JSON and sound. */
     void
     write_files(RunContext              &context,
                 const PreparedTransient &prepared,
                 const TransientRecord   &record,
-                const TransientFigures  &f)
+                const TransientFigures  &f,
+                const HistoryStream     *history)
     {
       if (!context.is_root)
         return;
@@ -197,9 +144,9 @@ namespace squeal
           f, evaluate_trigger(record, context.parameters.transient)),
         context.output.file("transient.json"));
       write_sounds(context, prepared, record);
-      if (record.histories.back().n_samples() > 0)
+      if (history->n_samples() > 0)
         write_contact_history(prepared,
-                              record,
+                              *history,
                               context.parameters.scene.name,
                               context.output.file("contact_history.h5"));
     }
@@ -274,11 +221,12 @@ namespace squeal
                const Model             &model,
                const PreparedTransient &prepared,
                const TransientRecord   &record,
-               const TransientFigures  &f)
+               const TransientFigures  &f,
+               const HistoryStream     *history)
     {
       const auto     &p      = context.parameters;
       const RunTables tables = write_tables(context, prepared, record, f);
-      write_files(context, prepared, record, f);
+      write_files(context, prepared, record, f, history);
       const TriggerOutcome trigger  = evaluate_trigger(record, p.transient);
       const std::string    left_out = left_out_text(f);
       context.record.figures = figures_of_run(tables.summary, f, trigger);
@@ -307,7 +255,7 @@ namespace squeal
       if (p.output.plots && context.is_root)
         {
           Timers::Section section(context.timers, "Write: charts");
-          draw_transient(context, prepared, record, f, report);
+          draw_transient(context, prepared, record, f, *history, report);
           draw_phases(context, {{"", tables.phases}}, report);
           if (has_ramp)
             draw_speeds(context, speeds, report);
@@ -426,10 +374,14 @@ namespace squeal
        {"pairs in the band", std::to_string(prepared.branches.size())}});
     report_cut_off_damping(prepared, p, context.log);
     report_fastest(prepared.linear, p, context.log);
-    TransientRun run(
-      prepared.pressed, prepared.steady, prepared.linear, prepared.branches, p);
-    const Checkpoints checkpoints = checkpoints_of(run, context);
-    integrate(run, checkpoints, context);
+    SavedTransient saved(prepared.pressed.nodes(), context);
+    TransientRun   run(prepared.pressed,
+                     prepared.steady,
+                     prepared.linear,
+                     prepared.branches,
+                     p,
+                     saved.history());
+    integrate(run, saved, context);
     ComplexPairs cea;
     if (p.transient.compare_with_cea)
       cea = whole_model_pairs(p,
@@ -441,8 +393,8 @@ namespace squeal
                prepared,
                run.record(),
                evaluate_transient(
-                 prepared, run.record(), p, cea.size() > 0 ? &cea : nullptr));
-    if (context.is_root)
-      checkpoints.remove();
+                 prepared, run.record(), p, cea.size() > 0 ? &cea : nullptr),
+               saved.history());
+    saved.remove();
   }
 } // namespace squeal

@@ -80,7 +80,7 @@ namespace squeal
         const bool linear_only = run.parameters.transient.compare_with_cea;
         transient.advance([&](const unsigned int) {
           return stop.is_there() ||
-                 (linear_only && !transient.record().changes.empty());
+                 (linear_only && transient.record().n_changes > 0.);
         });
         return transient.record();
       }

@@ -46,9 +46,10 @@ namespace squeal
     const Fields<PairSample> pair_fields = {
       {"tangential", &PairSample::tangential},
       {"radial", &PairSample::radial},
-      {"normal", &PairSample::normal}};
-    static_assert(sizeof(PairSample) == (3 + 2 * 3) * sizeof(double),
-                  "every member of a pair is kept: 3 numbers, 2 vectors");
+      {"normal", &PairSample::normal},
+      {"friction", &PairSample::friction}};
+    static_assert(sizeof(PairSample) == (4 + 2 * 3) * sizeof(double),
+                  "every member of a pair is kept: 4 numbers, 2 vectors");
 
     const Fields<NodeShares> node_fields = {
       {"open", &NodeShares::open},
@@ -64,6 +65,7 @@ namespace squeal
       {"n_iterations", &TransientRecord::n_iterations},
       {"n_sweeps", &TransientRecord::n_sweeps},
       {"worst_residual", &TransientRecord::worst_residual},
+      {"n_changes", &TransientRecord::n_changes},
       {"cpu_seconds", &TransientRecord::cpu_seconds},
       {"n_inversions", &TransientRecord::n_inversions}};
 
@@ -227,23 +229,6 @@ namespace squeal
 
 
 
-    NamedNumbers
-    numbers_of(const std::vector<StatusChange> &changes)
-    {
-      std::vector<double> time, node, status;
-      for (const StatusChange &c : changes)
-        {
-          time.push_back(c.time);
-          node.push_back(static_cast<double>(c.node));
-          status.push_back(static_cast<double>(c.status));
-        }
-      NamedNumbers result;
-      result.set("time", time);
-      result.set("node", node);
-      result.set("status", status);
-      return result;
-    }
-
     ContactStatus
     status_from(const double value)
     {
@@ -251,19 +236,6 @@ namespace squeal
         whole_number(value, last_status, "status"));
     }
 
-    std::vector<StatusChange>
-    changes_from(const NamedNumbers &numbers, const std::size_t n_nodes)
-    {
-      const auto               &time   = numbers.get("time");
-      const auto               &node   = numbers.get("node", time.size());
-      const auto               &status = numbers.get("status", time.size());
-      std::vector<StatusChange> changes;
-      for (std::size_t i = 0; i < time.size(); ++i)
-        changes.push_back({time[i],
-                           whole_number(node[i], n_nodes - 1, "node"),
-                           status_from(status[i])});
-      return changes;
-    }
   } // namespace
 
 
@@ -279,13 +251,9 @@ namespace squeal
     result.set("pairs", numbers_of(kept.pairs));
     result.set("last_steps", by_field(kept.last_steps, step_fields));
     result.set("nodes", by_field(kept.nodes, node_fields));
-    result.set("changes", numbers_of(kept.changes));
-    for (std::size_t i = 0; i < kept.histories.size(); ++i)
-      {
-        const std::string number = std::to_string(i);
-        result.set("history/" + number, numbers_of(kept.histories[i]));
-        result.set("frame_nodes/" + number, numbers_of(kept.frame_nodes[i]));
-      }
+    for (std::size_t i = 0; i < kept.frame_nodes.size(); ++i)
+      result.set("frame_nodes/" + std::to_string(i),
+                 numbers_of(kept.frame_nodes[i]));
     result.set("frames", numbers_of(kept.frames));
     std::vector<double> real, imaginary, states;
     for (const std::complex<double> &a : kept.amplitudes)
@@ -324,14 +292,11 @@ namespace squeal
     for (std::size_t i = 0; i < real.size(); ++i)
       record.amplitudes.emplace_back(real[i], imaginary[i]);
     memory.get("nodes/open", n_nodes);
-    record.nodes   = from_fields(memory.group("nodes"), node_fields);
-    record.changes = changes_from(memory.group("changes"), n_nodes);
+    record.nodes = from_fields(memory.group("nodes"), node_fields);
     std::vector<double> frame_times;
     for (const ContactPair &pair : pressed.nodes().pairs())
       {
-        const std::string number = std::to_string(record.histories.size());
-        record.histories.push_back(
-          history_from(memory.group("history/" + number), pair.n_nodes()));
+        const std::string number = std::to_string(record.frame_nodes.size());
         record.frame_nodes.push_back(
           history_from(memory.group("frame_nodes/" + number), pair.n_nodes()));
         frame_times = record.frame_nodes.back().time;

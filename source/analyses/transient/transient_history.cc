@@ -8,6 +8,17 @@ namespace squeal
 {
   namespace
   {
+    /** Of a pair: the acceleration of its source. */
+    constexpr std::size_t n_probes = 3;
+
+    const std::vector<std::string> energy_names = {"kinetic_j",
+                                                   "elastic_j",
+                                                   "damping_j",
+                                                   "friction_j",
+                                                   "driving_j",
+                                                   "load_j",
+                                                   "numerical_j"};
+
     /** @p probe: what the motions of its source are called. */
     HistoryLayout
     history_layout(const ContactPair &pair,
@@ -27,37 +38,29 @@ namespace squeal
       layout.quads = pair.geometry.quads;
       for (const char *axis : {"x", "y", "z"})
         layout.probe_names.push_back(probe + "_a" + axis + "_m_per_s2");
-      layout.energy_names = {"kinetic_j",
-                             "elastic_j",
-                             "damping_j",
-                             "friction_j",
-                             "driving_j",
-                             "load_j",
-                             "numerical_j"};
+      layout.energy_names = energy_names;
       return layout;
     }
 
-    /** Those of the nodes of one pair, numbered within it. */
-    std::vector<StatusChange>
-    changes_of(const ContactPair &pair, const std::vector<StatusChange> &all)
-    {
-      std::vector<StatusChange> result;
-      for (StatusChange change : all)
-        if (change.node >= pair.first &&
-            change.node < pair.first + pair.n_nodes())
-          {
-            change.node -= pair.first;
-            result.push_back(change);
-          }
-      return result;
-    }
   } // namespace
+
+
+
+  std::unique_ptr<HistoryStream>
+  make_history_stream(const ContactNodes &nodes, const std::string &checkpoint)
+  {
+    std::vector<std::size_t> n_nodes;
+    for (const ContactPair &pair : nodes.pairs())
+      n_nodes.push_back(pair.n_nodes());
+    return std::make_unique<HistoryStream>(
+      checkpoint, n_nodes, n_probes, energy_names.size());
+  }
 
 
 
   void
   write_contact_history(const PreparedTransient &prepared,
-                        const TransientRecord   &record,
+                        const HistoryStream     &history,
                         const std::string       &name,
                         const std::string       &path)
   {
@@ -67,11 +70,7 @@ namespace squeal
       layouts.push_back(
         history_layout(pair, name, pairs.size() == 1 ? "pad" : pair.name()));
     HistoryWriter writer(path, layouts);
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      {
-        writer.append(record.histories[i], i);
-        writer.append(changes_of(pairs[i], record.changes), i);
-      }
+    history.write(writer);
     writer.finish();
   }
 } // namespace squeal

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <functional>
 #include <ostream>
 
 namespace squeal
@@ -203,6 +204,22 @@ namespace squeal
       return pair.name() + "_" + column;
     }
 
+    /** Mean power between sample @p k and the one before it, W, where @p lost
+     * is the energy lost up to a sample, J; empty at the start. */
+    Cell
+    power_up_to(const std::size_t                               k,
+                const TransientRecord                          &record,
+                const std::function<double(const std::size_t)> &lost)
+    {
+      if (k == 0)
+        return Cell();
+      return Cell((lost(k) - lost(k - 1)) /
+                  (record.samples[k].time - record.samples[k - 1].time));
+    }
+
+    constexpr const char *power_text =
+      "lost in slip, mean since the sample before";
+
     /** Resultants of each of several pairs behind those of all. */
     void
     add_pair_forces(const PreparedTransient &prepared,
@@ -230,6 +247,16 @@ namespace squeal
             for (std::size_t k = 0; k < record.samples.size(); ++k)
               table.set(k, column, record.pair(k, i).*member);
           }
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        {
+          const std::string column = of_pair(pairs[i], "friction_power_w");
+          table.add_column({column, Type::real, "W", power_text});
+          for (std::size_t k = 0; k < record.samples.size(); ++k)
+            table.set(
+              k, column, power_up_to(k, record, [&](const std::size_t s) {
+                return record.pair(s, i).friction;
+              }));
+        }
     }
   } // namespace
 
@@ -248,21 +275,28 @@ namespace squeal
         "across the sliding (outwards on a disc), on the source"},
        {"n_open", Type::integer, "", "open nodes"},
        {"n_stick", Type::integer, "", "sticking nodes"},
-       {"leading_edge_factor", Type::real, "", ""}});
-    for (const auto &s : record.samples)
-      table.add_row({s.time,
-                     s.normal,
-                     s.tangential,
-                     s.radial,
-                     static_cast<int>(s.n_open),
-                     static_cast<int>(s.n_stick),
-                     s.leading_edge});
+       {"leading_edge_factor", Type::real, "", ""},
+       {"friction_power_w", Type::real, "W", power_text}});
+    for (std::size_t k = 0; k < record.samples.size(); ++k)
+      {
+        const TransientSample &s = record.samples[k];
+        table.add_row({s.time,
+                       s.normal,
+                       s.tangential,
+                       s.radial,
+                       static_cast<int>(s.n_open),
+                       static_cast<int>(s.n_stick),
+                       s.leading_edge,
+                       power_up_to(k, record, [&](const std::size_t i) {
+                         return record.samples[i].friction;
+                       })});
+      }
     add_pair_forces(prepared, record, table);
     return table;
   }
 
   Table
-  energy_table(const TransientRecord &record)
+  energy_table(const PreparedTransient &prepared, const TransientRecord &record)
   {
     Table table({{"time_s", Type::real, "s", ""},
                  {"kinetic_j", Type::real, "J", ""},
@@ -283,6 +317,14 @@ namespace squeal
                      s.load,
                      s.numerical,
                      s.imbalance});
+    const auto &pairs = prepared.pressed.nodes().pairs();
+    for (unsigned int i = 0; i < pairs.size() && pairs.size() > 1; ++i)
+      {
+        const std::string column = of_pair(pairs[i], "friction_j");
+        table.add_column({column, Type::real, "J", "lost in its slip"});
+        for (std::size_t k = 0; k < record.samples.size(); ++k)
+          table.set(k, column, record.pair(k, i).friction);
+      }
     return table;
   }
 

@@ -187,6 +187,25 @@ namespace squeal
         panel.upper = upper;
       return panels;
     }
+    /** The samples of pair @p i in the last period, and one before it. */
+    HistorySamples
+    last_period(const HistoryStream &history,
+                const std::size_t    i,
+                const double         frequency)
+    {
+      const std::size_t n = history.n_samples();
+      if (n < 2)
+        return {};
+      std::size_t first = n - 2;
+      if (frequency > 0.)
+        {
+          const double end = history.read(i, n - 1, 1).time[0];
+          first =
+            std::min(first, history.sample_at(end - 1. / frequency - 1e-12));
+        }
+      return history.read(i, first, n - first);
+    }
+
     /** Pressure of a pair over the last period. */
     void
     draw_pressure(RunContext           &context,
@@ -237,6 +256,7 @@ namespace squeal
                  const PreparedTransient &prepared,
                  const TransientRecord   &record,
                  const TransientFigures  &f,
+                 const HistoryStream     &history,
                  HtmlReport              &report)
   {
     const auto path = [&](const std::string &name) {
@@ -274,7 +294,7 @@ namespace squeal
       draw_pressure(context,
                     pairs[i],
                     pairs.size() > 1,
-                    record.histories[i],
+                    last_period(history, i, f.frequency),
                     f.frequency,
                     report);
   }

@@ -93,7 +93,8 @@ namespace squeal
                              const SteadySliding             &state,
                              const LinearizedMotion          &linearized,
                              const std::vector<unsigned int> &branches,
-                             const Parameters                &p)
+                             const Parameters                &p,
+                             HistoryStream                   *stream)
     : pressed(model)
     , steady(state)
     , recorded(only(linearized, branches))
@@ -104,12 +105,12 @@ namespace squeal
         std::max<long>(1,
                        std::lround(settings.sample_interval / settings.step())))
     , motion(make_integrator(model, state, p))
+    , history(stream)
   {
     const unsigned int n     = model.model().n_modes();
     const auto        &pairs = model.nodes().pairs();
     kept.nodes.resize(model.model().n_nodes());
     sums = Eigen::MatrixXd::Zero(steady.forces.size(), 2);
-    kept.histories.resize(pairs.size());
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
       {
@@ -145,6 +146,11 @@ namespace squeal
   bool
   TransientRun::advance(const Watch &watch)
   {
+    if (kept.n_steps == 0. && history)
+      {
+        history->start();
+        take_history();
+      }
     unsigned int n_since = 0;
     double       begin   = thread_seconds();
     while (kept.n_steps < n_steps)
@@ -157,7 +163,11 @@ namespace squeal
         const auto &now     = motion->status();
         for (std::size_t j = 0; j < now.size(); ++j)
           if (now[j] != status[j])
-            kept.changes.push_back({motion->time(), j, now[j]});
+            {
+              kept.n_changes += 1.;
+              if (history)
+                history->append(StatusChange{motion->time(), j, now[j]});
+            }
         status               = now;
         linear_since_sample  = linear_since_sample && status == steady.status;
         const unsigned int n = static_cast<unsigned int>(kept.n_steps);
@@ -168,6 +178,7 @@ namespace squeal
         if (n % stride == 0)
           {
             take_sample(linear_since_sample);
+            take_history();
             linear_since_sample = true;
           }
         last_motion = motion->motion();
@@ -247,6 +258,7 @@ namespace squeal
   TransientRun::take_pair_samples(TransientSample &s)
   {
     const Eigen::VectorXd &lambda = motion->forces();
+    const Eigen::VectorXd &losses = motion->friction_losses();
     const Eigen::VectorXd  x      = motion->observed_motion(),
                           a       = motion->observed_accelerations();
     const auto &pairs             = pressed.nodes().pairs();
@@ -258,6 +270,8 @@ namespace squeal
         sample.radial     = force[0];
         sample.tangential = force[1];
         sample.normal     = force[2];
+        sample.friction =
+          losses.segment(pairs[i].first, pairs[i].n_nodes()).sum();
         const unsigned int centre =
           PressedModel::observer(i, PressedModel::centre_x);
         for (unsigned int c = 0; c < 3; ++c)
@@ -306,10 +320,21 @@ namespace squeal
     for (const auto &a : recorded.amplitudes(
            steady, motion->coordinates(), motion->velocities(), lambda))
       kept.amplitudes.push_back(a);
-    if (s.time >= settings.history_start - 1e-9)
-      take_node_fields(s, kept.histories);
     if (kept.samples.size() + settings.animation_frames > n_steps / stride + 1)
       take_frame(s);
+  }
+
+
+
+  void
+  TransientRun::take_history()
+  {
+    const TransientSample &s = kept.samples.back();
+    if (!history || s.time < settings.history_start - 1e-9)
+      return;
+    std::vector<HistorySamples> fields(pressed.nodes().pairs().size());
+    take_node_fields(s, fields);
+    history->append(fields);
   }
 
 

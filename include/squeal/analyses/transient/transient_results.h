@@ -11,6 +11,7 @@
 #include <squeal/transient/spectrum.h>
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -153,7 +154,9 @@ namespace squeal
   Table branch_table(const TransientFigures &figures);
   Table force_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
-  Table energy_table(const TransientRecord &record);
+  /** The ledger; of several pairs what each loses in its slip as well. */
+  Table energy_table(const PreparedTransient &prepared,
+                     const TransientRecord   &record);
   Table probe_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
   /** Phase between tangential and normal resultant at the largest line of the
@@ -172,8 +175,12 @@ namespace squeal
   void write_transient_json(const TransientFigures &figures,
                             const std::string      &explanation,
                             const std::string      &path);
+  /** Of the nodes that TransientRun hands over, beside the @p checkpoint. */
+  std::unique_ptr<HistoryStream> make_history_stream(
+    const ContactNodes &nodes,
+    const std::string  &checkpoint);
   void write_contact_history(const PreparedTransient &prepared,
-                             const TransientRecord   &record,
+                             const HistoryStream     &history,
                              const std::string       &name,
                              const std::string       &path);
   /** The last steps of a run, six periods of @p frequency (Hz; 0: no period), as
@@ -184,6 +191,7 @@ namespace squeal
                             const PreparedTransient &prepared,
                             const TransientRecord   &record,
                             const TransientFigures  &figures,
+                            const HistoryStream     &history,
                             HtmlReport              &report);
   void       draw_speeds(RunContext  &context,
                          const Table &speeds,

@@ -4,7 +4,7 @@
 
 #include <squeal/contact/contact_resultant.h>
 #include <squeal/model/pressed_model.h>
-#include <squeal/results/contact_history.h>
+#include <squeal/results/history_stream.h>
 #include <squeal/run/fingerprint.h>
 #include <squeal/transient/linearized_motion.h>
 #include <squeal/transient/transient_integrator.h>
@@ -46,6 +46,7 @@ namespace squeal
     double tangential = 0., radial = 0.,
            normal = 0.;          /**< N: as in mean_frame(),
                                     target on source */
+    double friction        = 0.; /**< J: lost in its slip since the start */
     double position[3]     = {}; /**< of the source's centre, m */
     double acceleration[3] = {}; /**< m/s^2 */
   };
@@ -74,8 +75,7 @@ namespace squeal
     std::vector<TransientSample>      samples;
     std::vector<PairSample>           pairs;      /**< samples x pairs */
     std::vector<std::complex<double>> amplitudes; /**< samples x branches */
-    std::vector<HistorySamples>       histories;  /**< of each pair */
-    std::vector<StatusChange>         changes;    /**< nodes of all pairs */
+    double n_changes = 0.; /**< of status, of nodes of all pairs */
     /** After each of the last steps, at most TransientRun::most_last_steps: a
      * curve through samples cuts the corners of a limit cycle. */
     std::vector<StepForces> last_steps;
@@ -105,12 +105,15 @@ namespace squeal
   class TransientRun
   {
   public:
-    /** @p branches: the pairs of @p linear whose amplitudes are recorded. */
+    /** @p branches: the pairs of @p linear whose amplitudes are recorded. Nodes
+     * and their changes of status go to @p history, if it is there; it is
+     * started or restored before the first step. */
     TransientRun(const PressedModel              &pressed,
                  const SteadySliding             &steady,
                  const LinearizedMotion          &linear,
                  const std::vector<unsigned int> &branches,
-                 const Parameters                &parameters);
+                 const Parameters                &parameters,
+                 HistoryStream                   *history = nullptr);
 
     /** Steps that the record has one by one: some ten periods of a squeal at 1
      * kHz in steps of 2e-7 s, and 1 MB. */
@@ -127,7 +130,7 @@ namespace squeal
     unsigned int           n_steps_left() const;
 
     /** @name For checkpoints: a run that continues from one gives the same
-     * bits */
+     * bits. The history has a memory of its own. */
     //@{
     NamedNumbers memory() const;
     /** Throws InputError where sizes are not those of this run; it must not go
@@ -139,6 +142,7 @@ namespace squeal
     void describe(Fingerprint &fingerprint) const;
 
   private:
+    void take_history();
     void take_sample(const bool is_linear);
     void take_pair_samples(TransientSample &sample);
     void take_node_fields(const TransientSample       &sample,
@@ -165,6 +169,7 @@ namespace squeal
     double                               edge_area = 0., area = 0.;
     unsigned int                         n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;
+    HistoryStream                       *history;
     TransientRecord                      kept;
     std::vector<ContactStatus>           status;
     bool                                 linear_since_sample = true;
