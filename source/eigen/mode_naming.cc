@@ -18,27 +18,46 @@ namespace squeal
       return scene.bodies[body].shape == BodyParameters::Shape::annulus;
     }
 
-    /** Angle about the disc axis of the other body of a contact pair, the first
-     * one that has some. */
+    /** Unit vector from the disc axis to @p body; zero where it is on the axis:
+     * rounding must not make up a direction. */
+    Eigen::Vector2d
+    direction_to(const Discretization &d,
+                 const unsigned int    disc,
+                 const unsigned int    body)
+    {
+      const auto           centre = body_centre(d, body);
+      const auto          &axis   = d.scene().bodies[disc].position;
+      const Eigen::Vector2d r(centre[0] - axis[0], centre[1] - axis[1]);
+      if (r.norm() > 1e-6 * d.scene().bodies[disc].outer_radius)
+        return r.normalized();
+      return Eigen::Vector2d::Zero();
+    }
+
+    /** Angle about the disc axis of the middle of the bodies that touch it: two
+     * pads beside each other share an antinode between them. Bodies all round
+     * the disc have no middle, and the first one counts. */
     double
     contact_angle(const Discretization &d, const unsigned int disc)
     {
       const auto &scene = d.scene();
       if (disc == -1u)
         return 0.;
+      const std::string           &own = scene.bodies[disc].name;
+      std::vector<Eigen::Vector2d> directions;
       for (const auto &contact : scene.contacts)
+        if (own == contact.source_body || own == contact.target_body)
         for (const auto &name : {contact.source_body, contact.target_body})
           for (unsigned int b = 0; b < scene.bodies.size(); ++b)
             if (scene.bodies[b].name == name && !is_annulus(scene, b))
-              {
-                const auto   centre = body_centre(d, b);
-                const auto  &axis   = scene.bodies[disc].position;
-                const double x = centre[0] - axis[0], y = centre[1] - axis[1];
-                // On the axis there is no angle: rounding must not make one up.
-                const double r = scene.bodies[disc].outer_radius;
-                return std::hypot(x, y) > 1e-6 * r ? std::atan2(y, x) : 0.;
-              }
-      return 0.;
+              directions.push_back(direction_to(d, disc, b));
+      if (directions.empty())
+        return 0.;
+      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+      for (const auto &direction : directions)
+        sum += direction;
+      const Eigen::Vector2d middle =
+        sum.norm() > 0.5 * directions.size() ? sum : directions[0];
+      return std::atan2(middle[1], middle[0]);
     }
 
     /** What all @p values agree on, else @p otherwise. */

@@ -135,7 +135,8 @@ namespace squeal
         const auto turns_body = [](const std::string &path) {
           return generic_path(path) == "Scene/Body <name>/Rotation speed";
         };
-        std::vector<double> values = a.values;
+        std::vector<double> values =
+          a.entry_values.empty() ? a.values : a.entry_values;
         if (a.scale != Scale::list)
           {
             values = a.from;
@@ -153,6 +154,31 @@ namespace squeal
                                " in the scene and " + format_number(value) +
                                " in the sweep: where a body turns it must "
                                "have one sign in both");
+      }
+
+
+
+      /** A number for each entry at each value, of lists only. */
+      void
+      check_entry_values(const SweepAxisParameters &a,
+                         const std::string         &section)
+      {
+        if (a.entry_values.empty())
+          return;
+        if (a.scale != Scale::list)
+          refuse_entry(section,
+                       "Entry values",
+                       "are for 'Scale = list'; leave it empty");
+        const std::size_t n = a.entries.size() * a.values.size();
+        if (a.entry_values.size() != n)
+          refuse_entry(section,
+                       "Entry values",
+                       "has " + std::to_string(a.entry_values.size()) +
+                         " numbers: give " + std::to_string(n) +
+                         ", one for each of the " +
+                         std::to_string(a.entries.size()) +
+                         " entries at each of the " +
+                         std::to_string(a.values.size()) + " values");
       }
 
 
@@ -183,11 +209,20 @@ namespace squeal
                              "Values",
                              "must ascend, but " + format_number(a.values[i]) +
                                " follows " + format_number(a.values[i - 1]));
-            for (const auto &path : a.entries)
-              for (const double value : a.values)
-                require_allowed(schema, section, "Values", path, value);
+            check_entry_values(a, section);
+            const bool is_own = !a.entry_values.empty();
+            for (std::size_t i = 0; i < a.entries.size(); ++i)
+              for (std::size_t k = 0; k < a.values.size(); ++k)
+                require_allowed(schema,
+                                section,
+                                is_own ? "Entry values" : "Values",
+                                a.entries[i],
+                                is_own ?
+                                  a.entry_values[i * a.values.size() + k] :
+                                  a.values[k]);
             return;
           }
+        check_entry_values(a, section);
         check_range(a, section);
         for (std::size_t i = 0; i < a.entries.size(); ++i)
           {

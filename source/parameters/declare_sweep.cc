@@ -43,6 +43,14 @@ namespace squeal
                    "Values of the scale 'list', ascending, the same for all "
                    "entries.",
                    "those of the entries");
+        schema.add("Entry values",
+                   a.entry_values,
+                   Allowed::list(Allowed::number()),
+                   "What the entries are at these values, where they follow "
+                   "each a law of its own: all values of the first entry, then "
+                   "all of the second; straight between them. Empty: the "
+                   "values themselves.",
+                   "those of the entries");
         schema.add("Distribution",
                    a.distribution,
                    "How the axis scatters between its ends, for Scatter "

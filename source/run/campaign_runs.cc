@@ -26,7 +26,12 @@ namespace squeal
       if (a.scale == SweepAxisParameters::Scale::list)
         {
           for (const double value : a.values)
-            result.emplace_back(a.entries.size(), value);
+            {
+              result.emplace_back(a.entries.size(), value);
+              if (!a.entry_values.empty())
+                for (std::size_t i = 0; i < a.entries.size(); ++i)
+                  result.back()[i] = listed_value(a, i, value);
+            }
           return result;
         }
       for (unsigned int i = 0; i < a.number; ++i)

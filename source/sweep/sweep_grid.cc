@@ -45,6 +45,25 @@ namespace squeal
 
 
 
+  double
+  listed_value(const SweepAxisParameters &axis,
+               const std::size_t          entry,
+               const double               value)
+  {
+    const auto       &x = axis.values;
+    const double     *y = axis.entry_values.data() + entry * x.size();
+    const std::size_t k = std::lower_bound(x.begin(), x.end(), value) - x.begin();
+    if (k == x.size())
+      return y[k - 1];
+    // What was written is met to the last digit.
+    if (k == 0 || x[k] == value)
+      return y[k];
+    const double share = (value - x[k - 1]) / (x[k] - x[k - 1]);
+    return (1. - share) * y[k - 1] + share * y[k];
+  }
+
+
+
   SweepGrid::SweepGrid(const Parameters &parameters)
     : axes(parameters.sweep.axes)
   {
@@ -159,7 +178,9 @@ namespace squeal
     std::vector<double> result;
     for (std::size_t a = 0; a < axes.size(); ++a)
       for (std::size_t i = 0; i < axes[a].entries.size(); ++i)
-        if (i == 0 || axes[a].scale == Scale::list)
+        if (!axes[a].entry_values.empty())
+          result.push_back(listed_value(axes[a], i, point[a]));
+        else if (i == 0 || axes[a].scale == Scale::list)
           result.push_back(value(a, point[a]));
         else
           // Not the member, which counts entries through all axes.

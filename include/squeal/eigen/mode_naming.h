@@ -68,8 +68,9 @@ namespace squeal
    * Names of vibration shapes of a scene.
    *
    * An annulus is a disc: its shape (n, m) has n nodal circles and m nodal
-   * diameters; "+" has an antinode at the source body of the first contact
-   * pair, "-" a node (angle 0 without a pair). Other bodies are named by the
+   * diameters; "+" has an antinode in the middle of the bodies that touch it
+   * (at the first of them where they stand all round it; at angle 0 without a
+   * pair), "-" a node. Other bodies are named by the
    * direction of their motion and the number of parts that move in opposition
    * along the body: 1 without a node, 2 with one node. A name mentions a disc
    * and another body by their energy shares (naming::disc_share,

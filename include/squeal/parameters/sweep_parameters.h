@@ -27,8 +27,12 @@ namespace squeal
     /** One number for all entries or one for each. */
     std::vector<double> from, to;
     unsigned int        number = 11;
-    /** Values of `list`, the same for all entries. */
+    /** Values of `list`, the same for all entries unless these have some of
+     * their own. */
     std::vector<double> values;
+    /** What the entries are at those values: all of the first entry, then all
+     * of the second; empty: the values themselves. */
+    std::vector<double> entry_values;
     /** How the axis scatters in production, between its lowest and highest
      * value. */
     enum class Distribution

@@ -21,6 +21,12 @@ namespace squeal
                      const std::size_t          entry,
                      const double               share);
 
+  /** Value of an entry of a list that has values of its own for each entry, at
+   * the value @p value of the axis; straight between those that are listed. */
+  double listed_value(const SweepAxisParameters &axis,
+                      const std::size_t          entry,
+                      const double               value);
+
   /**
    * The parameter box of a sweep and its grid of points.
    *

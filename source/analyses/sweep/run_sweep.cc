@@ -18,7 +18,7 @@ namespace squeal
     struct SweepTables
     {
       Table eigenvalues, ranges, coalescences, boundary, influence, suggestions,
-        probabilities, drivers, checks, comparison;
+        probabilities, drivers, checks, comparison, doublets;
 
       template <typename Function>
       void
@@ -34,6 +34,7 @@ namespace squeal
         function("scatter_drivers.csv", drivers);
         function("direct_check.csv", checks);
         function("comparison.csv", comparison);
+        function("doublets.csv", doublets);
       }
     };
 
@@ -58,7 +59,8 @@ namespace squeal
         Timers::Section section(context.timers, "Write: tables");
         t.eigenvalues = sweep_eigenvalue_table(model, solution);
       }
-      t.ranges = unstable_range_table(model, solution);
+      t.ranges   = unstable_range_table(model, solution);
+      t.doublets = doublet_table(model, t.eigenvalues);
       if (s.exceptional_points)
         t.coalescences = exceptional_point_table(model, solution);
       if (s.boundary_tolerance > 0.)
@@ -249,6 +251,11 @@ namespace squeal
       report.table(t.ranges, "Ranges of the first axis with sigma > 0");
       if (has_shapes)
         report.paragraph(explanation_of_names());
+      if (t.doublets.n_rows())
+        {
+          report.section("Doublets of the disc");
+          report.table(t.doublets, "Which member of each doublet squeals");
+        }
       if (t.influence.n_rows() || t.suggestions.n_rows())
         report.section("What to change");
       if (t.suggestions.n_rows())

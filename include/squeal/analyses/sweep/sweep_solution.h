@@ -128,6 +128,14 @@ namespace squeal
   Table unstable_range_table(const SweepModel    &model,
                              const SweepSolution &solution);
 
+  /**
+   * doublets.csv: which member of each doublet (n,m) of the main disc squeals
+   * on a line, of the rows of @p eigenvalues (eigenvalues.csv) that name it and
+   * in which the disc holds at least a quarter of the kinetic energy. Without
+   * columns where no disc gives names.
+   */
+  Table doublet_table(const SweepModel &model, const Table &eigenvalues);
+
   /** exceptional_points.csv. */
   Table exceptional_point_table(const SweepModel    &model,
                                 const SweepSolution &solution);
