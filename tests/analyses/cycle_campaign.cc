@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Limit cycles over the axes of a campaign: what the cycles of several pairs
+// come to, points as single analyses have them, finished points kept.
+// Arguments: the program and the folder of parameter files.
+
+#include <squeal/analyses/limit_cycle/cycle_campaign.h>
+
+#include "brief_runs.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  CycleResult
+  cycle(const double frequency, const double rms, const double multiplier)
+  {
+    CycleResult c;
+    c.pair          = {100., 2. * M_PI * 3000.};
+    c.coarse.status = c.motion.status = CycleStatus::converged;
+    c.figures.frequency               = frequency;
+    c.figures.rms_normal              = rms;
+    c.figures.largest_harmonic        = 1;
+    c.coarse_figures                  = c.figures;
+    c.multipliers.trivial             = 1.;
+    c.multipliers.largest             = multiplier;
+    c.multipliers.error               = 1e-3;
+    return c;
+  }
+
+  CycleResult
+  without_period()
+  {
+    CycleResult c;
+    c.coarse.status = CycleStatus::no_period;
+    return c;
+  }
+
+  void
+  is(const std::vector<CycleResult> &cycles,
+     const std::string              &text,
+     const int                       heard,
+     const std::size_t               n_different)
+  {
+    const CycleOutcome o = outcome_of(cycles);
+    check(o.text == text && o.heard == heard && o.n_different == n_different,
+          text + ": " + o.text + ", heard " + std::to_string(o.heard) +
+            ", different " + std::to_string(o.n_different));
+  }
+
+  void
+  outcomes()
+  {
+    const CycleResult stable   = cycle(3000., 50., .9),
+                      louder   = cycle(7000., 60., .95),
+                      unstable = cycle(5000., 90., 1.1),
+                      open     = cycle(4000., 70., 1.0005);
+    is({}, "steady sliding", -1, 0);
+    is({without_period()}, "no limit cycle found", -1, 0);
+    is({unstable, without_period()}, "limit cycles found are unstable", -1, 1);
+    is({unstable, stable}, "stable limit cycle", 1, 2);
+    is({stable, louder, open}, "several stable limit cycles", 1, 3);
+    is({open, unstable}, "limit cycle, stability open", 0, 2);
+    is({open, cycle(4500., 70., 1.0005)}, "limit cycle, stability open", -1, 2);
+    is({stable, cycle(3001., 50.2, .9)}, "stable limit cycle", 0, 1);
+    CycleResult coarse              = cycle(3030., 50., .9);
+    coarse.coarse_figures.frequency = 3000.;
+    is({stable, coarse}, "stable limit cycle", 0, 1);
+    check(outcome_table({unstable, stable}).integer(0, "n_stable") == 1,
+          "counted in the table");
+    check(outcome_table({}).n_rows() == 1, "a row without pairs, too");
+  }
+
+
+
+  const std::string search = R"(
+subsection Eigenvalues
+  set Lowest frequency  = 100
+  set Highest frequency = 20000
+end
+subsection Limit cycle
+  set Run time           = 0.004
+  set Every growing pair = true
+  set Campaign           = )";
+
+  std::string
+  campaign(const std::string &folder)
+  {
+    return pin_on_beam(folder, search + R"(true
+end
+subsection Sweep
+  set Axes = mu
+  subsection Axis mu
+    set Entries = Scene/Contact pin_beam/Friction coefficient
+    set Scale   = list
+    set Values  = 0.1, 0.4
+  end
+end
+set Analysis = limit cycle
+)");
+  }
+
+  std::string
+  single(const std::string &folder)
+  {
+    return pin_on_beam(folder, search + R"(false
+end
+subsection Scene
+  subsection Contact pin_beam
+    set Friction coefficient = 0.4
+  end
+end
+set Analysis         = limit cycle
+set Output directory = single
+)");
+  }
+
+  /** The last line without its first @p n cells. */
+  std::string
+  last_row(const std::string &file, const unsigned int n)
+  {
+    std::istringstream text(text_of(file));
+    std::string        last;
+    for (std::string line; std::getline(text, line);)
+      if (!line.empty())
+        last = line;
+    for (unsigned int i = 0; i < n; ++i)
+      last = last.substr(last.find(',') + 1);
+    return last;
+  }
+
+  void
+  points(const std::string &program, const std::string &folder)
+  {
+    std::filesystem::remove_all("out");
+    std::filesystem::remove_all("single");
+    write_text("campaign.prm", campaign(folder));
+    write_text("single.prm", single(folder));
+    const Outcome first = run_program({program, "campaign.prm"});
+    check(first.code == 0, "a campaign runs: " + first.errors);
+    const Outcome alone = run_program({program, "single.prm"});
+    check(alone.code == 0, "the point alone runs: " + alone.errors);
+    const std::string pairs = text_of("out/competition.csv"),
+                      cells = text_of("out/campaign.csv");
+    check(last_row("out/competition.csv", 1) ==
+            last_row("single/competition.csv", 0),
+          "the pair of a point is that of the single analysis: " +
+            last_row("out/competition.csv", 1));
+    check(cells.find("steady sliding") != std::string::npos,
+          "steady sliding is stable at the lower friction");
+    const Outcome again = run_program({program, "campaign.prm"});
+    check(again.code == 0 && again.output.find("2 of 2 runs are taken from") !=
+                               std::string::npos,
+          "finished points are kept: " + again.errors);
+    check(text_of("out/competition.csv") == pairs &&
+            text_of("out/campaign.csv") == cells,
+          "with the same bytes");
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check(argc > 2, "arguments: the program and the folder of parameter files");
+  outcomes();
+  points(argv[1], argv[2]);
+}
