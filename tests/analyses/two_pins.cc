@@ -228,6 +228,38 @@ end
           "and both pins' motions");
   }
 
+  /** After in_time(), whose run is a point of it, and damage(). */
+  void
+  campaign()
+  {
+    const Table alone = read_csv("out/transient.csv");
+    run("transient",
+        {"Sweep/Axes = mu",
+         "Sweep/Axis mu/Entries = Scene/Contact below/Friction coefficient",
+         "Sweep/Axis mu/Scale = list",
+         "Sweep/Axis mu/Values = 0.1, 0.2"});
+    const Table runs = read_csv("out/campaign.csv");
+    check(runs.n_rows() == 2, "a row for each friction of one of two pairs");
+    const std::size_t same = runs.real(0, "mu") > .15 ? 0 : 1;
+    for (const char *name : {"min_normal_n",
+                             "rms_normal_n",
+                             "max_normal_n",
+                             "macroscopic_friction"})
+      check_close(runs.real(same, name),
+                  alone.real(0, name),
+                  1e-9 * std::abs(alone.real(0, name)),
+                  std::string("a run of the campaign is the run alone: ") +
+                    name);
+    // 50 N on each pin, with 0.3 above.
+    check_close(runs.real(1 - same, "macroscopic_friction"),
+                (.3 + .1) / 2.,
+                1e-3,
+                "the other one has its own friction below");
+    check(runs.real(0, "worst_imbalance") < 1e-3 &&
+            runs.real(1, "worst_imbalance") < 1e-3,
+          "both ledgers close");
+  }
+
   void
   damage()
   {
@@ -270,4 +302,5 @@ main(int argc, char **argv)
   steady_sliding();
   in_time();
   damage();
+  campaign();
 }
