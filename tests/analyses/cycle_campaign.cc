@@ -85,9 +85,27 @@ subsection Limit cycle
   set Campaign           = )";
 
   std::string
+  limit_cycle(const std::string &folder,
+              const std::string &more,
+              const std::string &directory = "out")
+  {
+    std::string text = pin_on_beam(folder, more);
+    for (const auto &[from, to] :
+         {std::make_pair(std::string("= transient\n"),
+                         std::string("= limit cycle\n")),
+          std::make_pair(std::string("= out\n"), "= " + directory + "\n")})
+      {
+        const auto at = text.find(from);
+        check(at != std::string::npos, "changes " + from);
+        text.replace(at, from.size(), to);
+      }
+    return text;
+  }
+
+  std::string
   campaign(const std::string &folder)
   {
-    return pin_on_beam(folder, search + R"(true
+    return limit_cycle(folder, search + R"(true
 end
 subsection Sweep
   set Axes = mu
@@ -97,23 +115,22 @@ subsection Sweep
     set Values  = 0.1, 0.4
   end
 end
-set Analysis = limit cycle
 )");
   }
 
   std::string
   single(const std::string &folder)
   {
-    return pin_on_beam(folder, search + R"(false
+    return limit_cycle(folder,
+                       search + R"(false
 end
 subsection Scene
   subsection Contact pin_beam
     set Friction coefficient = 0.4
   end
 end
-set Analysis         = limit cycle
-set Output directory = single
-)");
+)",
+                       "single");
   }
 
   /** The last line without its first @p n cells. */

@@ -29,8 +29,7 @@ namespace squeal
     {
       std::map<Doublet, std::set<int>> result;
       std::vector<std::string>         alternatives;
-      boost::split(
-        alternatives, name, [](const char c) { return c == '|'; });
+      boost::split(alternatives, name, [](const char c) { return c == '|'; });
       for (const std::string &text : alternatives)
         {
           int  n = 0, m = 0;
