@@ -241,9 +241,10 @@ namespace squeal::tribology
         std::string text = "Pad " + std::to_string(pad + 1);
         if (pad < p.groups.size())
           text += " (" + p.groups[pad] + ")";
-        const char *const words[3] = {
+        const std::string words[3] = {
           "damage and features lie at the same places: ",
-          "a link worth having is not there: ",
+          "they do not lie at the same places, or a correlation of " +
+            rounded_text(p.relevant_link, 2) + " is ruled out: ",
           "these images cannot tell: "};
         const Verdict kinds[3] = {
           Verdict::supported, Verdict::contradicted, Verdict::undecided};
