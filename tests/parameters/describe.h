@@ -222,6 +222,7 @@ namespace squeal
       SQUEAL_DESCRIBE(axis, to);
       SQUEAL_DESCRIBE(axis, number);
       SQUEAL_DESCRIBE(axis, values);
+      SQUEAL_DESCRIBE(axis, entry_values);
       SQUEAL_DESCRIBE(axis, distribution);
       SQUEAL_DESCRIBE(axis, mean);
       SQUEAL_DESCRIBE(axis, deviation);
@@ -343,6 +344,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, transient.compare_with_cea);
       SQUEAL_DESCRIBE(p, limit_cycle.frequency);
       SQUEAL_DESCRIBE(p, limit_cycle.every_pair);
+      SQUEAL_DESCRIBE(p, limit_cycle.campaign);
       SQUEAL_DESCRIBE(p, limit_cycle.start);
       SQUEAL_DESCRIBE(p, limit_cycle.run_time);
       SQUEAL_DESCRIBE(p, limit_cycle.run_steps);
