@@ -90,7 +90,27 @@ namespace squeal
                  std::to_string(n_growing - n_better) + " of " +
                  std::to_string(n_growing) +
                  " growing pairs estimated cell by cell, to first order: not "
-                 "found again with one degree less");
+                 "found again in a second solution");
+    }
+
+    /** Least share of what the mesh before has changed that is left. */
+    constexpr double least_left = 0.1;
+
+    /** Of growth rates: by what the refinement from the mesh before, if there
+     * is one, has changed, else by one degree less. */
+    Eigen::VectorXd
+    errors_of_growth(const Model        &model,
+                     const ComplexPairs &pairs,
+                     const PairErrors   &errors,
+                     const CoarserPairs &before,
+                     Timers             &timers)
+    {
+      const Eigen::VectorXd result =
+        growth_errors(model, pairs, errors, before, least_left);
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        if (pairs.sigma(k) > 0. && std::isnan(result[k]))
+          return growth_errors_by_lower_degree(model, pairs, errors, timers);
+      return result;
     }
 
     /** How far the pairs are from what is asked of the mesh. */
@@ -121,9 +141,12 @@ namespace squeal
       return result;
     }
 
-    /** What each cell gives to the growth rates of the unstable pairs and of
-     * the loudest one, and to the frequencies that are not good enough yet: on
-     * a mesh that detunes the pairs nothing may be unstable at all. */
+    /** What each cell gives to the unstable pairs and to the loudest one, and
+     * to the frequencies that are not good enough yet: on a mesh that detunes
+     * the pairs nothing may be unstable at all. Of an unstable pair the complex
+     * part counts: its growth rate hangs on the detuning of its modes, and real
+     * parts alone, of both signs, leave frequencies and with them the detuning
+     * far off. */
     std::vector<double>
     indicators(const ComplexPairs             &pairs,
                const PairErrors               &errors,
@@ -140,7 +163,7 @@ namespace squeal
             {
               if (grows)
                 result[i] +=
-                  std::abs(errors.cell(k, i).real()) / p.growth_rate_tolerance;
+                  std::abs(errors.cell(k, i)) / p.growth_rate_tolerance;
               if (detuned)
                 result[i] += std::abs(errors.cell(k, i).imag()) /
                              (p.tolerance * std::abs(pairs.lambda[k]));
@@ -216,7 +239,8 @@ namespace squeal
   MeshedCea
   solve_cea_adaptively(Model &model, RunLog &log, Timers &timers, Table *steps)
   {
-    const auto &p = model.parameters().discretization;
+    const auto  &p = model.parameters().discretization;
+    CoarserPairs before; // of the mesh that was refined
     for (unsigned int cycle = 0;; ++cycle)
       {
         MeshedCea result{solve_modes_adaptively(model, log, timers), {}, {}};
@@ -237,11 +261,11 @@ namespace squeal
               is_adaptive(p)
                 ? pair_mesh_errors(model, *result.modes.pencil, pairs)
                 : errors_of_loudest(model, *result.modes.pencil, pairs);
-            take_growth_errors(growth_errors_by_lower_degree(
-                                 model, pairs, result.errors, timers),
-                               pairs,
-                               result.errors,
-                               log);
+            take_growth_errors(
+              errors_of_growth(model, pairs, result.errors, before, timers),
+              pairs,
+              result.errors,
+              log);
           }
         else
           result.errors.lambda =
@@ -278,6 +302,7 @@ namespace squeal
                         "Maximum cycles");
             return result;
           }
+        before = coarser_pairs(model, pairs);
         {
           Timers::Section section(timers, "Setup: refinement");
           model.discretization()->refine(

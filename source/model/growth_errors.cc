@@ -22,7 +22,9 @@ namespace squeal
     constexpr double least_likeness = 0.3;
     /** The same over that of the most alike. */
     constexpr double least_of_best = 0.6;
-    constexpr double least_ratio = 0.1, largest_ratio = 1.;
+    constexpr double largest_ratio = 1.;
+    /** With a lower degree, and with one that is 1. */
+    constexpr double least_ratio = 0.1, least_ratio_linear = 0.01;
     /** Least relative error of a growth rate over that of its frequency. */
     constexpr double least_share = 2.;
 
@@ -101,21 +103,81 @@ namespace squeal
     }
 
     /** The one that @p likeness calls the same and that grows fastest; -1 for
-     * none. Where the lower degree has not locked in, the two partners are
+     * none. Where the coarser one has not locked in, the two partners are
      * alike. */
     int
-    found_again(const ComplexPairs &coarse, const Eigen::VectorXd &likeness)
+    found_again(const Eigen::VectorXcd &coarse, const Eigen::VectorXd &likeness)
     {
       const double least =
         std::max(least_likeness, least_of_best * likeness.maxCoeff());
       int best = -1;
-      for (unsigned int i = 0; i < coarse.size(); ++i)
+      for (int i = 0; i < coarse.size(); ++i)
         if (likeness[i] >= least &&
-            (best < 0 || coarse.sigma(i) > coarse.sigma(best)))
+            (best < 0 || coarse[i].real() > coarse[best].real()))
           best = i;
       return best;
     }
+
+    /** Whether two solutions of the model can tell growth rates. */
+    bool
+    has_errors(const Model &model, const ComplexPairs &pairs)
+    {
+      const Discretization *d = model.discretization();
+      // With moduli that follow the frequency the second solution would need
+      // them too: the estimate of the cells stands.
+      return d && d->has_mesh() &&
+             ModulusTables(model.parameters().scene).empty() &&
+             pairs.lambda.real().maxCoeff() > 0.;
+    }
   } // namespace
+
+
+
+  CoarserPairs
+  coarser_pairs(const Model &model, const ComplexPairs &pairs)
+  {
+    const Discretization *d = model.discretization();
+    if (!d || !d->has_mesh())
+      return {};
+    return {pairs.lambda,
+            shapes_at_corners(*d, model.linearized(), pairs.right)};
+  }
+
+
+
+  Eigen::VectorXd
+  growth_errors(const Model        &model,
+                const ComplexPairs &pairs,
+                const PairErrors   &errors,
+                const CoarserPairs &coarser,
+                const double        least)
+  {
+    Eigen::VectorXd result =
+      Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
+    if (!has_errors(model, pairs) || coarser.lambda.size() == 0)
+      return result;
+    const Eigen::MatrixXd likeness =
+      (coarser.shapes.adjoint() * coarser_pairs(model, pairs).shapes)
+        .cwiseAbs2();
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      {
+        const int i = found_again(coarser.lambda, likeness.col(k));
+        if (pairs.sigma(k) <= 0. || i < 0)
+          continue;
+        const double ratio =
+          std::abs(errors.lambda[k].imag()) /
+          std::abs(pairs.lambda[k].imag() - coarser.lambda[i].imag());
+        if (std::isnan(ratio))
+          continue;
+        const double change = (pairs.sigma(k) - coarser.lambda[i].real()) *
+                              std::clamp(ratio, least, largest_ratio),
+                     floor = least_share * pairs.sigma(k) *
+                             std::abs(errors.lambda[k].imag()) /
+                             std::abs(pairs.lambda[k]);
+        result[k] = std::copysign(std::max(std::abs(change), floor), change);
+      }
+    return result;
+  }
 
 
 
@@ -125,49 +187,30 @@ namespace squeal
                                 const PairErrors   &errors,
                                 Timers             &timers)
   {
-    Eigen::VectorXd result =
+    const Eigen::VectorXd unknown =
       Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
-    const Discretization *d = model.discretization();
-    // With moduli that follow the frequency the lower degree would need them
-    // too: the estimate of the cells stands.
-    if (!d || !d->has_mesh() || d->degree() < 2 ||
-        !ModulusTables(model.parameters().scene).empty() ||
-        pairs.lambda.real().maxCoeff() <= 0.)
-      return result;
-    Timers::Section   section(timers, "Solve: pairs of the lower degree");
-    const OtherDegree lower = with_degree(model, d->degree() - 1, timers);
-    ComplexPairs      coarse;
+    if (!has_errors(model, pairs) || model.discretization()->degree() < 2)
+      return unknown;
+    const unsigned int degree = model.discretization()->degree() - 1;
+    Timers::Section    section(timers, "Solve: pairs of the lower degree");
+    const OtherDegree  lower = with_degree(model, degree, timers);
+    ComplexPairs       coarse;
     try
       {
         coarse = pairs_of(lower, pairs, model.parameters().eigen);
       }
     catch (const ComputationError &)
       {
-        return result; // the estimate of the cells stands
+        return unknown; // the estimate of the cells stands
       }
     if (coarse.size() == 0)
-      return result;
-    const Eigen::MatrixXd likeness =
-      (shapes_at_corners(*lower.space, lower.system, coarse.right).adjoint() *
-       shapes_at_corners(*d, model.linearized(), pairs.right))
-        .cwiseAbs2();
-    for (unsigned int k = 0; k < pairs.size(); ++k)
-      {
-        const int i = found_again(coarse, likeness.col(k));
-        if (pairs.sigma(k) <= 0. || i < 0)
-          continue;
-        const double ratio =
-          std::abs(errors.lambda[k].imag()) /
-          (2. * M_PI * std::abs(pairs.frequency(k) - coarse.frequency(i)));
-        if (std::isnan(ratio))
-          continue;
-        const double change = (pairs.sigma(k) - coarse.sigma(i)) *
-                              std::clamp(ratio, least_ratio, largest_ratio),
-                     least = least_share * pairs.sigma(k) *
-                             std::abs(errors.lambda[k].imag()) /
-                             std::abs(pairs.lambda[k]);
-        result[k] = std::copysign(std::max(std::abs(change), least), change);
-      }
-    return result;
+      return unknown;
+    return growth_errors(
+      model,
+      pairs,
+      errors,
+      {coarse.lambda,
+       shapes_at_corners(*lower.space, lower.system, coarse.right)},
+      degree > 1 ? least_ratio : least_ratio_linear);
   }
 } // namespace squeal

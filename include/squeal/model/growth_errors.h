@@ -8,35 +8,54 @@ namespace squeal
 {
   class Timers;
 
+  /** Pairs of a coarser model of the same coarse mesh. */
+  struct CoarserPairs
+  {
+    Eigen::VectorXcd lambda;
+    Eigen::MatrixXcd
+      shapes; /**< at the corners of the coarse mesh, of norm 1 */
+  };
+
+  /** Those of @p model, for a finer one. */
+  CoarserPairs coarser_pairs(const Model &model, const ComplexPairs &pairs);
+
   /**
-   * Errors of the growth rates of the pairs that grow, from the same mesh with
-   * one degree less.
+   * Errors of the growth rates of the pairs that grow, from those of a second
+   * solution, that of a coarser mesh or of the same mesh with one degree less.
    *
    * The growth rate of two modes that lock in hangs on the small difference of
    * what the mesh does to the one and to the other. Estimates of cells know
    * each to some five percent, which is far more than their difference; two
-   * solutions on one mesh know the difference itself. What one degree has
-   * changed, sigma_p - sigma_(p-1), has the same sign as what is left, and is
-   * longer by the factor that the frequency of the pair tells, whose error the
-   * cells do know:
+   * solutions know the difference itself. What the finer one has changed,
+   * sigma_h - sigma_H, has the same sign as what is left, and is longer by the
+   * factor that the frequency of the pair tells, whose error the cells do know:
    *
-   *   sigma - sigma_p = (sigma_p - sigma_(p-1)) |f - f_p| / |f_p - f_(p-1)|,
+   *   sigma - sigma_h = (sigma_h - sigma_H) |f - f_h| / |f_h - f_H|,
    *
-   * where the ratio is kept between 1/10 and 1: below, the frequency hardly
-   * moves and says nothing; above, the solutions do not converge yet. The error
-   * is no smaller than twice that of the frequency, both relative: the lowest
-   * degrees are far from converging, and their growth rates may be alike by
-   * chance (doc/verification.md has pairs with 2.3 to 3 times it).
+   * where the ratio is kept between @p least_ratio and 1: below, the frequency
+   * hardly moves and says nothing; above, the solutions do not converge yet.
+   * The error is no smaller than twice that of the frequency, both relative:
+   * the lowest degrees are far from converging, and their growth rates may be
+   * alike by chance (doc/verification.md has pairs with 2.3 to 3 times it).
    *
    * A pair is found again by its shape at the corners of the coarse mesh
-   * (squared cosine): of the pairs of the lower degree that share 0.3 of it and
-   * 0.6 of what the most alike does, the one that grows fastest.
+   * (squared cosine): of the coarser pairs that share 0.3 of it and 0.6 of what
+   * the most alike does, the one that grows fastest.
    *
    * @param pairs  right vectors are used
    * @param errors of the pairs, for the frequencies
    * @return 1/s, one a pair: NaN for those that do not grow, that are not found
-   * again or whose @p errors are not known, and for all where the degree is 1.
+   * again or whose @p errors are not known.
    */
+  Eigen::VectorXd growth_errors(const Model        &model,
+                                const ComplexPairs &pairs,
+                                const PairErrors   &errors,
+                                const CoarserPairs &coarser,
+                                const double        least_ratio);
+
+  /** By one degree less, with a ratio of at least 1/10; with linear elements
+   * there, whose errors are tens of times larger, 1/100. NaN for all where the
+   * degree is 1. */
   Eigen::VectorXd growth_errors_by_lower_degree(const Model        &model,
                                                 const ComplexPairs &pairs,
                                                 const PairErrors   &errors,
