@@ -25,8 +25,8 @@ namespace squeal
                  const unsigned int    disc,
                  const unsigned int    body)
     {
-      const auto           centre = body_centre(d, body);
-      const auto          &axis   = d.scene().bodies[disc].position;
+      const auto            centre = body_centre(d, body);
+      const auto           &axis   = d.scene().bodies[disc].position;
       const Eigen::Vector2d r(centre[0] - axis[0], centre[1] - axis[1]);
       if (r.norm() > 1e-6 * d.scene().bodies[disc].outer_radius)
         return r.normalized();
@@ -46,10 +46,10 @@ namespace squeal
       std::vector<Eigen::Vector2d> directions;
       for (const auto &contact : scene.contacts)
         if (own == contact.source_body || own == contact.target_body)
-        for (const auto &name : {contact.source_body, contact.target_body})
-          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-            if (scene.bodies[b].name == name && !is_annulus(scene, b))
-              directions.push_back(direction_to(d, disc, b));
+          for (const auto &name : {contact.source_body, contact.target_body})
+            for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+              if (scene.bodies[b].name == name && !is_annulus(scene, b))
+                directions.push_back(direction_to(d, disc, b));
       if (directions.empty())
         return 0.;
       Eigen::Vector2d sum = Eigen::Vector2d::Zero();

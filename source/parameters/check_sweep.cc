@@ -156,19 +156,17 @@ namespace squeal
         if (a.entry_values.empty())
           return;
         if (a.scale != Scale::list)
-          refuse_entry(section,
-                       "Entry values",
-                       "are for 'Scale = list'; leave it empty");
+          refuse_entry(
+            section, "Entry values", "are for 'Scale = list'; leave it empty");
         const std::size_t n = a.entries.size() * a.values.size();
         if (a.entry_values.size() != n)
-          refuse_entry(section,
-                       "Entry values",
-                       "has " + std::to_string(a.entry_values.size()) +
-                         " numbers: give " + std::to_string(n) +
-                         ", one for each of the " +
-                         std::to_string(a.entries.size()) +
-                         " entries at each of the " +
-                         std::to_string(a.values.size()) + " values");
+          refuse_entry(
+            section,
+            "Entry values",
+            "has " + std::to_string(a.entry_values.size()) + " numbers: give " +
+              std::to_string(n) + ", one for each of the " +
+              std::to_string(a.entries.size()) + " entries at each of the " +
+              std::to_string(a.values.size()) + " values");
       }
 
 
@@ -207,9 +205,8 @@ namespace squeal
                                 section,
                                 is_own ? "Entry values" : "Values",
                                 a.entries[i],
-                                is_own ?
-                                  a.entry_values[i * a.values.size() + k] :
-                                  a.values[k]);
+                                is_own ? a.entry_values[i * a.values.size() + k]
+                                       : a.values[k]);
             return;
           }
         check_entry_values(a, section);

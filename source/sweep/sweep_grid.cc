@@ -52,7 +52,8 @@ namespace squeal
   {
     const auto       &x = axis.values;
     const double     *y = axis.entry_values.data() + entry * x.size();
-    const std::size_t k = std::lower_bound(x.begin(), x.end(), value) - x.begin();
+    const std::size_t k =
+      std::lower_bound(x.begin(), x.end(), value) - x.begin();
     if (k == x.size())
       return y[k - 1];
     // What was written is met to the last digit.
