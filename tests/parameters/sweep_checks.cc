@@ -52,6 +52,13 @@ namespace
             "has 2 numbers",
             "more ends than entries");
     refused({"Sweep/Axis mu/Values ="}, "is empty", "a list without values");
+    refused({"Sweep/Axis mu/Values = 0.1, 0.2",
+             "Sweep/Axis mu/Entry values = 0.1, 0.2, 0.3"},
+            "give 2",
+            "values of the entries that are not as many as the list has");
+    refused({"Sweep/Axis e_pad/Entry values = 1e9, 1e11"},
+            "'Scale = list'",
+            "values of the entries without a list");
     refused(
       {"Sweep/Axis mu/Values = 0.2, 0.1"}, "must ascend", "a list that falls");
     refused(

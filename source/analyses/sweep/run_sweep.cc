@@ -60,7 +60,7 @@ namespace squeal
         t.eigenvalues = sweep_eigenvalue_table(model, solution);
       }
       t.ranges   = unstable_range_table(model, solution);
-      t.doublets = doublet_table(model, t.eigenvalues);
+      t.doublets = doublet_table(model, solution, t.eigenvalues);
       if (s.exceptional_points)
         t.coalescences = exceptional_point_table(model, solution);
       if (s.boundary_tolerance > 0.)

@@ -62,26 +62,6 @@ namespace squeal
       double share[2] = {0., 0.};
     };
 
-    void
-    enter(const Table       &pairs,
-          const std::size_t  row,
-          const std::string &axis,
-          const double       share,
-          const bool         turns,
-          Loudest           &loudest)
-    {
-      const double sigma = pairs.real(row, "sigma_per_s");
-      if (!loudest.sigma.is_missing() &&
-          std::get<double>(loudest.sigma.value) >= sigma)
-        return;
-      loudest = {sigma,
-                 pairs.real(row, axis),
-                 pairs.real(row, "frequency_hz"),
-                 share,
-                 pairs.integer(row, "unstable") == 1,
-                 turns};
-    }
-
     double
     median(std::vector<double> values)
     {
@@ -114,28 +94,18 @@ namespace squeal
               Type::text,
               "",
               "the member with the largest sigma; both: its nodal lines turn; "
-              "none: neither is unstable"}})
+              "none: no pair that counts is unstable"}})
         table.add_column(column);
-      for (const char *member : {"plus", "minus"})
-        for (const Table::Column &column : std::vector<Table::Column>{
-               {"sigma_", Type::real, "1/s", "largest on the line", 5},
-               {"at_", Type::real, "", "where, on the first axis", 5},
-               {"frequency_", Type::real, "Hz", "there", 6},
-               {"disc_share_",
-                Type::real,
-                "",
-                "of the disc in the kinetic energy there",
-                3}})
-          {
-            const std::string unit = column.unit == "1/s"  ? "_per_s"
-                                     : column.unit == "Hz" ? "_hz"
-                                                           : "";
-            table.add_column({column.name + member + unit,
-                              column.type,
-                              column.unit,
-                              column.description,
-                              column.n_digits});
-          }
+      for (const Table::Column &column : std::vector<Table::Column>{
+             {"sigma_plus_per_s", Type::real, "1/s", "largest of +", 5},
+             {"at_plus", Type::real, "", "where, on the first axis", 5},
+             {"frequency_plus_hz", Type::real, "Hz", "there", 6},
+             {"disc_share_plus", Type::real, "", "of the energy, there", 3},
+             {"sigma_minus_per_s", Type::real, "1/s", "largest of -", 5},
+             {"at_minus", Type::real, "", "where, on the first axis", 5},
+             {"frequency_minus_hz", Type::real, "Hz", "there", 6},
+             {"disc_share_minus", Type::real, "", "of the energy, there", 3}})
+        table.add_column(column);
       table.add_column({"split_hz",
                         Type::real,
                         "Hz",
@@ -164,61 +134,124 @@ namespace squeal
 
 
 
+  namespace
+  {
+    using DoubletMembers = std::map<Doublet, Members>;
+
+    /** What a row of eigenvalues.csv or a peak says of the doublets. */
+    struct NamedPair
+    {
+      std::string name;
+      double      sigma, at, frequency, share;
+      bool        is_unstable;
+    };
+
+    void
+    enter(const NamedPair &pair, DoubletMembers &line)
+    {
+      if (pair.share < smallest_disc_share)
+        return;
+      for (const auto &[doublet, members] : members_in(pair.name))
+        for (const int member : members)
+          {
+            Loudest &loudest = line[doublet].of[member];
+            if (!loudest.sigma.is_missing() &&
+                std::get<double>(loudest.sigma.value) >= pair.sigma)
+              continue;
+            loudest = {pair.sigma,
+                       pair.at,
+                       pair.frequency,
+                       pair.share,
+                       pair.is_unstable,
+                       members.size() == 2};
+          }
+    }
+
+    /** Unstable ranges are narrow: their peaks lie between the points. */
+    void
+    enter_peaks(const SweepModel  &model,
+                const SweepLine   &line,
+                const unsigned int disc,
+                DoubletMembers    &members)
+    {
+      for (const UnstableRange &range : line.ranges)
+        if (const auto peak = peak_pair(model, line, range))
+          {
+            const auto shares =
+              model.energy_shares(peak->point, peak->pairs.right);
+            const auto names =
+              model.names(peak->pairs.right, shares, peak->pairs.lambda);
+            enter({names[peak->index].text,
+                   peak->sigma(),
+                   model.grid().value(0, peak->point[0]),
+                   peak->frequency(),
+                   shares(disc, peak->index),
+                   peak->sigma() > 0.},
+                  members);
+          }
+    }
+
+    /** + minus - of the doublets of one point, where both have a name of their
+     * own: of the pairs with most of the disc. */
+    void
+    enter_splits(const std::vector<NamedPair> &point, DoubletMembers &line)
+    {
+      std::map<Doublet, Frequencies> found;
+      for (const NamedPair &pair : point)
+        for (const auto &[doublet, members] : members_in(pair.name))
+          if (members.size() == 1)
+            {
+              const int    member = *members.begin();
+              Frequencies &f      = found[doublet];
+              if (pair.share > std::max(f.share[member], smallest_disc_share))
+                {
+                  f.share[member] = pair.share;
+                  f.hz[member]    = pair.frequency;
+                }
+            }
+      for (const auto &[doublet, f] : found)
+        if (f.share[0] > 0. && f.share[1] > 0.)
+          line[doublet].splits.push_back(f.hz[0] - f.hz[1]);
+    }
+  } // namespace
+
+
+
   Table
-  doublet_table(const SweepModel &model, const Table &eigenvalues)
+  doublet_table(const SweepModel    &model,
+                const SweepSolution &solution,
+                const Table         &eigenvalues)
   {
     const unsigned int disc = main_disc(model.scene());
     if (disc == -1u || model.model().namer().n_coordinates() == 0)
       return {};
     const SweepGrid  &grid  = model.grid();
-    const std::string axis  = grid.axis(0).name;
     const std::string share = "ke_share_" + model.scene().bodies[disc].name;
-    using Line              = std::vector<double>;
-    std::map<Line, std::map<Doublet, Members>> lines;
-    std::vector<Line>                          order;
-    std::map<Doublet, Frequencies>             at_point;
-    const auto end_point = [&](std::map<Doublet, Members> &line) {
-      for (const auto &[doublet, f] : at_point)
-        if (f.share[0] > 0. && f.share[1] > 0.)
-          line[doublet].splits.push_back(f.hz[0] - f.hz[1]);
-      at_point.clear();
-    };
-    for (std::size_t i = 0; i < eigenvalues.n_rows(); ++i)
+    Table             table = empty_table(grid);
+    std::size_t       row   = 0;
+    for (const SweepLine &line : solution.lines)
       {
-        Line key;
-        for (unsigned int a = 1; a < grid.n_axes(); ++a)
-          key.push_back(eigenvalues.real(i, grid.axis(a).name));
-        if (order.empty() || order.back() != key)
-          order.push_back(key);
-        auto        &line = lines[key];
-        const double part = eigenvalues.real(i, share);
-        if (part >= smallest_disc_share)
-          for (const auto &[doublet, members] :
-               members_in(eigenvalues.text(i, "name")))
-            for (const int member : members)
-              {
-                enter(eigenvalues,
-                      i,
-                      axis,
-                      part,
-                      members.size() == 2,
-                      line[doublet].of[member]);
-                Frequencies &f = at_point[doublet];
-                if (members.size() == 1 && part > f.share[member])
-                  {
-                    f.share[member] = part;
-                    f.hz[member]    = eigenvalues.real(i, "frequency_hz");
-                  }
-              }
-        if (i + 1 == eigenvalues.n_rows() ||
-            eigenvalues.integer(i + 1, "point") !=
-              eigenvalues.integer(i, "point"))
-          end_point(line);
+        DoubletMembers members;
+        for (const TrackedPoint &at : line.points)
+          {
+            if (!at.asked)
+              continue;
+            std::vector<NamedPair> point;
+            for (unsigned int j = 0; j < at.pairs.size(); ++j, ++row)
+              point.push_back({eigenvalues.text(row, "name"),
+                               eigenvalues.real(row, "sigma_per_s"),
+                               grid.value(0, at.coordinate),
+                               eigenvalues.real(row, "frequency_hz"),
+                               eigenvalues.real(row, share),
+                               eigenvalues.integer(row, "unstable") == 1});
+            for (const NamedPair &pair : point)
+              enter(pair, members);
+            enter_splits(point, members);
+          }
+        enter_peaks(model, line, disc, members);
+        for (const auto &[doublet, both] : members)
+          add_row(doublet, both, fixed_values(grid, line.start), table);
       }
-    Table table = empty_table(grid);
-    for (const Line &key : order)
-      for (const auto &[doublet, members] : lines.at(key))
-        add_row(doublet, members, {key.begin(), key.end()}, table);
     return table;
   }
 } // namespace squeal

@@ -130,11 +130,13 @@ namespace squeal
 
   /**
    * doublets.csv: which member of each doublet (n,m) of the main disc squeals
-   * on a line, of the rows of @p eigenvalues (eigenvalues.csv) that name it and
-   * in which the disc holds at least a quarter of the kinetic energy. Without
-   * columns where no disc gives names.
+   * on a line, of the rows of @p eigenvalues (eigenvalues.csv) and the peaks of
+   * the unstable ranges that name it and in which the disc holds at least a
+   * quarter of the kinetic energy. Without columns where no disc gives names.
    */
-  Table doublet_table(const SweepModel &model, const Table &eigenvalues);
+  Table doublet_table(const SweepModel    &model,
+                      const SweepSolution &solution,
+                      const Table         &eigenvalues);
 
   /** exceptional_points.csv. */
   Table exceptional_point_table(const SweepModel    &model,
