@@ -288,6 +288,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/pair_errors.cc
     source/model/point_forces.cc
     source/model/pressed_model.cc
+    source/model/pressed_scene.cc
     source/model/rotor_symmetry.cc
     source/model/turning_modes.cc)
 

@@ -27,7 +27,7 @@ namespace squeal
     constexpr double no_return = 0.3;
     /** A run ends early where it comes back as near as this, over its size, and
      * nearer by this share than a motion that still grows would. */
-    constexpr double near_return = 1e-2, of_growth = 0.1;
+    constexpr double has_returned = 1e-2, of_growth = 0.1;
 
     MotionState
     state_of_pair(const SteadySliding    &steady,
@@ -74,7 +74,7 @@ namespace squeal
                           stable_steps(
                             map.reduced_model(), period, settings.run_steps, 1),
                    is_there =
-                     std::min(near_return, of_growth * pair.real() * period);
+                     std::min(has_returned, of_growth * pair.real() * period);
       const auto n = static_cast<unsigned int>(
         std::max(2., std::ceil(settings.run_time / n_parts / step)));
       ContactPast past;
@@ -124,6 +124,11 @@ namespace squeal
         std::abs(result.multipliers.largest -
                  floquet_multipliers(map, result.coarse).largest);
     }
+
+    /** Of the rms: what harmonics of a longer period leave of a motion that
+     * repeats itself within it; and how often it may. */
+    constexpr double       nothing          = 1e-3;
+    constexpr unsigned int most_repetitions = 8;
 
     /** |a_k| of x = mean + Re sum a_k e^{i k omega t}. */
     std::vector<double>
@@ -226,6 +231,28 @@ namespace squeal
     f.n_opening   = std::count(opens.begin(), opens.end(), true);
     f.n_sticking  = std::count(sticks.begin(), sticks.end(), true);
     return f;
+  }
+
+
+
+  unsigned int
+  CycleFigures::repetitions() const
+  {
+    const auto is_repeated = [](const std::vector<double> &harmonics,
+                                const double               rms,
+                                const unsigned int         times) {
+      double sum = 0.;
+      for (std::size_t k = 1; k <= harmonics.size(); ++k)
+        if (k % times != 0)
+          sum += .5 * harmonics[k - 1] * harmonics[k - 1];
+      return std::sqrt(sum) <= nothing * rms;
+    };
+    for (unsigned int times = most_repetitions; times > 1; --times)
+      if (normal_harmonics.size() >= 2 * times &&
+          is_repeated(normal_harmonics, rms_normal, times) &&
+          is_repeated(tangential_harmonics, rms_tangential, times))
+        return times;
+    return 1;
   }
 
 

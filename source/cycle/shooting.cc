@@ -139,16 +139,6 @@ namespace squeal
     return result;
   }
 
-  std::pair<double, double>
-  recurrence(const ReducedContactModel &model,
-             const Orbit               &orbit,
-             const double               shortest,
-             const double               longest)
-  {
-    const auto all = recurrences(model, orbit, shortest, longest);
-    return all.empty() ? std::pair<double, double>{0., 1.} : all.back();
-  }
-
 
 
   namespace

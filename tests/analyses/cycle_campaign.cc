@@ -67,6 +67,26 @@ namespace
     CycleResult coarse              = cycle(3030., 50., .9);
     coarse.coarse_figures.frequency = 3000.;
     is({stable, coarse}, "stable limit cycle", 0, 1);
+    // The same motion, gone through twice, and one whose period has doubled.
+    CycleResult once = stable, twice = cycle(1500., 50., .81), doubled = twice;
+    for (CycleResult *c : {&once, &twice, &doubled})
+      {
+        c->figures.normal_harmonics     = std::vector<double>(64, 0.);
+        c->figures.tangential_harmonics = c->figures.normal_harmonics;
+      }
+    for (std::vector<double> CycleFigures::*of :
+         {&CycleFigures::normal_harmonics, &CycleFigures::tangential_harmonics})
+      {
+        (once.figures.*of)[0] = (twice.figures.*of)[1] = 70.;
+        (once.figures.*of)[1] = (twice.figures.*of)[3] = 10.;
+      }
+    doubled.figures.normal_harmonics    = twice.figures.normal_harmonics;
+    doubled.figures.normal_harmonics[0] = 5.;
+    is({once, twice}, "stable limit cycle", 0, 1);
+    is({once, doubled}, "several stable limit cycles", 0, 2);
+    check(once.figures.repetitions() == 1 && twice.figures.repetitions() == 2 &&
+            doubled.figures.repetitions() == 1,
+          "how often a motion repeats itself within its period");
     check(outcome_table({unstable, stable}).integer(0, "n_stable") == 1,
           "counted in the table");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");

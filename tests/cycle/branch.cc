@@ -120,7 +120,7 @@ namespace
       map->run(later(*map, disturbed(steady_sliding(m, start_at)), 600., .02),
                20.,
                2000);
-    const auto      return_ = recurrence(m, tail, 2., 8.);
+    const auto      return_ = recurrences(m, tail, 2., 8.).back();
     Start           start;
     BranchSettings &s    = start.settings;
     s.lower              = .2;
@@ -309,8 +309,9 @@ namespace
         MotionState  state  = disturbed(steady_sliding(m, x.parameter));
         const Orbit  tail =
           map->run(later(*map, state, 800., .01), 3. * period, 6000);
-        const auto    back = recurrence(m, tail, .5 * period, 2.5 * period);
-        const Orbit   one  = map->run(tail.end(), back.first, 4000);
+        const auto back =
+          recurrences(m, tail, .5 * period, 2.5 * period).back();
+        const Orbit   one = map->run(tail.end(), back.first, 4000);
         const Figures t = figures_of(one), c = figures_of(x.motion.orbit);
         std::printf("mu %.4f: transient %.6f Hz, %.6f N; branch %.6f Hz, "
                     "%.6f N\n",

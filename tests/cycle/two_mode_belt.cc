@@ -212,7 +212,7 @@ namespace
     // A long transient in steps of 0.002, half of those of the cycle.
     const MotionState settled = later(map, disturbed(steady), 1500., .005);
     const Orbit       tail    = map.run(settled, 20., 10000);
-    const auto        return_ = recurrence(m, tail, 2., 15.);
+    const auto        return_ = recurrences(m, tail, 2., 15.).back();
     std::printf("%s: recurrence %.6f s to %.1e\n",
                 name.c_str(),
                 return_.first,

@@ -29,6 +29,10 @@ namespace squeal
     /** Root of the power of the normal resultant beyond @p n harmonics, over
      * its rms. */
     double beyond(const unsigned int n) const;
+    /** How many times the shortest period of the resultants the period is: no
+     * other harmonics but multiples of that have more than a thousandth of the
+     * rms. */
+    unsigned int repetitions() const;
   };
 
   CycleFigures cycle_figures(const PeriodMap      &map,

@@ -75,12 +75,6 @@ namespace squeal
     const double               shortest,
     const double               longest);
 
-  /** The last of them, the time in s; 0 and 1 where there is none. */
-  std::pair<double, double> recurrence(const ReducedContactModel &model,
-                                       const Orbit               &orbit,
-                                       const double               shortest,
-                                       const double               longest);
-
   /** Stability of a periodic motion. */
   struct FloquetMultipliers
   {

@@ -7,8 +7,9 @@
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
-#include <squeal/model/pressed_model.h>
+#include <squeal/model/pressed_scene.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/column_title.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/campaign_file.h>
 #include <squeal/run/run_context.h>
@@ -34,54 +35,65 @@ namespace squeal
     {
     public:
       PointGroup(const Parameters &p, RunContext &c)
-        : parameters(p)
-        , context(c)
-        , model(parameters, c.timers, {}, Model::Contacts::open)
-        , pressed(parameters,
-                  *model.discretization(),
-                  model.body_matrices(),
-                  parameters.transient.cut_off,
-                  c.timers,
-                  parameters.transient.interface_cut_off)
+        : context(c)
+        , scene(p, c.timers)
       {
-        context.record.n_dofs = model.n_unknowns();
+        context.record.n_dofs = scene.model.n_unknowns();
       }
 
       /** Of every growing pair; none where there is no steady sliding. */
       std::optional<std::vector<CycleResult>>
       cycles(const CampaignRun &run)
       {
+        const Parameters                  &p = run.parameters;
+        std::unique_ptr<const SteadyModel> about;
         try
           {
-            const Parameters &p = run.parameters;
-            const SteadyModel about =
-              pressed.with_friction(friction_sizes(p.scene.contacts))
-                .steady(p.preload.tolerance, context.timers);
-            const LinearizedMotion linear =
-              linearize(about.pressed.model(),
-                        about.sliding,
-                        about.pressed.sliding_friction(),
-                        about.pressed.speed());
-            const PeriodMap          map = period_map_of(about);
-            std::vector<CycleResult> result;
-            Timers::Section section(context.timers, "Solve: limit cycles");
-            for (const Eigen::Index k : growing_pairs(linear, p.eigen))
-              result.push_back(
-                find_cycle(map, about.sliding, linear, k, p.limit_cycle));
-            return result;
+            about = std::make_unique<const SteadyModel>(
+              scene.pressed.with_friction(friction_sizes(p.scene.contacts))
+                .steady(p.preload.tolerance, context.timers));
           }
         catch (const ComputationError &e)
           {
             context.log.warning(e.what());
             return {};
           }
+        const LinearizedMotion linear =
+          linearize(about->pressed.model(),
+                    about->sliding,
+                    about->pressed.sliding_friction(),
+                    about->pressed.speed());
+        std::vector<CycleResult> result;
+        for (const Eigen::Index k : growing_pairs(linear, p.eigen))
+          result.push_back(cycle_of(*about, linear, k, p.limit_cycle));
+        return result;
       }
 
     private:
-      const Parameters parameters;
-      RunContext      &context;
-      Model            model;
-      PressedModel     pressed;
+      /** A search that breaks off has not converged. */
+      CycleResult
+      cycle_of(const SteadyModel          &about,
+               const LinearizedMotion     &linear,
+               const Eigen::Index          k,
+               const LimitCycleParameters &settings)
+      {
+        Timers::Section section(context.timers, "Solve: limit cycles");
+        try
+          {
+            return find_cycle(
+              period_map_of(about), about.sliding, linear, k, settings);
+          }
+        catch (const ComputationError &e)
+          {
+            context.log.warning(e.what());
+            CycleResult result;
+            result.pair = linear.lambda[k];
+            return result;
+          }
+      }
+
+      RunContext        &context;
+      const PressedScene scene;
     };
 
 
@@ -171,7 +183,7 @@ namespace squeal
 
 
 
-    /** "14 of 36 points grow: ..." */
+    /** "14 of 36 points have growing pairs; steady sliding: 22, ..." */
     std::string
     campaign_sentence(const Table &points)
     {
@@ -185,9 +197,12 @@ namespace squeal
       std::string text = std::to_string(n_growing) + " of " +
                          std::to_string(points.n_rows()) +
                          " points have growing pairs";
+      std::string listed;
       for (const auto &[outcome, n] : outcomes)
-        text += ", " + std::to_string(n) + " x " + outcome;
-      return text;
+        listed +=
+          (listed.empty() ? "" : ", ") + outcome + ": " + std::to_string(n);
+      return text + "; " + listed +
+             " (errors by half the steps; mesh and cut-off not estimated)";
     }
 
     /** The line that is heard over the first axis, one series for each value of
@@ -204,20 +219,24 @@ namespace squeal
             continue;
           std::string label;
           for (std::size_t a = 1; a < p.sweep.axes.size(); ++a)
-            label +=
-              (label.empty() ? "" : ", ") + p.sweep.axes[a].name + " " +
-              points.display(i, points.column_index(p.sweep.axes[a].name));
+            label += (label.empty() ? "" : ", ") +
+                     ColumnTitle(points.columns()[a])
+                       .with(points.real(i, p.sweep.axes[a].name));
           if (points.has_column("top"))
             label += (label.empty() ? "" : ", ") + points.text(i, "top");
+          const bool is_stable = points.integer(i, "n_stable") > 0;
+          label += (label.empty() ? "" : ", ") +
+                   std::string(is_stable ? "stable" : "stability open");
           ChartSeries &s = series[label];
           s.label        = label;
+          s.hollow       = !is_stable;
           s.x.push_back(points.real(i, p.sweep.axes[0].name));
           s.y.push_back(line);
         }
       if (series.empty())
         return;
       Chart chart;
-      chart.title   = "Largest line of the limit cycle that is heard";
+      chart.title   = "Largest line of the limit cycles";
       chart.x.label = shown_title(p.sweep.axes[0], p.scene);
       chart.y.label = "frequency in Hz";
       for (auto &[label, s] : series)
@@ -231,8 +250,9 @@ namespace squeal
       context.plotter.draw(draw_charts({chart}), path);
       report.section("What is heard");
       report.figure(path + ".png",
-                    "The largest line of the normal force in the limit cycle "
-                    "that is heard, where there is one",
+                    "The largest line of the normal force in the stable limit "
+                    "cycle, or in the only one whose stability is left open "
+                    "(hollow)",
                     true);
     }
   } // namespace
@@ -256,12 +276,13 @@ namespace squeal
     context.log.heading("Campaign of limit cycles");
     context.log.info(text.str());
     context.record.figures = {
+      {"limit cycles", campaign_sentence(tables.points)},
       {"points", std::to_string(tables.points.n_rows())},
       {"growing pairs", std::to_string(tables.pairs.n_rows())}};
     HtmlReport report("Limit cycles of " + p.scene.name,
                       "over the axes of the campaign");
     report.set_verdict(HtmlReport::Verdict::neutral,
-                       campaign_sentence(tables.points),
+                       context.record.figures.front().second,
                        context.record.figures);
     if (p.output.plots && context.is_root)
       draw_points(context, tables.points, report);

@@ -27,18 +27,27 @@ namespace squeal
              share * std::max(std::abs(a), std::abs(b)) + error;
     }
 
+    /** Motions, whichever multiple of their shortest period was found. */
     bool
     are_same(const CycleResult &a, const CycleResult &b)
     {
-      const auto error = [](const CycleResult &c, double CycleFigures::*of) {
-        return std::abs(c.figures.*of - c.coarse_figures.*of);
+      const auto difference_to_coarse = [](const CycleResult &c,
+                                           double CycleFigures::*number) {
+        return std::abs(c.figures.*number - c.coarse_figures.*number);
       };
-      const auto within = [&](double CycleFigures::*of, const double share) {
-        return agree(
-          a.figures.*of, b.figures.*of, share, error(a, of) + error(b, of));
-      };
-      return within(&CycleFigures::frequency, same_frequency) &&
-             within(&CycleFigures::rms_normal, same_rms);
+      const double times_a = a.figures.repetitions(),
+                   times_b = b.figures.repetitions();
+      return agree(times_a * a.figures.frequency,
+                   times_b * b.figures.frequency,
+                   same_frequency,
+                   times_a * difference_to_coarse(a, &CycleFigures::frequency) +
+                     times_b *
+                       difference_to_coarse(b, &CycleFigures::frequency)) &&
+             agree(a.figures.rms_normal,
+                   b.figures.rms_normal,
+                   same_rms,
+                   difference_to_coarse(a, &CycleFigures::rms_normal) +
+                     difference_to_coarse(b, &CycleFigures::rms_normal));
     }
 
     struct PointRow
@@ -155,7 +164,14 @@ namespace squeal
            [](const CycleResult &c) { return c.figures.max_normal; }),
           of({"largest_multiplier", Type::real, "", "its stability"},
            &PointRow::heard,
-           [](const CycleResult &c) { return c.multipliers.largest; })};
+           [](const CycleResult &c) { return c.multipliers.largest; }),
+          of({"largest_multiplier_error",
+              Type::real,
+              "",
+              "its stability is open where the multiplier is nearer to 1",
+              3},
+           &PointRow::heard,
+           [](const CycleResult &c) { return c.multipliers.uncertainty(); })};
       result.insert(result.end(), more.begin(), more.end());
       return result;
     }

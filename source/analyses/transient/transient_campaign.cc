@@ -6,6 +6,7 @@
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/pressed_scene.h>
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/entry_traits.h>
@@ -32,17 +33,10 @@ namespace squeal
     {
     public:
       CampaignGroup(const Parameters &p, RunContext &c)
-        : parameters(p)
-        , context(c)
-        , model(parameters, c.timers, {}, Model::Contacts::open)
-        , pressed(parameters,
-                  *model.discretization(),
-                  model.body_matrices(),
-                  parameters.transient.cut_off,
-                  c.timers,
-                  parameters.transient.interface_cut_off)
+        : context(c)
+        , scene(p, c.timers)
       {
-        context.record.n_dofs = model.n_unknowns();
+        context.record.n_dofs = scene.model.n_unknowns();
       }
 
       struct Outcome
@@ -58,7 +52,7 @@ namespace squeal
         try
           {
             return std::make_unique<PreparedTransient>(
-              pressed.with_friction(
+              scene.pressed.with_friction(
                 friction_sizes(run.parameters.scene.contacts)),
               run.parameters,
               context.timers);
@@ -102,10 +96,8 @@ namespace squeal
       }
 
     private:
-      const Parameters parameters;
-      RunContext      &context;
-      Model            model;
-      PressedModel     pressed;
+      RunContext        &context;
+      const PressedScene scene;
     };
 
 
