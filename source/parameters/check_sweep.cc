@@ -28,6 +28,17 @@ namespace squeal
                      p.limit_cycle.campaign;
       }
 
+      /** How finely the runs of a campaign are computed. Limit cycles have
+       * steps and a tolerance of their own. */
+      bool
+      is_resolution_of(const Parameters &p, const std::string &path)
+      {
+        return is_campaign_of_runs(p) && is_resolution_entry(path) &&
+               (p.analysis == Parameters::Analysis::transient ||
+                (path != "Transient/Time step" &&
+                 path != "Transient/Tolerance"));
+      }
+
       /** The entry must be there and be one number. */
       void
       require_number(const Parameters  &parameters,
@@ -45,18 +56,27 @@ namespace squeal
           }
         if (starts_with(path, "Scene/"))
           return;
-        const bool is_campaign = is_campaign_of_runs(parameters);
-        if (!is_campaign || !is_resolution_entry(path))
-          refuse_entry(section,
-                       name,
-                       "contains " + in_quotes(path) +
-                         ": only numbers of the scene can be swept" +
-                         (is_campaign ? ", and how finely a transient is "
-                                        "computed: 'Discretization/Degree', "
-                                        "'Refinements', 'Transient/Time step', "
-                                        "'Cut-off', 'Interface cut-off', "
-                                        "'Tolerance'"
-                                      : ""));
+        if (is_resolution_of(parameters, path))
+          return;
+        const std::string of_runs =
+          !is_campaign_of_runs(parameters) ? ""
+          : parameters.analysis == Parameters::Analysis::transient
+            ? ", and how finely a transient is "
+              "computed: "
+              "'Discretization/Degree', "
+              "'Refinements', 'Transient/Time "
+              "step', 'Cut-off', 'Interface "
+              "cut-off', 'Tolerance'"
+            : ", and how finely limit cycles "
+              "are computed: "
+              "'Discretization/Degree', "
+              "'Refinements', "
+              "'Transient/Cut-off', 'Interface "
+              "cut-off'";
+        refuse_entry(section,
+                     name,
+                     "contains " + in_quotes(path) +
+                       ": only numbers of the scene can be swept" + of_runs);
       }
 
       void

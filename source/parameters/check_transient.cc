@@ -174,6 +174,11 @@ namespace squeal
                        "must not be below 'Eigenvalues/Highest frequency'");
         if (!p.limit_cycle.campaign)
           check_branch(p.sweep.axes);
+        else if (p.limit_cycle.frequency > 0.)
+          refuse_entry("Limit cycle",
+                       "Pair frequency",
+                       "must be 0 with 'Campaign', which follows every growing "
+                       "pair");
         else if (!t.integrators.empty())
           refuse_entry("Transient",
                        "Integrators",
