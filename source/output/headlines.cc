@@ -14,7 +14,11 @@ namespace squeal
     std::string
     brief(const double value)
     {
-      return shortest_text(std::stod(rounded_text(value, 4)));
+      const std::string text = shortest_text(std::stod(rounded_text(value, 4)));
+      // Not 177800000, which nobody counts.
+      return text.size() > 7 && text.find_first_of(".e") == std::string::npos
+               ? rounded_text(value, 4)
+               : text;
     }
 
     std::string

@@ -69,6 +69,10 @@ namespace squeal
         result.add("range of axis " + sweep_grid.axis(a).name,
                    digits(std::vector<double>{first[a], last[a]}) +
                      (sweep_grid.is_logarithmic(a) ? ", logarithmic" : ""));
+        // Between their ends, too, entries are where the list puts them.
+        if (!sweep_grid.axis(a).entry_values.empty())
+          result.add("places of entries on axis " + sweep_grid.axis(a).name,
+                     digits(sweep_grid.axis(a).values));
       }
     // Entries of one axis have ranges of their own.
     result.add("values at the lower ends", digits(sweep_grid.values(first)));

@@ -75,7 +75,8 @@ namespace squeal
                                Ink::sky,
                                Ink::black};
 
-    /** Frequency of every branch; what is unstable is marked. */
+    /** Frequency of every branch; what is unstable is marked, with the peaks of
+     * ranges, which are often narrower than the grid. */
     Chart
     frequency_chart(const SweepModel &model, const SweepLine &line)
     {
@@ -101,6 +102,11 @@ namespace squeal
               }
           if (s.x.size() > 1)
             chart.series.push_back(s);
+        }
+      for (const UnstableRange &range : line.ranges)
+        {
+          unstable.x.push_back(range.peak_at);
+          unstable.y.push_back(1e-3 * range.peak_frequency);
         }
       if (!unstable.x.empty())
         chart.series.push_back(unstable);
