@@ -243,8 +243,9 @@ namespace squeal::tribology
           text += " (" + p.groups[pad] + ")";
         const std::string words[3] = {
           "damage and features lie at the same places: ",
-          "they do not lie at the same places, or a correlation of " +
-            rounded_text(p.relevant_link, 2) + " is ruled out: ",
+          "they lie at different places, or go together by less than a "
+          "correlation of " +
+            rounded_text(p.relevant_link, 2) + ": ",
           "these images cannot tell: "};
         const Verdict kinds[3] = {
           Verdict::supported, Verdict::contradicted, Verdict::undecided};
