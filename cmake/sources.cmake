@@ -27,6 +27,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/row_file.cc
     source/base/row_space.cc
     source/base/run_log.cc
+    source/base/scratch_directory.cc
     source/base/sealed_file.cc
     source/base/sparse_matrix.cc
     source/base/state_files.cc
@@ -280,6 +281,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/finer_modes.cc
     source/model/frequency_pencil.cc
     source/model/growth_errors.cc
+    source/model/linear_solver.cc
     source/model/measured_points.cc
     source/model/mode_solution.cc
     source/model/model.cc

@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/input_file.h>
+#include <squeal/base/scratch_directory.h>
 #include <squeal/base/state_files.h>
 
 #include <array>
@@ -314,6 +315,7 @@ namespace squeal
     // the list is emptied last: a run that is killed meanwhile is cleaned up
     // by the next one
     remove_listed(directory, "");
+    remove_scratch_directories(directory);
     try
       {
         lock->rewrite(manifest_head);

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/base/exceptions.h>
+#include <squeal/base/available_memory.h>
+#include <squeal/base/memory.h>
 #include <squeal/base/mumps.h>
+#include <squeal/base/number_text.h>
+#include <squeal/base/scratch_directory.h>
 
 #include <dmumps_c.h>
 #include <zmumps_c.h>
+
+#include <algorithm>
+#include <cstring>
 
 namespace squeal
 {
@@ -50,12 +56,24 @@ namespace squeal
     mutable typename Interface<Number>::Structure mumps{};
     std::vector<int>                              rows, columns;
     std::vector<Number>                           values;
+    FactorStorage                                 storage;
+    std::unique_ptr<ScratchDirectory>             scratch; /**< on disk */
 
     int &
     icntl(const int i) const
     {
       return mumps.icntl[i - 1];
     }
+
+    /** Bytes by the analysis, of the rank that needs most. */
+    double
+    estimate(const FactorPlace place) const
+    {
+      return 1e6 * mumps.infog[place == FactorPlace::memory ? 15 : 25];
+    }
+
+    void choose_place();
+    void put_on_disk();
 
     bool
     is_distributed() const
@@ -99,7 +117,7 @@ namespace squeal
               "the matrix is numerically singular: a body without support, or "
               "a shift on an eigenvalue");
           if (error == -13 || error == -19)
-            throw ComputationError(
+            throw NotEnoughMemory(
               "not enough memory to factorise: use a coarser mesh or more "
               "ranks");
           break;
@@ -117,11 +135,13 @@ namespace squeal
   template <typename Number>
   MumpsFactorization<Number>::MumpsFactorization(
     std::shared_ptr<const RowSpace> space,
-    const Symmetry                  symmetry)
+    const Symmetry                  symmetry,
+    const FactorStorage            &storage)
     : impl(std::make_unique<Implementation>())
   {
     auto &m        = impl->mumps;
     impl->space    = std::move(space);
+    impl->storage  = storage;
     m.comm_fortran = MPI_Comm_c2f(impl->space->communicator());
     m.par          = 1;
     m.sym          = symmetry == Symmetry::symmetric ? 2 : 0;
@@ -173,6 +193,80 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Bytes that every rank may still take: those of a machine are shared by
+     * the ranks on it. The same on all ranks. */
+    double
+    available_on_every_rank(const MPI_Comm comm)
+    {
+      return_freed_memory();
+      MPI_Comm on_machine;
+      MPI_Comm_split_type(
+        comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &on_machine);
+      int n_on_machine = 1;
+      MPI_Comm_size(on_machine, &n_on_machine);
+      MPI_Comm_free(&on_machine);
+      double bytes = available_memory() / n_on_machine;
+      MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MIN, comm);
+      return bytes;
+    }
+
+    std::string
+    gigabytes(const double bytes)
+    {
+      return rounded_text(bytes / 1e9, 2) + " GB";
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  void
+  MumpsFactorization<Number>::Implementation::put_on_disk()
+  {
+    scratch = std::make_unique<ScratchDirectory>(storage.directory);
+    if (scratch->path().size() >= sizeof(mumps.ooc_tmpdir))
+      throw InputError("the name of the folder '" + scratch->path() +
+                       "' is too long for the files of the factors");
+    std::strcpy(mumps.ooc_tmpdir, scratch->path().c_str());
+    icntl(22) = 1;
+  }
+
+  template <typename Number>
+  void
+  MumpsFactorization<Number>::Implementation::choose_place()
+  {
+    using Place             = FactorStorage::Place;
+    const bool   has_folder = !storage.directory.empty();
+    const double in_memory  = estimate(FactorPlace::memory),
+                 on_disk    = estimate(FactorPlace::disk),
+                 available  = available_on_every_rank(space->communicator());
+    if (storage.place == Place::disk ||
+        (storage.place == Place::automatic && has_folder &&
+         !(in_memory + storage.reserve <= available)))
+      {
+        if (!(on_disk <= available))
+          throw NotEnoughMemory(
+            "the factors need " + gigabytes(on_disk) +
+            " a rank even when they are kept on disk, of which " +
+            gigabytes(available) +
+            " are free: use a coarser mesh, a lower degree or more ranks");
+        put_on_disk();
+      }
+    else if (!(in_memory <= available))
+      throw NotEnoughMemory(
+        "the factors need " + gigabytes(in_memory) + " a rank, of which " +
+        gigabytes(available) + " are free: " +
+        (has_folder ? "set Eigenvalues/Linear solver = out of "
+                      "core (" +
+                        gigabytes(on_disk) + "), "
+                    : "") +
+        "use a coarser mesh, a lower degree or more ranks");
+  }
+
+
+
   template <typename Number>
   void
   MumpsFactorization<Number>::factorize(std::vector<int>    rows,
@@ -214,6 +308,7 @@ namespace squeal
         impl->icntl(8)  = 7;
       }
     impl->run(job_analyze);
+    impl->choose_place();
     impl->run(job_factorize);
     std::vector<Number>().swap(impl->values);
     if (!keep_pattern)
@@ -318,6 +413,20 @@ namespace squeal
   {
     const int n = impl->mumps.infog[28];
     return n < 0 ? -1e6 * n : n;
+  }
+
+  template <typename Number>
+  FactorPlace
+  MumpsFactorization<Number>::place() const
+  {
+    return impl->scratch ? FactorPlace::disk : FactorPlace::memory;
+  }
+
+  template <typename Number>
+  double
+  MumpsFactorization<Number>::needed_memory() const
+  {
+    return impl->estimate(FactorPlace::memory);
   }
 
   template class MumpsFactorization<double>;

@@ -127,11 +127,12 @@ namespace squeal
   CertifiedSolver::CertifiedSolver(const Pencil         &p,
                                    const ShiftedInverse &s,
                                    const UndampedModes  &modes,
-                                   PairFinder           *f)
+                                   PairFinder           *f,
+                                   const BasisProducts   products)
     : pencil(p)
     , inverse(p, s)
     , finder(f)
-    , reduced(p)
+    , reduced(p, products)
   {
     const Block        start = side_by_side(modes.shapes, modes.supplement);
     const Eigen::Index n     = start.cols();

@@ -85,8 +85,9 @@ namespace squeal
 
 
 
-  MassBasis::MassBasis(const Pencil &p)
+  MassBasis::MassBasis(const Pencil &p, const BasisProducts products)
     : pencil(p)
+    , keeps(products == BasisProducts::kept)
     , Q(p.space()->n_owned())
     , MQ(p.space()->n_owned())
   {
@@ -98,7 +99,14 @@ namespace squeal
   {
     AssertDimension(size(), 0);
     Q.append(W);
-    MQ.append(MW);
+    if (keeps)
+      MQ.append(MW);
+  }
+
+  bool
+  MassBasis::keeps_products() const
+  {
+    return keeps;
   }
 
   unsigned int
@@ -158,9 +166,14 @@ namespace squeal
         MW = (MW * sizes.cwiseInverse().asDiagonal()).eval();
         if (size() > 0)
           {
-            const Eigen::MatrixXd h = inner_products(space, MQ.view(), W);
+            const Eigen::MatrixXd h = keeps
+                                        ? inner_products(space, MQ.view(), W)
+                                        : inner_products(space, Q.view(), MW);
             W.noalias() -= Q.view() * h;
-            MW.noalias() -= MQ.view() * h;
+            if (keeps)
+              MW.noalias() -= MQ.view() * h;
+            else
+              MW = pencil.multiply_mass(W);
             if (coefficients && pass == 0)
               *coefficients = h * sizes.asDiagonal();
           }
@@ -188,7 +201,8 @@ namespace squeal
           break;
       }
     Q.append(W);
-    MQ.append(MW);
+    if (keeps)
+      MQ.append(MW);
     return W;
   }
 } // namespace squeal

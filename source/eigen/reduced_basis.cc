@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/eigen/reduced_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace squeal
 {
-  ReducedBasis::ReducedBasis(const Pencil &p)
+  ReducedBasis::ReducedBasis(const Pencil &p, const BasisProducts kept)
     : pencil(p)
-    , basis(p)
+    , basis(p, kept)
   {
     rayleigh = pencil.is_rayleigh_damped(alpha, beta);
     // Products of a lone mass and a lone stiffness come with the basis.
-    mass_part = lone_part([](const TermCoefficients &c) { return c.mass; });
+    mass_part = kept == BasisProducts::kept
+                  ? lone_part([](const TermCoefficients &c) { return c.mass; })
+                  : pencil.parts().size();
     stiffness_part =
       lone_part([](const TermCoefficients &c) { return c.stiffness.real(); });
     for (const auto &part : pencil.parts())
@@ -125,6 +129,8 @@ namespace squeal
   ReducedBasis::append_symmetric(const std::size_t              i,
                                  const Eigen::Ref<const Block> &AW)
   {
+    if (!basis.keeps_products())
+      return grow(i, inner_products(*pencil.space(), basis.vectors(), AW), {});
     products[i].append(AW);
     Eigen::MatrixXd right =
       products[i].projected_on(basis.vectors(), AW.cols());
@@ -209,6 +215,9 @@ namespace squeal
     if (i == mass_part)
       return basis.mass_products().leftCols(z.rows()) *
              (both / pencil.parts()[i].coefficients.mass);
+    if (!basis.keeps_products() && pencil.parts()[i].symmetric)
+      return pencil.parts()[i].matrix->multiply(
+        Block(basis.vectors().leftCols(z.rows()) * both));
     const bool     other   = transposed && !pencil.parts()[i].symmetric;
     const Product &product = other ? transposed_products[i] : products[i];
     return product.columns.view().leftCols(z.rows()) * both;
@@ -217,6 +226,7 @@ namespace squeal
   Eigen::MatrixXd
   ReducedBasis::product_gram(const std::size_t i, const std::size_t j) const
   {
+    Assert(basis.keeps_products(), dealii::ExcNotInitialized());
     // All rows of a product, in full only where it is.
     const auto columns = [&](const std::size_t k) {
       return k == mass_part ? basis.mass_products()

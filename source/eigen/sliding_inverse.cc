@@ -10,8 +10,9 @@ namespace squeal
 {
   namespace
   {
-    /** Rows beyond which the responses cost more than they save. */
-    constexpr unsigned int maximum_rank = 600;
+    /** Rows beyond which the responses cost more than they save; fewer where
+     * the factors are on disk: the memory is short. */
+    constexpr unsigned int maximum_rank = 600, maximum_rank_on_disk = 200;
   } // namespace
 
 
@@ -26,7 +27,8 @@ namespace squeal
     unsigned int n_rows = 0;
     for (const Rows &own : rows)
       n_rows += own.left->n_rows();
-    if (n_rows > maximum_rank)
+    if (n_rows > (inverse.place() == FactorPlace::disk ? maximum_rank_on_disk
+                                                       : maximum_rank))
       rows.clear();
     if (rows.empty())
       return;

@@ -95,11 +95,13 @@ namespace squeal
 
 
 
-  ShiftedInverse::ShiftedInverse(const Pencil &pencil, const double shift)
+  ShiftedInverse::ShiftedInverse(const Pencil        &pencil,
+                                 const double         shift,
+                                 const FactorStorage &storage)
     : shift_value(shift)
   {
     factor = std::make_unique<MumpsFactorization<double>>(
-      pencil.space(), MumpsFactorization<double>::Symmetry::symmetric);
+      pencil.space(), MumpsFactorization<double>::Symmetry::symmetric, storage);
     for (unsigned int attempt = 0;; ++attempt)
       {
         const bool last = attempt == 4;
@@ -111,6 +113,10 @@ namespace squeal
                               std::move(entries.values));
             if (last || !is_on_eigenvalue(pencil, *factor, shift_value))
               return;
+          }
+        catch (const NotEnoughMemory &)
+          {
+            throw;
           }
         catch (const ComputationError &)
           {
@@ -144,6 +150,18 @@ namespace squeal
   ShiftedInverse::n_factor_entries() const
   {
     return factor->n_factor_entries();
+  }
+
+  FactorPlace
+  ShiftedInverse::place() const
+  {
+    return factor->place();
+  }
+
+  double
+  ShiftedInverse::needed_memory() const
+  {
+    return factor->needed_memory();
   }
 
 

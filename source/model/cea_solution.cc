@@ -7,6 +7,7 @@
 #include <squeal/eigen/direct_solver.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/model/frequency_pencil.h>
+#include <squeal/model/linear_solver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,14 @@ namespace squeal
 
   namespace
   {
+    BasisProducts
+    products_of(const Model &model, const ModeSolution &modes)
+    {
+      return basis_products(model.parameters(),
+                            *modes.pencil->space(),
+                            modes.modes.mass_products.cols());
+    }
+
     CeaSolution
     solve_certified(CertifiedSolver       &solver,
                     const EigenParameters &p,
@@ -86,19 +95,22 @@ namespace squeal
      * upper end must be as many as the inertia of the factor counts. */
     void
     take_modes_at_ends_of_band(const FrequencyPencil &pencil,
-                               const EigenParameters &p,
+                               const Parameters      &parameters,
                                CertifiedSolver       &solver,
                                RunLog                &log)
     {
-      const double f = p.highest_frequency;
-      ModeOptions  options;
+      const EigenParameters &p = parameters.eigen;
+      const double           f = p.highest_frequency;
+      ModeOptions            options;
       options.tolerance = p.mode_tolerance;
       unsigned int n    = 0;
       for (const double end : {p.lowest_frequency, f})
         {
           const Pencil at_end  = pencil.merged_at(end);
           const auto   inverse = std::make_shared<const ShiftedInverse>(
-            at_end, std::pow(2. * M_PI * f, 2));
+            at_end,
+            std::pow(2. * M_PI * f, 2),
+            factor_storage(parameters, *at_end.space()));
           solver.extend(undamped_modes(at_end, *inverse, options).shapes);
           n = inverse->n_modes_below();
           solver.answer_with(inverse);
@@ -130,9 +142,12 @@ namespace squeal
       FrequencyDependentPairs finder(pencil.coefficients(),
                                      p.eigen.lowest_frequency,
                                      p.eigen.highest_frequency);
-      CertifiedSolver         solver(
-        pencil.pencil(), *modes.inverse, modes.modes, &finder);
-      take_modes_at_ends_of_band(pencil, p.eigen, solver, log);
+      CertifiedSolver         solver(pencil.pencil(),
+                             *modes.inverse,
+                             modes.modes,
+                             &finder,
+                             products_of(model, modes));
+      take_modes_at_ends_of_band(pencil, p, solver, log);
       return solve_certified(solver, p.eigen, log);
     }
   } // namespace
@@ -156,7 +171,11 @@ namespace squeal
         return solution;
       }
     Timers::Section section(timers, "Solve: certified eigenvalues");
-    CertifiedSolver solver(*modes.pencil, *modes.inverse, modes.modes);
+    CertifiedSolver solver(*modes.pencil,
+                           *modes.inverse,
+                           modes.modes,
+                           nullptr,
+                           products_of(model, modes));
     modes.modes.release_start();
     return_freed_memory();
     return solve_certified(solver, p, log);

@@ -6,6 +6,7 @@
 #include <squeal/base/worst_of.h>
 #include <squeal/discretization/eigenvalue_error.h>
 #include <squeal/model/finer_modes.h>
+#include <squeal/model/linear_solver.h>
 #include <squeal/model/mode_solution.h>
 #include <squeal/model/point_forces.h>
 #include <squeal/model/turning_modes.h>
@@ -55,10 +56,15 @@ namespace squeal
       {
         Timers::Section section(timers, "Solve: factorisation");
         solution.inverse.reset();
-        solution.inverse =
-          std::make_unique<ShiftedInverse>(*solution.pencil, shift);
+        solution.inverse = std::make_unique<ShiftedInverse>(
+          *solution.pencil,
+          shift,
+          factor_storage(parameters, *solution.pencil->space()));
         return_freed_memory();
       }
+      if (solution.inverse->place() == FactorPlace::disk)
+        log.info("  " + linear_solver_text(*solution.inverse) +
+                 "; results are the same but for rounding");
       log.info("  " + std::to_string(solution.inverse->n_modes_below()) +
                " modes below " +
                rounded_text(std::sqrt(shift) / (2. * M_PI), 6) +

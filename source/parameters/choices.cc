@@ -213,6 +213,17 @@ namespace squeal
 
 
 
+  Choices<EigenParameters::LinearSolver>
+  choices(const EigenParameters::LinearSolver)
+  {
+    using L = EigenParameters::LinearSolver;
+    return {{"automatic", L::automatic},
+            {"direct", L::direct},
+            {"out of core", L::out_of_core}};
+  }
+
+
+
   Choices<SweepAxisParameters::Scale>
   choices(const SweepAxisParameters::Scale)
   {

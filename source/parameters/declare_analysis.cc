@@ -93,6 +93,13 @@ namespace squeal
                    "Complex eigenvalues from a reduced basis that is enriched "
                    "until every pair is certified, or from a direct "
                    "shift-invert solution of the full problem.");
+        schema.add("Linear solver",
+                   e.linear_solver,
+                   "Where the factors of the matrices are kept: 'direct' in "
+                   "memory, 'out of core' on disk, in the output directory as "
+                   "long as they are needed, with the products of the reduced "
+                   "basis computed whenever they are needed; 'automatic' takes "
+                   "the disk only where the memory does not suffice.");
         schema.add("Residual tolerance",
                    e.residual_tolerance,
                    Allowed::positive(1.),

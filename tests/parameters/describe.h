@@ -287,6 +287,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, eigen.lowest_frequency);
       SQUEAL_DESCRIBE(p, eigen.highest_frequency);
       SQUEAL_DESCRIBE(p, eigen.mode_tolerance);
+      SQUEAL_DESCRIBE(p, eigen.linear_solver);
       SQUEAL_DESCRIBE(p, eigen.solver);
       SQUEAL_DESCRIBE(p, eigen.residual_tolerance);
       SQUEAL_DESCRIBE(p, eigen.error_tolerance);

@@ -2,14 +2,47 @@
 #ifndef squeal_base_mumps_h
 #define squeal_base_mumps_h
 
+#include <squeal/base/exceptions.h>
 #include <squeal/base/row_space.h>
 
 #include <complex>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace squeal
 {
+  /** Where the factors of a matrix are kept. */
+  enum class FactorPlace
+  {
+    memory,
+    disk
+  };
+
+  /** What a factorisation may take. */
+  struct FactorStorage
+  {
+    enum class Place
+    {
+      automatic, /**< on disk only where the memory is too small */
+      memory,
+      disk
+    };
+    Place place = Place::automatic;
+    /** An existing directory for the files of factors on disk; empty: there is
+     * none, and the factors stay in memory. */
+    std::string directory = {};
+    /** Bytes of this rank that others will need beside the factors. */
+    double reserve = 0.;
+  };
+
+  /** Factors that do not fit; the text says how large they are. */
+  class NotEnoughMemory : public ComputationError
+  {
+  public:
+    using ComputationError::ComputationError;
+  };
+
   /**
    * A sparse direct factorisation by MUMPS, distributed over the ranks of a
    * row space: LDL^T of a real symmetric matrix with its inertia, or LU of a
@@ -31,14 +64,16 @@ namespace squeal
     };
 
     MumpsFactorization(std::shared_ptr<const RowSpace> space,
-                       const Symmetry                  symmetry);
+                       const Symmetry                  symmetry,
+                       const FactorStorage            &storage = {});
     ~MumpsFactorization();
     MumpsFactorization(const MumpsFactorization &)            = delete;
     MumpsFactorization &operator=(const MumpsFactorization &) = delete;
 
-    /** Analyses and factorises. Throws ComputationError when the matrix is
-     * numerically singular or memory runs out. With @p keep_pattern the rows
-     * and columns stay in memory for refactorize(). */
+    /** Analyses, compares what the factors need with the memory that there is,
+     * and factorises. Throws NotEnoughMemory before any work where it does not
+     * suffice, ComputationError when the matrix is numerically singular. With
+     * @p keep_pattern the rows and columns stay in memory for refactorize(). */
     void factorize(std::vector<int>    rows,
                    std::vector<int>    columns,
                    std::vector<Number> values,
@@ -59,6 +94,13 @@ namespace squeal
 
     /** Entries of the factors over all ranks. */
     double n_factor_entries() const;
+
+    /** Where the factors are. */
+    FactorPlace place() const;
+
+    /** Bytes that a rank was estimated to need for factors in memory, of the
+     * rank that needs most; they hold 15 % of spare room. */
+    double needed_memory() const;
 
   private:
     struct Implementation;

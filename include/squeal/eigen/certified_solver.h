@@ -78,7 +78,8 @@ namespace squeal
     CertifiedSolver(const Pencil         &pencil,
                     const ShiftedInverse &inverse,
                     const UndampedModes  &modes,
-                    PairFinder           *finder = nullptr);
+                    PairFinder           *finder   = nullptr,
+                    const BasisProducts   products = BasisProducts::kept);
 
     /** Adds directions to the space before it is solved in. */
     void extend(const Block &directions);

@@ -34,6 +34,14 @@ namespace squeal
     double      *data    = nullptr;
   };
 
+  /** Whether a basis keeps its products with the symmetric operators: each
+   * takes as much memory as the basis itself. */
+  enum class BasisProducts
+  {
+    kept,
+    computed_anew
+  };
+
   /**
    * A mass-orthonormal basis Q and its product M Q. Keeping the product makes
    * orthogonalisation free of matrix products.
@@ -41,7 +49,8 @@ namespace squeal
   class MassBasis
   {
   public:
-    explicit MassBasis(const Pencil &pencil);
+    explicit MassBasis(const Pencil       &pencil,
+                       const BasisProducts products = BasisProducts::kept);
 
     /**
      * Orthonormalises the columns of @p W against the basis, then among
@@ -62,11 +71,13 @@ namespace squeal
 
     unsigned int            size() const;
     Eigen::Map<const Block> vectors() const;
-    /** M Q. */
+    /** M Q, where it is kept. */
     Eigen::Map<const Block> mass_products() const;
+    bool                    keeps_products() const;
 
   private:
     const Pencil &pencil;
+    bool          keeps;
     GrowingBlock  Q, MQ;
   };
 

@@ -25,7 +25,10 @@ namespace squeal
   class ReducedBasis
   {
   public:
-    explicit ReducedBasis(const Pencil &pencil);
+    /** Of symmetric parts the products with V are @p kept or computed anew
+     * whenever they are needed; product_gram() needs kept ones. */
+    explicit ReducedBasis(const Pencil       &pencil,
+                          const BasisProducts kept = BasisProducts::kept);
 
     /** Starts with mass-orthonormal vectors and their products with the mass
      * and with the symmetric stiffness K_0. */

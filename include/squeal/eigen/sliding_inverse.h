@@ -26,7 +26,7 @@ namespace squeal
     /** Solves once for every row of the friction operators and of those
      * symmetric ones of low rank that are there in other contact states than
      * that of @p pencil. Non-symmetric terms that are not of low rank, or of
-     * more than 600 rows, are left out: the inverse is then that of a
+     * more than 600 rows (200 where the factor is on disk), are left out: the inverse is then that of a
      * neighbouring problem. */
     SlidingInverse(const Pencil &pencil, const ShiftedInverse &inverse);
 

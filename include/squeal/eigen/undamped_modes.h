@@ -17,9 +17,11 @@ namespace squeal
   class ShiftedInverse
   {
   public:
-    /** Factorises. A shift that falls on an eigenvalue is moved by small steps
-     * until the factor is regular. */
-    ShiftedInverse(const Pencil &pencil, const double shift);
+    /** Factorises, with the factors where @p storage allows. A shift that falls
+     * on an eigenvalue is moved by small steps until the factor is regular. */
+    ShiftedInverse(const Pencil        &pencil,
+                   const double         shift,
+                   const FactorStorage &storage = {});
 
     Block solve(const Block &right_hand_sides) const;
     /** omega^2 of the shift, (rad/s)^2. */
@@ -27,6 +29,9 @@ namespace squeal
     /** Number of modes with omega^2 below the shift. */
     unsigned int n_modes_below() const;
     double       n_factor_entries() const;
+    /** Where the factors are, and the bytes that they need in memory. */
+    FactorPlace place() const;
+    double      needed_memory() const;
 
   private:
     std::unique_ptr<MumpsFactorization<double>> factor;

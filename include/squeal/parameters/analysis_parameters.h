@@ -44,12 +44,21 @@ namespace squeal
       certified, /**< reduced basis with residual enrichment */
       direct     /**< sparse shift-invert Arnoldi, the check */
     };
-    double lowest_frequency   = 0.;    /**< Hz, lower edge of the band */
-    double highest_frequency  = 20e3;  /**< Hz, upper edge of the band */
-    double mode_tolerance     = 1e-10; /**< relative residual of the Lanczos */
-    Solver solver             = Solver::certified;
-    double residual_tolerance = 1e-8; /**< residual_rel of every pair */
-    double error_tolerance    = 1e-8; /**< estimated |d lambda| / |lambda| */
+    /** Where the factors of the matrices are kept, and whether the reduced
+     * basis keeps its products with them. */
+    enum class LinearSolver
+    {
+      automatic,  /**< in memory where it suffices */
+      direct,     /**< in memory */
+      out_of_core /**< on disk */
+    };
+    double lowest_frequency    = 0.;    /**< Hz, lower edge of the band */
+    double highest_frequency   = 20e3;  /**< Hz, upper edge of the band */
+    double mode_tolerance      = 1e-10; /**< relative residual of the Lanczos */
+    Solver solver              = Solver::certified;
+    LinearSolver linear_solver = LinearSolver::automatic;
+    double       residual_tolerance = 1e-8; /**< residual_rel of every pair */
+    double       error_tolerance = 1e-8; /**< estimated |d lambda| / |lambda| */
     unsigned int maximum_enrichments    = 30;
     double       direct_shift_frequency = -1.; /**< Hz; negative: band centre */
     unsigned int number_of_pairs        = 0;  /**< direct; 0: all of the band */

@@ -42,9 +42,10 @@ namespace squeal
     DiscretizationParameters::Refinement);
   Choices<DiscretizationParameters::Mass> choices(
     DiscretizationParameters::Mass);
-  Choices<EigenParameters::Solver>      choices(EigenParameters::Solver);
-  Choices<SweepAxisParameters::Scale>   choices(SweepAxisParameters::Scale);
-  Choices<SweepAxisParameters::ShownAs> choices(SweepAxisParameters::ShownAs);
+  Choices<EigenParameters::Solver>       choices(EigenParameters::Solver);
+  Choices<EigenParameters::LinearSolver> choices(EigenParameters::LinearSolver);
+  Choices<SweepAxisParameters::Scale>    choices(SweepAxisParameters::Scale);
+  Choices<SweepAxisParameters::ShownAs>  choices(SweepAxisParameters::ShownAs);
   Choices<SweepAxisParameters::Distribution> choices(
     SweepAxisParameters::Distribution);
   Choices<WorkPrecisionParameters::Ladder> choices(

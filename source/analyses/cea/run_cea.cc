@@ -8,6 +8,7 @@
 #include <squeal/base/worst_of.h>
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/frequency_pencil.h>
+#include <squeal/model/linear_solver.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/model/turning_modes.h>
 #include <squeal/output/cea_quantities.h>
@@ -245,7 +246,13 @@ namespace squeal
             {"worst error estimate of the reduction",
              rounded_text(worst_of(pairs.error_estimate), 2)},
             {"unknowns", std::to_string(model.n_unknowns())},
-            {"basis", std::to_string(solution.basis_size)}};
+            {"basis", std::to_string(solution.basis_size)},
+            {"completeness",
+             "inertia, all " + std::to_string(modes.modes.n_certified) +
+               " undamped modes below " +
+               rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
+               " Hz"},
+            {"linear solver", linear_solver_text(*modes.inverse)}};
     if (!moduli.empty())
       context.record.figures.push_back(
         {"moduli at the frequencies of the pairs", moduli});
