@@ -40,12 +40,11 @@ namespace squeal
         : parameters(p)
         , context(c)
         , model(parameters, c.timers, {}, Model::Contacts::open)
-        , pressed(parameters,
-                  *model.discretization(),
-                  model.body_matrices(),
-                  parameters.transient.cut_off,
-                  c.timers,
-                  parameters.transient.interface_cut_off)
+        , pressed(pressed_model(parameters,
+                                model,
+                                parameters.transient.cut_off,
+                                c.timers,
+                                parameters.transient.interface_cut_off))
       {
         context.record.n_dofs = model.n_unknowns();
       }
