@@ -183,14 +183,9 @@ namespace squeal
       return text;
     }
 
-    /** The section of a contact; its damping is that of the scene. */
     void
-    write_section(std::ostream            &out,
-                  const ContactParameters &c,
-                  const DampingParameters &damping)
+    write_section(std::ostream &out, const ContactParameters &c)
     {
-      const bool whole = damping.model == DampingParameters::Model::whole_model;
-      const bool parts = damping.model == DampingParameters::Model::per_part;
       const auto set = [&](const std::string &name, const std::string &value) {
         out << "    set " << name << " = " << value << '\n';
       };
@@ -215,14 +210,6 @@ namespace squeal
       number("Sliding speed", c.sliding_speed);
       number("Normal force", c.normal_force);
       number("Friction slope", c.friction_slope);
-      number("Stiffness damping",
-             whole   ? damping.stiffness_damping
-             : parts ? c.stiffness_damping
-                     : 0.);
-      number("Structural damping",
-             whole   ? damping.structural_damping
-             : parts ? c.structural_damping
-                     : 0.);
       out << "  end\n";
     }
 
@@ -239,12 +226,12 @@ namespace squeal
           << " as matrices with its contacts cut open, to be included.\n"
           << "subsection Scene\n  set Name = " << scene.name << "\n"
           << "  set Kind = matrices\n"
-          << "  set Matrix parts = mass, damping, stiffness\n"
+          << "  set Matrix parts = mass, stiffness\n"
           << "  set Contacts = " << names(scene.contacts) << '\n'
           << "  set Loads = " << names(scene.loads) << '\n'
           << "  set Contact pattern file = contact.csv\n"
           << "  set Node table file = nodes.csv\n";
-      for (const char *part : {"mass", "damping", "stiffness"})
+      for (const char *part : {"mass", "stiffness"})
         out << "  subsection Matrix part " << part
             << "\n    set File = " << part << ".mtx\n    set Role = " << part
             << "\n  end\n";
@@ -253,12 +240,19 @@ namespace squeal
             << "\n    set Ramp time = " << shortest_text(load.ramp_time)
             << "\n  end\n";
       for (const ContactParameters &contact : scene.contacts)
-        write_section(out, contact, scene.damping);
-      out << "  subsection Damping\n    set Model = per part\n  end\nend\n";
+        write_section(out, contact);
+      const DampingParameters &damping = scene.damping;
+      out << "  subsection Damping\n    set Model = "
+          << choice_name(damping.model)
+          << "\n    set Mass damping = " << shortest_text(damping.mass_damping)
+          << "\n    set Stiffness damping = "
+          << shortest_text(damping.stiffness_damping) << "\n  end\nend\n";
     }
 
     void
-    refuse_what_matrices_lack(const Model &model, const SceneParameters &scene)
+    refuse_what_matrices_lack(const Model           &model,
+                              const Pencil          &pencil,
+                              const SceneParameters &scene)
     {
       const auto fail = [](const std::string &text) {
         throw InputError("Output/Export matrices: " + text);
@@ -267,6 +261,11 @@ namespace squeal
         fail("a scene with open contacts is written by one rank");
       if (has_held_support(scene))
         fail("a held support cannot be written as matrices");
+      double alpha, beta;
+      if (scene.damping.model == DampingParameters::Model::per_part ||
+          !pencil.is_rayleigh_damped(alpha, beta))
+        fail("with open contacts the damping must be that of the whole model, "
+             "C = alpha M + beta K, or none");
     }
   } // namespace
 
@@ -279,11 +278,13 @@ namespace squeal
   {
     if (model.discretization() == nullptr)
       return; // its files are there already
-    // Steady sliding is computed with held supports guided.
-    refuse_what_matrices_lack(model, context.parameters.scene);
-    const SceneParameters &scene  = model.parameters().scene;
+    // The states of the contacts are those that were asked for, not those that
+    // opening them leaves.
+    const SceneParameters &scene  = context.parameters.scene;
     const auto            &system = model.linearized();
-    write_matrices(context, Pencil(system.system, scene), folder);
+    const Pencil           pencil(system.system, scene);
+    refuse_what_matrices_lack(model, pencil, scene);
+    write_matrices(context, pencil, folder);
     Timers::Section      section(context.timers, "Write: matrices");
     auto                 unknowns = unknowns_of(model);
     const PointEvaluator evaluator(*model.discretization());
