@@ -133,6 +133,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/elimination.cc
     source/contact/face_overlap.cc
     source/contact/friction_law.cc
+    source/contact/imported_geometry.cc
     source/contact/linearized_system.cc
     source/contact/mortar.cc
     source/contact/mortar_faces.cc
@@ -281,11 +282,13 @@ set(SQUEAL_SOURCES_MODEL
     source/model/finer_modes.cc
     source/model/frequency_pencil.cc
     source/model/growth_errors.cc
+    source/model/imported_system.cc
     source/model/linear_solver.cc
     source/model/measured_points.cc
     source/model/mode_solution.cc
     source/model/model.cc
     source/model/observed_motions.cc
+    source/model/open_scene.cc
     source/model/other_degree.cc
     source/model/pair_errors.cc
     source/model/point_forces.cc
@@ -303,6 +306,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/loudest_pairs.cc
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
+    source/output/open_scene_output.cc
     source/output/pair_table.cc
     source/output/shape_output.cc)
 

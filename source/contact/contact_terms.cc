@@ -57,13 +57,13 @@ namespace squeal
 
 
   void
-  add_slip_rate_terms(const Discretization  &d,
+  add_slip_rate_terms(const SceneParameters &scene,
                       const unsigned int     number,
                       const ContactGeometry &geometry,
                       const ContactState    &state,
                       AffineSystem          &system)
   {
-    const auto       &contact = d.scene().contacts[number];
+    const auto       &contact = scene.contacts[number];
     const NodalShares mu      = friction_shares(contact, geometry);
     Eigen::VectorXd   force   = Eigen::VectorXd::Zero(geometry.points.size());
     for (Eigen::Index i = 0; i < force.size(); ++i)
@@ -110,13 +110,13 @@ namespace squeal
   namespace
   {
     void
-    add_springs(const Discretization  &d,
+    add_springs(const SceneParameters &scene,
                 const unsigned int     number,
                 const ContactGeometry &geometry,
                 const ContactState    &state,
                 AffineSystem          &system)
     {
-      const auto &contact = d.scene().contacts[number];
+      const auto &contact = scene.contacts[number];
       const auto  elastic = [number](const SceneParameters &s, const double k) {
         const auto &c = s.contacts[number];
         return elastic_coefficients(
@@ -158,14 +158,14 @@ namespace squeal
              [number, elastic](const SceneParameters &s) {
                return elastic(s, tangential_stiffness(s.contacts[number]));
              }});
-      add_slip_rate_terms(d, number, geometry, state, system);
+      add_slip_rate_terms(scene, number, geometry, state, system);
     }
   } // namespace
 
 
 
   void
-  add_spring_contact(const Discretization  &d,
+  add_spring_contact(const SceneParameters &scene,
                      const unsigned int     number,
                      const ContactGeometry &geometry,
                      const ContactStates   &states,
@@ -174,7 +174,7 @@ namespace squeal
     for (std::size_t k = 0; k < states.size(); ++k)
       {
         const std::size_t first = system.terms.size();
-        add_springs(d, number, geometry, states[k], system);
+        add_springs(scene, number, geometry, states[k], system);
         for (std::size_t i = first; i < system.terms.size(); ++i)
           system.terms[i].coefficients =
             where_state(number, k, states.size(), system.terms[i].coefficients);

@@ -360,7 +360,7 @@ namespace squeal
             ContactGeometry g = make_contact_geometry(d, evaluator, contact);
             const ContactStates states =
               is_given(i) ? given[i] : ContactStates{uniform_state(g, status)};
-            add_spring_contact(d, i, g, states, result.system);
+            add_spring_contact(scene, i, g, states, result.system);
             result.contacts.push_back(std::move(g));
             result.states.push_back(states.front());
             continue;
@@ -383,7 +383,7 @@ namespace squeal
                                                   dependent);
         if (!pair.normal.empty())
           mortar_contacts.push_back(pair);
-        add_slip_rate_terms(d, i, g, state, result.system);
+        add_slip_rate_terms(scene, i, g, state, result.system);
         result.contacts.push_back(std::move(g));
         result.states.push_back(std::move(state));
       }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/run_log.h>
-#include <squeal/base/sum_operator.h>
 #include <squeal/base/timers.h>
 #include <squeal/contact/contact_faces.h>
 #include <squeal/contact/mortar.h>
 #include <squeal/discretization/face_quadrature.h>
+#include <squeal/model/imported_system.h>
 #include <squeal/model/model.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
-#include <squeal/scene/imported_model.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -89,10 +88,7 @@ namespace squeal
     if (space)
       assemble_bodies_scene(timers);
     else
-      {
-        Timers::Section section(timers, "Setup: import of matrices");
-        assemble_imported();
-      }
+      assemble_imported(timers);
   }
 
 
@@ -126,87 +122,30 @@ namespace squeal
 
 
   void
-  Model::assemble_imported()
+  Model::assemble_imported(Timers &timers)
   {
-    const ImportedModel model = read_imported_model(all_parameters.scene);
-    const auto          rows  = std::make_shared<const RowSpace>(model.n_dofs);
-    system.system.space       = rows;
-    system.expand             = [](const Block &v) { return v; };
-    names                     = model.bodies;
-    body_of_row               = model.body_of;
-    std::vector<SumOperator::Part> masses;
-    for (unsigned int i = 0; i < model.parts.size(); ++i)
-      {
-        const auto role         = model.parts[i].role;
-        const auto coefficients = [i, role](const SceneParameters &s) {
-          const double f = s.matrix_parts[i].factor;
-          const bool   whole =
-            s.damping.model == DampingParameters::Model::whole_model;
-          TermCoefficients c;
-          switch (role)
-            {
-            case MatrixPartParameters::Role::mass:
-              c = {f, whole ? s.damping.mass_damping * f : 0., 0.};
-              break;
-            case MatrixPartParameters::Role::damping:
-              c = {0., f, 0.};
-              break;
-            case MatrixPartParameters::Role::stiffness:
-            case MatrixPartParameters::Role::normal_contact:
-              c = elastic_coefficients(s, f, 0., 0.);
-              break;
-            case MatrixPartParameters::Role::friction:
-              c = elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
-              break;
-            }
-          return c;
-        };
-        const auto symmetric = std::make_shared<const SparseMatrix>(
-          rows, lower_symmetric_part(model.parts[i]));
-        if (role == MatrixPartParameters::Role::mass)
-          masses.emplace_back(model.parts[i].factor, symmetric);
-        if (model.parts[i].symmetry == ImportedMatrix::Symmetry::symmetric)
-          {
-            system.system.terms.push_back(
-              {model.parts[i].name, symmetric, coefficients});
-            continue;
-          }
-        // One non-symmetric operator: the undamped, frictionless problem must
-        // not take in its symmetric half.
-        const auto skew = std::make_shared<const SparseMatrix>(
-          rows, lower_skew_part(model.parts[i]), SparseMatrix::Symmetry::skew);
-        system.system.terms.push_back(
-          {model.parts[i].name,
-           std::make_shared<SumOperator>(
-             std::vector<SumOperator::Part>{{1., symmetric}, {1., skew}}),
-           coefficients});
-      }
-    imported_mass = std::make_shared<SumOperator>(std::move(masses));
-
-    const auto &contact = model.contact;
-    if (!contact.pairs.empty())
-      {
-        const auto normal =
-          std::make_shared<const Functionals>(rows, contact.normal);
-        const auto sliding =
-          std::make_shared<const Functionals>(rows, contact.sliding);
-        const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(
-          contact.stiffness_factors.data(), contact.stiffness_factors.size());
-        system.system.terms.push_back(
-          {"normal contact",
-           std::make_shared<LowRankMatrix>(normal, weights, normal),
-           [](const SceneParameters &s) {
-             return elastic_coefficients(s, s.contact_normal_stiffness, 0., 0.);
-           }});
-        system.system.terms.push_back(
-          {"friction",
-           std::make_shared<LowRankMatrix>(sliding, weights, normal),
-           [](const SceneParameters &s) {
-             return elastic_coefficients(
-               s, s.friction_coefficient * s.contact_normal_stiffness, 0., 0.);
-           }});
-      }
+    {
+      Timers::Section section(timers, "Setup: import of matrices");
+      import_of = std::make_shared<const ImportedModel>(
+        read_imported_model(all_parameters.scene));
+      system      = imported_parts(*import_of);
+      names       = import_of->bodies;
+      mass_of_all = imported_mass(*import_of);
+    }
     mode_namer = std::make_unique<ModeNamer>();
+    if (what_contacts_do == Contacts::open)
+      return add_open_contacts(*import_of, system);
+    std::vector<ContactStates> states = given_states;
+    for (const auto &contact : all_parameters.scene.contacts)
+      if (states.empty() && contact.state == ContactParameters::State::preload)
+        states = preload_states(all_parameters, *import_of, timers);
+    add_imported_contact(all_parameters.scene, *import_of, states, system);
+  }
+
+  const ImportedModel *
+  Model::imported() const
+  {
+    return import_of.get();
   }
 
 
@@ -276,9 +215,9 @@ namespace squeal
     else
       {
         const Block products =
-          shapes.cwiseProduct(imported_mass->multiply(shapes));
+          shapes.cwiseProduct(mass_of_all->multiply(shapes));
         for (Eigen::Index i = 0; i < products.rows(); ++i)
-          energy.row(body_of_row[i]) += products.row(i);
+          energy.row(import_of->body_of[i]) += products.row(i);
       }
     for (Eigen::Index j = 0; j < energy.cols(); ++j)
       if (const double total = energy.col(j).sum(); total > 0.)
@@ -298,9 +237,9 @@ namespace squeal
           product = bodies[b].mass->multiply(full);
         else
           {
-            product = imported_mass->multiply(full);
+            product = mass_of_all->multiply(full);
             for (Eigen::Index i = 0; i < product.rows(); ++i)
-              if (body_of_row[i] != b)
+              if (import_of->body_of[i] != b)
                 product.row(i).setZero();
           }
         Eigen::MatrixXd form = full.transpose() * product;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
-#include <squeal/discretization/load_vector.h>
 #include <squeal/eigen/mass_basis.h>
-#include <squeal/model/observed_motions.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/transient/run_in.h>
 
 #include <cmath>
-#include <random>
 
 namespace squeal
 {
@@ -18,8 +15,13 @@ namespace squeal
      * narrowest cell. */
     constexpr unsigned int knots_per_cell = 250;
 
-    /** Points of a body that a disturbance strikes. */
-    constexpr unsigned int n_struck = 24;
+    template <typename Scene>
+    OpenScene
+    timed(Timers &timers, const Scene &scene)
+    {
+      Timers::Section section(timers, "Assemble: open contact");
+      return scene();
+    }
   } // namespace
 
 
@@ -42,7 +44,7 @@ namespace squeal
       : scene(guided(held.parameters))
       , space(scene.scene,
               scene.discretization,
-              held.discretization.degree(),
+              held.discretization->degree(),
               MPI_COMM_WORLD)
       , bodies(assemble_bodies(space))
     {
@@ -73,18 +75,32 @@ namespace squeal
                              const double                     highest,
                              Timers                          &timers,
                              const double                     interface)
+    : PressedModel(
+        p,
+        timed(timers, [&]() { return open_scene(p.scene, d, bodies); }),
+        highest,
+        timers,
+        interface)
+  {
+  }
+
+  PressedModel::PressedModel(const Parameters &p,
+                             OpenScene         open,
+                             const double      highest,
+                             Timers           &timers,
+                             const double      interface)
     : parameters(p)
     , scene(p.scene)
-    , discretization(d)
+    , discretization(open.discretization)
+    , separated(std::move(open.separated))
+    , contact_nodes(std::move(open.nodes))
+    , load(std::move(open.load))
+    , observed(std::move(open.observed))
+    , force_of(std::move(open.force_of))
     , cut_off(highest)
     , interface_cut_off(interface)
   {
-    {
-      Timers::Section section(timers, "Assemble: open contact");
-      separated     = separated_system(d, bodies);
-      pencil        = std::make_shared<const Pencil>(separated.system, scene);
-      contact_nodes = ContactNodes(scene.contacts, separated.contacts);
-    }
+    pencil = std::make_shared<const Pencil>(separated.system, scene);
     {
       Timers::Section section(timers, "Solve: modes of the bodies");
       UndampedModes   modes =
@@ -94,16 +110,9 @@ namespace squeal
         *pencil, modes, contact_nodes.relative_motion(), interface_cut_off));
     }
     {
-      Timers::Section      section(timers, "Solve: contact flexibility");
-      const PointEvaluator evaluator(d);
-      Block                nodal = Block::Zero(d.space()->n_owned(), 1);
-      for (const auto &l : scene.loads)
-        nodal += load_vector(d, evaluator, l);
-      load = separated.restrict_forces(nodal);
-      observed =
-        separated.restrict_forces(observed_motions(d, contact_nodes, bodies));
+      Timers::Section section(timers, "Solve: contact flexibility");
       struck =
-        inner_products(*pencil->space(), basis->shapes, struck_points()).col(0);
+        inner_products(*pencil->space(), basis->shapes, open.struck).col(0);
       struck.normalize();
       reduced = reduce_contact_model(
         *pencil, *basis, cut_off, contact_nodes, load, observed);
@@ -111,6 +120,31 @@ namespace squeal
     }
     if (has_held_support(scene))
       moving = std::make_shared<const MovingScene>(*this, timers);
+  }
+
+
+
+  PressedModel
+  pressed_model(const Parameters &parameters,
+                const Model      &model,
+                const double      cut_off,
+                Timers           &timers,
+                const double      interface_cut_off)
+  {
+    if (model.imported() == nullptr)
+      return {parameters,
+              *model.discretization(),
+              model.body_matrices(),
+              cut_off,
+              timers,
+              interface_cut_off};
+    return {
+      parameters,
+      timed(timers,
+            [&]() { return open_scene(parameters.scene, *model.imported()); }),
+      cut_off,
+      timers,
+      interface_cut_off};
   }
 
 
@@ -161,40 +195,6 @@ namespace squeal
 
 
 
-  Block
-  PressedModel::struck_points() const
-  {
-    const PointEvaluator evaluator(discretization);
-    const auto          &mesh = discretization.coarse_mesh();
-    Block                f = Block::Zero(discretization.space()->n_owned(), 1);
-    std::mt19937         generator(1);
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        std::vector<unsigned int> corners;
-        for (const auto &cell : mesh.cells)
-          if (cell.material_id == b)
-            corners.insert(
-              corners.end(), cell.vertices.begin(), cell.vertices.end());
-        std::vector<dealii::Point<3>> points;
-        for (unsigned int i = 0; i < n_struck && !corners.empty(); ++i)
-          points.push_back(
-            mesh.vertices[corners[generator() % corners.size()]]);
-        if (corners.empty()) // a rigid body
-          points.emplace_back(scene.bodies[b].position[0],
-                              scene.bodies[b].position[1],
-                              scene.bodies[b].position[2]);
-        const auto found = evaluator.displacements(b, points);
-        for (std::size_t i = 0; i < points.size(); ++i)
-          for (unsigned int c = 0; c < 3; ++c)
-            if (found.found[i])
-              add_functional(*discretization.space(),
-                             found.rows[i][c],
-                             generator() / 4294967296. - 0.5,
-                             f.col(0));
-      }
-    return separated.restrict_forces(f);
-  }
-
   Eigen::VectorXd
   PressedModel::disturbance(const double energy) const
   {
@@ -204,13 +204,11 @@ namespace squeal
   ModalForce
   PressedModel::force(const LoadParameters &load) const
   {
-    return modal_forces(
-             *pencil,
-             *basis,
-             contact_nodes.relative_motion(),
-             separated.restrict_forces(load_vector(
-               discretization, PointEvaluator(discretization), load)),
-             observed)
+    return modal_forces(*pencil,
+                        *basis,
+                        contact_nodes.relative_motion(),
+                        force_of(load),
+                        observed)
       .at(0);
   }
 
@@ -285,9 +283,9 @@ namespace squeal
         TransientParameters::DiscFrame::corotating)
       {
         full.turning = std::make_shared<TurningContacts>(
-          discretization, contact_nodes, separated.reduce, knots_per_cell);
+          *discretization, contact_nodes, separated.reduce, knots_per_cell);
         full.inertia =
-          std::make_shared<const TurningInertia>(discretization,
+          std::make_shared<const TurningInertia>(*discretization,
                                                  full.turning->rates(),
                                                  separated.expand,
                                                  separated.restrict_forces);
@@ -329,28 +327,61 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Nothing moves: loss factors of modulus tables do nothing. */
+    Parameters
+    at_rest(Parameters parameters)
+    {
+      for (BodyParameters &body : parameters.scene.bodies)
+        body.table_loss_factor = 0.;
+      return parameters;
+    }
+
+    std::vector<ContactStates>
+    states_where_asked(const PressedModel &pressed,
+                       const Parameters   &parameters,
+                       Timers             &timers)
+    {
+      auto states = pressed.states_of(
+        pressed.steady(parameters.preload.tolerance, timers).sliding);
+      for (std::size_t i = 0; i < states.size(); ++i)
+        if (parameters.scene.contacts[i].state !=
+            ContactParameters::State::preload)
+          states[i].clear();
+      return states;
+    }
+  } // namespace
+
+
+
   std::vector<ContactStates>
   preload_states(const Parameters                &parameters,
                  const Discretization            &discretization,
                  const std::vector<BodyMatrices> &bodies,
                  Timers                          &timers)
   {
-    // Nothing moves: loss factors of modulus tables do nothing.
-    Parameters at_rest = parameters;
-    for (BodyParameters &body : at_rest.scene.bodies)
-      body.table_loss_factor = 0.;
     // Statics do not depend on the cut-off.
-    PressedModel pressed(at_rest,
-                         discretization,
-                         bodies,
-                         parameters.eigen.highest_frequency,
-                         timers);
-    auto         states = pressed.states_of(
-      pressed.steady(parameters.preload.tolerance, timers).sliding);
-    for (std::size_t i = 0; i < states.size(); ++i)
-      if (parameters.scene.contacts[i].state !=
-          ContactParameters::State::preload)
-        states[i].clear();
-    return states;
+    const Parameters p = at_rest(parameters);
+    return states_where_asked(
+      PressedModel(
+        p, discretization, bodies, p.eigen.highest_frequency, timers),
+      parameters,
+      timers);
+  }
+
+  std::vector<ContactStates>
+  preload_states(const Parameters    &parameters,
+                 const ImportedModel &model,
+                 Timers              &timers)
+  {
+    return states_where_asked(
+      PressedModel(
+        parameters,
+        timed(timers, [&]() { return open_scene(parameters.scene, model); }),
+        parameters.eigen.highest_frequency,
+        timers),
+      parameters,
+      timers);
   }
 } // namespace squeal

@@ -6,12 +6,11 @@ namespace squeal
   PressedScene::PressedScene(const Parameters &p, Timers &timers)
     : parameters(p)
     , model(parameters, timers, {}, Model::Contacts::open)
-    , pressed(parameters,
-              *model.discretization(),
-              model.body_matrices(),
-              parameters.transient.cut_off,
-              timers,
-              parameters.transient.interface_cut_off)
+    , pressed(pressed_model(parameters,
+                            model,
+                            parameters.transient.cut_off,
+                            timers,
+                            parameters.transient.interface_cut_off))
   {
   }
 } // namespace squeal

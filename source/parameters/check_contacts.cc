@@ -197,6 +197,14 @@ namespace squeal
 
 
     void
+    check_contact_law(const ContactParameters &contact)
+    {
+      check_law(contact, "Scene/Contact " + contact.name);
+    }
+
+
+
+    void
     check_contacts(const SceneParameters &scene)
     {
       for (const ContactParameters &contact : scene.contacts)

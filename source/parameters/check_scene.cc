@@ -324,6 +324,70 @@ namespace squeal
 
 
 
+      /** Loads of an imported model are columns of its node table. */
+      void
+      check_imported_loads(const SceneParameters &scene)
+      {
+        if (!scene.loads.empty() && scene.node_table_file.empty())
+          refuse_entry("Scene",
+                       "Node table file",
+                       "is empty: with matrices it holds the forces of the "
+                       "loads, a column load_<name> for each");
+        const LoadParameters plain;
+        for (const LoadParameters &load : scene.loads)
+          if (!load.body.empty() || !load.face.empty() ||
+              load.force != plain.force || load.pressure != 0. ||
+              load.moment != plain.moment)
+            refuse_entry("Scene/Load " + load.name,
+                         "Body",
+                         "and its face, force, pressure and moment are for "
+                         "'Kind = bodies': with matrices the forces are the "
+                         "column load_" +
+                           load.name + " of 'Node table file'");
+      }
+
+
+
+      /** Where they touch is in the pattern; the law is that of the sections.
+       */
+      void
+      check_imported_contacts(const SceneParameters &scene)
+      {
+        for (const auto &[name, file] :
+             {std::make_pair("Contact pattern file",
+                             scene.contact_pattern_file),
+              std::make_pair("Node table file", scene.node_table_file)})
+          if (file.empty())
+            refuse_entry(
+              "Scene", name, "is empty: matrices with 'Contacts' need it");
+        if (scene.contact_normal_stiffness != 0. ||
+            scene.friction_coefficient != 0.)
+          refuse_entry("Scene",
+                       scene.friction_coefficient != 0.
+                         ? "Friction coefficient"
+                         : "Contact normal stiffness",
+                       "belongs to a pattern without 'Contacts': each contact "
+                       "has its own");
+        for (const ContactParameters &contact : scene.contacts)
+          {
+            const std::string section = "Scene/Contact " + contact.name;
+            if (!contact.source_face.empty() || !contact.target_face.empty())
+              refuse_entry(section,
+                           contact.source_face.empty() ? "Target face"
+                                                       : "Source face",
+                           "must be empty: matrices have no faces, where they "
+                           "touch is in 'Contact pattern file'");
+            if (contact.source_body.empty())
+              refuse_entry(section,
+                           "Source body",
+                           "is empty: name the body of the node table that "
+                           "the pair presses on the other one");
+            check_contact_law(contact);
+          }
+      }
+
+
+
       void
       check_matrices(const SceneParameters &scene)
       {
@@ -333,9 +397,7 @@ namespace squeal
           {"Ties", scene.ties.empty()},
           {"Springs", scene.springs.empty()},
           {"Supports", scene.supports.empty()},
-          {"Lumped masses", scene.lumped_masses.empty()},
-          {"Loads", scene.loads.empty()},
-          {"Contacts", scene.contacts.empty()}};
+          {"Lumped masses", scene.lumped_masses.empty()}};
         for (const auto &[list, is_empty] : lists)
           if (!is_empty)
             refuse_entry("Scene",
@@ -361,6 +423,9 @@ namespace squeal
         require_file(
           scene.contact_pattern_file, "Scene", "Contact pattern file", false);
         require_file(scene.node_table_file, "Scene", "Node table file", false);
+        check_imported_loads(scene);
+        if (!scene.contacts.empty())
+          return check_imported_contacts(scene);
         if (!scene.contact_pattern_file.empty() &&
             !(scene.contact_normal_stiffness > 0.))
           refuse_entry("Scene",

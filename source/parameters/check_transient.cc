@@ -34,8 +34,6 @@ namespace squeal
       check_pressed_scene(const Parameters &p)
       {
         const SceneParameters &scene = p.scene;
-        if (scene.kind != SceneParameters::Kind::bodies)
-          refuse_entry("Scene", "Kind", "= matrices has no steady sliding");
         if (scene.contacts.empty())
           refuse_entry("Scene",
                        "Contacts",
@@ -47,7 +45,8 @@ namespace squeal
               refuse_entry(section,
                            "Target body",
                            "= ground: steady sliding needs meshed bodies");
-            require_body(scene, c.target_body, section, "Target body");
+            if (scene.kind == SceneParameters::Kind::bodies)
+              require_body(scene, c.target_body, section, "Target body");
             if (c.friction_slope != 0.)
               refuse_entry(section,
                            "Friction slope",
@@ -413,9 +412,60 @@ namespace squeal
 
 
 
+    namespace
+    {
+      /** What needs the mesh of a model is refused for matrices. */
+      void
+      check_imported(const Parameters &p)
+      {
+        using Integrator = TransientParameters::Integrator;
+        if (p.scene.kind != SceneParameters::Kind::matrices)
+          return;
+        const TransientParameters &t = p.transient;
+        const bool is_moving         = p.analysis == Analysis::transient;
+        const bool is_linear         = p.analysis != Analysis::preload &&
+                               p.analysis != Analysis::limit_cycle &&
+                               (!is_moving || t.compare_with_cea);
+        for (const ContactParameters &c : p.scene.contacts)
+          {
+            const std::string section = "Scene/Contact " + c.name;
+            if (c.formulation != ContactParameters::Formulation::springs &&
+                (is_linear || c.state == State::preload))
+              refuse_entry(section,
+                           "Formulation",
+                           "must be springs: eigenvalues of matrices without "
+                           "penetration would need unknowns taken out");
+            if (c.state == State::preload && p.analysis == Analysis::sweep)
+              refuse_entry(section,
+                           "Contact state",
+                           "= preload in a sweep is for 'Kind = bodies'");
+          }
+        if (!is_moving)
+          return;
+        if (t.disc_frame != TransientParameters::DiscFrame::eulerian)
+          refuse_corotating("turns meshes, which matrices do not have");
+        if (t.integrator == Integrator::explicit_)
+          refuse_entry("Transient",
+                       "Integrator",
+                       "= explicit needs lumped masses of 'Kind = bodies'");
+        if (t.animation_frames > 0)
+          refuse_entry("Transient",
+                       "Animation frames",
+                       "must be 0: matrices have no mesh to draw");
+        if (!t.hammer.body.empty())
+          refuse_entry("Transient/Hammer",
+                       "Body",
+                       "must be empty: matrices have no face to strike; a "
+                       "'Friction impulse' is a trigger, too");
+      }
+    } // namespace
+
+
+
     void
     check_transient(const Parameters &p)
     {
+      check_imported(p);
       bool has_preload_state = false;
       for (const ContactParameters &c : p.scene.contacts)
         if (c.state == State::preload)

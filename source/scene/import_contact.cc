@@ -31,7 +31,9 @@ namespace squeal
       /** The lines of one row: all of one pair and direction. */
       struct RowTerms
       {
-        std::map<unsigned int, double> weights; /**< with the side's sign */
+        std::map<unsigned int, double> weights;  /**< with the side's sign */
+        std::map<unsigned int, double> sides[2]; /**< source, target; plain */
+        Vector3 direction{{0., 0., 0.}};         /**< by the sums of one side */
         /** Sums of the weights by component (0: components unknown). */
         std::map<unsigned int, double> sums;
         double                         largest    = 0.;
@@ -89,6 +91,9 @@ namespace squeal
                            " row of pair " + std::to_string(term.pair));
         const unsigned int component =
           numbering.labels().empty() ? 0 : numbering.labels()[dof].component;
+        row.sides[target ? 1 : 0].emplace(dof, term.weight);
+        if (!target && component >= 1 && component <= 3)
+          row.direction[component - 1] += term.weight;
         row.sums[component] += weight;
         row.largest = std::max(row.largest, std::abs(weight));
         (target ? row.has_target : row.has_source) = true;
@@ -169,6 +174,106 @@ namespace squeal
           contact.stiffness_factors.push_back(factors[number]);
         }
       return contact;
+    }
+
+
+
+    namespace
+    {
+      double
+      product(const Vector3 &a, const Vector3 &b)
+      {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      }
+
+      /** Normal, sliding and transverse direction of the rows of a pair. */
+      std::array<Vector3, 3>
+      directions_of(const Pair        &pair,
+                    const long         number,
+                    const std::string &file)
+      {
+        // What is left of rounding in a file of few digits.
+        constexpr double             tolerance = 1e-5;
+        const std::array<Vector3, 3> d{
+          {pair[0].direction, pair[1].direction, pair[2].direction}};
+        const Vector3 across{{d[1][1] * d[0][2] - d[1][2] * d[0][1],
+                              d[1][2] * d[0][0] - d[1][0] * d[0][2],
+                              d[1][0] * d[0][1] - d[1][1] * d[0][0]}};
+        const bool is_frame = std::abs(product(d[0], d[0]) - 1.) < tolerance &&
+                              std::abs(product(d[1], d[1]) - 1.) < tolerance &&
+                              std::abs(product(d[0], d[1])) < tolerance &&
+                              std::abs(product(d[2], across) - 1.) < tolerance;
+        if (!is_frame)
+          throw InputError(
+            place(file, pair[0].line) + "the source weights of pair " +
+            std::to_string(number) +
+            " do not add up to three orthogonal unit vectors, normal n, "
+            "sliding t and transverse s = t x n");
+        return d;
+      }
+
+      void
+      add_places(const std::vector<ContactTerm> &terms,
+                 const Numbering                &numbering,
+                 const std::string              &file,
+                 ImportedContact                &contact)
+      {
+        std::map<long, Pair>                pairs;
+        std::map<long, const ContactTerm *> first;
+        for (const ContactTerm &term : terms)
+          {
+            add_term(term, numbering, file, pairs[term.pair]);
+            first.emplace(term.pair, &term);
+          }
+        for (const long number : contact.pairs)
+          {
+            const Pair        &pair = pairs.at(number);
+            const ContactTerm &term = *first.at(number);
+            contact.target.emplace_back();
+            contact.source.emplace_back();
+            for (unsigned int k = 0; k < 3; ++k)
+              for (const unsigned int side : {0, 1})
+                (side == 0 ? contact.source : contact.target).back()[k] = {
+                  pair[k].sides[side].begin(), pair[k].sides[side].end()};
+            contact.directions.push_back(directions_of(pair, number, file));
+            contact.points.push_back(term.position);
+            contact.areas.push_back(term.area);
+            contact.speed_ratio.push_back(term.speed_ratio);
+          }
+      }
+    } // namespace
+
+
+
+    std::vector<ImportedContact>
+    assemble_contacts(const std::vector<ContactTerm> &terms,
+                      const std::vector<std::string> &contacts,
+                      const Numbering                &numbering,
+                      const std::string              &file_name)
+    {
+      std::map<std::string, std::vector<ContactTerm>> of_contact;
+      for (const ContactTerm &term : terms)
+        {
+          if (std::find(contacts.begin(), contacts.end(), term.contact) ==
+              contacts.end())
+            throw InputError(place(file_name, term.line) + "contact '" +
+                             term.contact + "' is not one of 'Scene/Contacts'");
+          of_contact[term.contact].push_back(term);
+        }
+      std::vector<ImportedContact> result;
+      for (const std::string &name : contacts)
+        {
+          if (of_contact[name].empty())
+            throw InputError(file_name + ": contact '" + name +
+                             "' of the scene has no pair");
+          result.push_back(
+            assemble_contact(of_contact[name], numbering, file_name));
+          if (result.back().transverse.empty())
+            throw InputError(file_name + ": contact '" + name +
+                             "' has no transverse rows");
+          add_places(of_contact[name], numbering, file_name, result.back());
+        }
+      return result;
     }
   } // namespace import
 } // namespace squeal

@@ -163,9 +163,14 @@ namespace squeal
 
 
   std::vector<NodeTableRow>
-  read_node_table(const std::string &name)
+  read_node_table(const std::string              &name,
+                  const std::vector<std::string> &loads)
   {
-    Table table(name, {"node", "component", "x", "y", "z", "body"}, {"dof"});
+    std::vector<std::string> required = {
+      "node", "component", "x", "y", "z", "body"};
+    for (const std::string &load : loads)
+      required.push_back("load_" + load);
+    Table                     table(name, required, {"dof"});
     std::vector<NodeTableRow> rows;
     std::set<long>            dofs;
     std::set<DofLabel>        labels;
@@ -176,6 +181,8 @@ namespace squeal
         row.position = {{table.real("x"), table.real("y"), table.real("z")}};
         row.body     = table.text("body");
         row.line     = table.file.line_number();
+        for (const std::string &load : loads)
+          row.forces.push_back(table.real("load_" + load));
         if (row.body.empty())
           table.file.fail("the body has no name");
         if (!labels.insert(row.label).second)
@@ -196,18 +203,55 @@ namespace squeal
 
 
 
-  std::vector<ContactTerm>
-  read_contact_pattern(const std::string &name)
+  namespace
   {
-    Table      table(name,
-                {"pair", "side", "direction", "weight"},
-                {"dof", "node", "component", "stiffness_factor"});
+    /** What all lines of a point pair must agree on. */
+    bool
+    agree(const ContactTerm &a, const ContactTerm &b)
+    {
+      return a.stiffness_factor == b.stiffness_factor &&
+             a.position == b.position && a.area == b.area &&
+             a.speed_ratio == b.speed_ratio;
+    }
+
+    void
+    require_positive(const Table &table, const double value, const char *what)
+    {
+      if (!(value > 0.))
+        table.file.fail(std::string("the ") + what + " must be positive");
+    }
+
+    /** The columns of a scene that names its contacts. */
+    void
+    read_place(const Table &table, ContactTerm &term)
+    {
+      term.contact  = table.text("contact");
+      term.position = {{table.real("x"), table.real("y"), table.real("z")}};
+      term.area     = table.real("area");
+      require_positive(table, term.area, "area");
+      if (table.has("speed_ratio"))
+        term.speed_ratio = table.real("speed_ratio");
+      require_positive(table, term.speed_ratio, "speed ratio");
+    }
+  } // namespace
+
+
+
+  std::vector<ContactTerm>
+  read_contact_pattern(const std::string &name, const bool of_contacts)
+  {
+    std::vector<std::string> required = {"pair", "side", "direction", "weight"},
+                             optional = {"dof", "node", "component"};
+    if (of_contacts)
+      required.insert(required.end(), {"contact", "x", "y", "z", "area"});
+    optional.push_back(of_contacts ? "speed_ratio" : "stiffness_factor");
+    Table      table(name, required, optional);
     const bool has_labels = table.has("node") && table.has("component");
     if (has_labels == table.has("dof"))
       table.file.fail("the header line needs either dof or node and component");
 
-    std::vector<ContactTerm> terms;
-    std::map<long, double>   factor_of;
+    std::vector<ContactTerm>                            terms;
+    std::map<std::pair<std::string, long>, std::size_t> first;
     while (table.next())
       {
         ContactTerm term;
@@ -222,13 +266,16 @@ namespace squeal
         term.line   = table.file.line_number();
         if (table.has("stiffness_factor"))
           term.stiffness_factor = table.real("stiffness_factor");
-        if (term.stiffness_factor <= 0.)
-          table.file.fail("the stiffness factor must be positive");
+        require_positive(table, term.stiffness_factor, "stiffness factor");
+        if (of_contacts)
+          read_place(table, term);
         const auto [place, is_new] =
-          factor_of.emplace(term.pair, term.stiffness_factor);
-        if (!is_new && place->second != term.stiffness_factor)
-          table.file.fail("pair " + std::to_string(term.pair) +
-                          " has two different stiffness factors");
+          first.emplace(std::make_pair(term.contact, term.pair), terms.size());
+        if (!is_new && !agree(terms[place->second], term))
+          table.file.fail(
+            "pair " + std::to_string(term.pair) +
+            (of_contacts ? " has two different places, areas or speed ratios"
+                         : " has two different stiffness factors"));
         terms.push_back(term);
       }
     if (terms.empty())

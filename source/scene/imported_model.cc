@@ -82,9 +82,13 @@ namespace squeal
       const std::vector<double> mass = diagonal(
         model, [](const auto &part) { return part.role == Role::mass; });
       std::vector<double> stiffness = diagonal(model, is_stiffness);
-      for (const ImportedContact::Row &row : model.contact.normal)
-        for (const auto &[dof, weight] : row)
-          stiffness[dof] += std::abs(weight);
+      std::vector<const ImportedContact *> contacts = {&model.contact};
+      for (const ImportedContact &contact : model.contacts)
+        contacts.push_back(&contact);
+      for (const ImportedContact *contact : contacts)
+        for (const ImportedContact::Row &row : contact->normal)
+          for (const auto &[dof, weight] : row)
+            stiffness[dof] += std::abs(weight);
       for (unsigned int i = 0; i < model.n_dofs; ++i)
         {
           const std::string name =
@@ -114,10 +118,22 @@ namespace squeal
       return is_held;
     }
 
+    /** The names of loads or contacts. */
+    template <typename Section>
+    std::vector<std::string>
+    names_of(const std::vector<Section> &sections)
+    {
+      std::vector<std::string> result;
+      for (const Section &section : sections)
+        result.push_back(section.name);
+      return result;
+    }
+
+    template <typename Rows>
     void
-    remove_from_rows(std::vector<ImportedContact::Row> &rows,
-                     const std::vector<unsigned int>   &new_numbers,
-                     const unsigned int                 n_new)
+    remove_from_rows(Rows                            &rows,
+                     const std::vector<unsigned int> &new_numbers,
+                     const unsigned int               n_new)
     {
       for (ImportedContact::Row &row : rows)
         {
@@ -127,6 +143,19 @@ namespace squeal
               kept.emplace_back(new_numbers[dof], weight);
           row = std::move(kept);
         }
+    }
+
+    void
+    remove_from_contact(const std::vector<unsigned int> &new_numbers,
+                        const unsigned int               n_new,
+                        ImportedContact                 &contact)
+    {
+      for (auto *rows :
+           {&contact.normal, &contact.sliding, &contact.transverse})
+        remove_from_rows(*rows, new_numbers, n_new);
+      for (auto *sides : {&contact.target, &contact.source})
+        for (auto &rows : *sides)
+          remove_from_rows(rows, new_numbers, n_new);
     }
 
     template <typename T>
@@ -162,10 +191,11 @@ namespace squeal
       model.n_dofs = model.original_numbers.size();
       for (ImportedMatrix &part : model.parts)
         import::renumber_entries(part, new_numbers, model.n_dofs);
-      for (auto *rows : {&model.contact.normal,
-                         &model.contact.sliding,
-                         &model.contact.transverse})
-        remove_from_rows(*rows, new_numbers, model.n_dofs);
+      remove_from_contact(new_numbers, model.n_dofs, model.contact);
+      for (ImportedContact &contact : model.contacts)
+        remove_from_contact(new_numbers, model.n_dofs, contact);
+      for (auto &load : model.loads)
+        keep(load, model.original_numbers);
       keep(model.labels, model.original_numbers);
       keep(model.positions, model.original_numbers);
       keep(model.body_of, model.original_numbers);
@@ -205,15 +235,27 @@ namespace squeal
 
     std::vector<NodeTableRow> table;
     if (!scene.node_table_file.empty())
-      table = read_node_table(scene.node_table_file);
+      table = read_node_table(scene.node_table_file, names_of(scene.loads));
     const Numbering numbering(model.parts, table, scene.node_table_file);
     for (ImportedMatrix &part : model.parts)
       numbering.renumber(part);
     model.n_dofs = numbering.n_dofs();
     model.labels = numbering.labels();
     place_unknowns(table, numbering, model);
+    for (std::size_t l = 0; l < scene.loads.size(); ++l)
+      {
+        model.loads.emplace_back(model.n_dofs, 0.);
+        for (const NodeTableRow &row : table)
+          model.loads.back()[numbering.find(row.label).value()] = row.forces[l];
+      }
 
-    if (!scene.contact_pattern_file.empty())
+    if (!scene.contacts.empty())
+      model.contacts = import::assemble_contacts(
+        read_contact_pattern(scene.contact_pattern_file, true),
+        names_of(scene.contacts),
+        numbering,
+        scene.contact_pattern_file);
+    else if (!scene.contact_pattern_file.empty())
       model.contact = import::assemble_contact(
         read_contact_pattern(scene.contact_pattern_file),
         numbering,

@@ -81,6 +81,7 @@ namespace squeal
                                      const ReductionBasis &b)
     : space(*pencil.space())
     , basis(b)
+    , pencil(pencil)
     , inverse(pencil, -std::pow(2. * M_PI * 20., 2))
   {
   }
@@ -92,9 +93,19 @@ namespace squeal
   {
     const auto phi   = basis.shapes.leftCols(basis.n_modes),
                M_phi = basis.mass_shapes.leftCols(basis.n_modes);
-    const Block rest = forces - M_phi * inner_products(space, phi, forces);
-    Block       x    = inverse.solve(rest);
-    x -= phi * inner_products(space, M_phi, x);
+    Block x          = Block::Zero(forces.rows(), forces.cols());
+    Block rest       = forces;
+    // The factor stands beside zero, which is an error of shift / omega^2 in
+    // every mode that is left: a second round squares it.
+    for (unsigned int round = 0; round < 2; ++round)
+      {
+        rest -= M_phi * inner_products(space, phi, rest);
+        Block more = inverse.solve(rest);
+        more -= phi * inner_products(space, M_phi, more);
+        x += more;
+        if (round == 0)
+          rest = forces - pencil.multiply_undamped_stiffness(x);
+      }
     const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
     if (n_ritz > 0)
       {

@@ -17,7 +17,7 @@ namespace squeal
    * springs k_t in both tangential directions. Each of several states has terms
    * of its own, whose coefficients vanish where another one holds.
    */
-  void add_spring_contact(const Discretization  &discretization,
+  void add_spring_contact(const SceneParameters &scene,
                           const unsigned int     number,
                           const ContactGeometry &geometry,
                           const ContactStates   &states,
@@ -36,7 +36,7 @@ namespace squeal
    * The slip-rate terms of the friction law alone (transverse slip and slope),
    * with normal forces @p state.force_share times the pair's normal force.
    */
-  void add_slip_rate_terms(const Discretization  &discretization,
+  void add_slip_rate_terms(const SceneParameters &scene,
                            const unsigned int     number,
                            const ContactGeometry &geometry,
                            const ContactState    &state,

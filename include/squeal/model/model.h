@@ -12,6 +12,7 @@
 
 namespace squeal
 {
+  struct ImportedModel;
   class RunLog;
   class Timers;
 
@@ -41,7 +42,9 @@ namespace squeal
     void assemble(Timers &timers);
 
     /** Null for imported models. */
-    Discretization                  *discretization() const;
+    Discretization *discretization() const;
+    /** Null for bodies. */
+    const ImportedModel             *imported() const;
     const LinearizedSystem          &linearized() const;
     const std::vector<BodyMatrices> &body_matrices() const;
     const ModeNamer                 &namer() const;
@@ -65,7 +68,7 @@ namespace squeal
 
   private:
     void assemble_bodies_scene(Timers &timers);
-    void assemble_imported();
+    void assemble_imported(Timers &timers);
 
     const Parameters                     &all_parameters;
     const std::vector<ContactStates>      given_states;
@@ -75,8 +78,8 @@ namespace squeal
     LinearizedSystem                      system;
     std::unique_ptr<ModeNamer>            mode_namer;
     std::vector<std::string>              names;
-    std::vector<unsigned int>             body_of_row; /**< imported models */
-    std::shared_ptr<const LinearOperator> imported_mass;
+    std::shared_ptr<const ImportedModel>  import_of; /**< imported models */
+    std::shared_ptr<const LinearOperator> mass_of_all;
   };
 } // namespace squeal
 

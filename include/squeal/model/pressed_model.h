@@ -5,6 +5,7 @@
 #include <squeal/contact/contact_nodes.h>
 #include <squeal/contact/contact_terms.h>
 #include <squeal/model/model.h>
+#include <squeal/model/open_scene.h>
 #include <squeal/transient/full_transient.h>
 #include <squeal/transient/steady_sliding.h>
 
@@ -55,6 +56,13 @@ namespace squeal
                  Timers                          &timers,
                  const double                     interface_cut_off = 0.);
 
+    /** Of an open scene, whatever it comes from. @p parameters are kept. */
+    PressedModel(const Parameters &parameters,
+                 OpenScene         open,
+                 const double      cut_off,
+                 Timers           &timers,
+                 const double      interface_cut_off = 0.);
+
     const ContactNodes        &nodes() const;
     const ReducedContactModel &model() const;
     /** The same with other coefficients of friction >= 0 of the pairs for the
@@ -98,18 +106,16 @@ namespace squeal
     std::vector<ContactStates> states_of(const SteadySliding &steady) const;
 
   private:
-    SteadySliding steady_of_this(const double tolerance) const;
-    /** Nodal forces at random at some points of every body. */
-    Block struck_points() const;
-
-    const Parameters                     &parameters;
-    const SceneParameters                &scene;
-    const Discretization                 &discretization;
-    LinearizedSystem                      separated;
-    ContactNodes                          contact_nodes;
-    std::shared_ptr<const Pencil>         pencil;
+    SteadySliding                 steady_of_this(const double tolerance) const;
+    const Parameters             &parameters;
+    const SceneParameters        &scene;
+    const Discretization         *discretization; /**< or null */
+    LinearizedSystem              separated;
+    ContactNodes                  contact_nodes;
+    std::shared_ptr<const Pencil> pencil;
     std::shared_ptr<const ReductionBasis> basis;
     Block                                 load, observed; /**< nodal forces */
+    std::function<Block(const LoadParameters &)> force_of;
     Eigen::VectorXd struck; /**< velocities of a disturbance, of unit size */
     ReducedContactModel reduced;
     double              cut_off, interface_cut_off;
@@ -132,6 +138,18 @@ namespace squeal
     const Discretization            &discretization,
     const std::vector<BodyMatrices> &bodies,
     Timers                          &timers);
+
+  std::vector<ContactStates> preload_states(const Parameters    &parameters,
+                                            const ImportedModel &model,
+                                            Timers              &timers);
+
+  /** The pressed model of a model whose contacts are open. References are
+   * kept. */
+  PressedModel pressed_model(const Parameters &parameters,
+                             const Model      &model,
+                             const double      cut_off,
+                             Timers           &timers,
+                             const double      interface_cut_off = 0.);
 
   /** Whether some support is `held`. */
   bool has_held_support(const SceneParameters &scene);

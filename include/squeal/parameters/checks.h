@@ -28,6 +28,8 @@ namespace squeal
 
     /** Contact pairs: bodies, faces, and that they meet. */
     void check_contacts(const SceneParameters &scene);
+    /** The friction law and the springs of one of them. */
+    void check_contact_law(const ContactParameters &contact);
 
     /** One expected value. */
     void check_result_check(const ResultCheckParameters &check);

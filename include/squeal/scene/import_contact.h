@@ -19,6 +19,18 @@ namespace squeal
     ImportedContact assemble_contact(const std::vector<ContactTerm> &terms,
                                      const Numbering                &numbering,
                                      const std::string              &file_name);
+
+    /**
+     * The same for each of the @p contacts that a scene names, with places,
+     * sides and directions. Throws for a contact without pairs, one that is
+     * not among them, and pairs without transverse rows or with directions
+     * that are no frame.
+     */
+    std::vector<ImportedContact> assemble_contacts(
+      const std::vector<ContactTerm> &terms,
+      const std::vector<std::string> &contacts,
+      const Numbering                &numbering,
+      const std::string              &file_name);
   } // namespace import
 } // namespace squeal
 

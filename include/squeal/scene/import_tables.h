@@ -15,6 +15,8 @@ namespace squeal
     Vector3  position{{0., 0., 0.}}; /**< m */
     /** Name of the body it belongs to. */
     std::string body;
+    /** Force on it of every load that was asked for, N (N m for rotations). */
+    std::vector<double> forces;
     /** Line of the file, for error texts. */
     unsigned int line = 0;
   };
@@ -22,14 +24,17 @@ namespace squeal
   /**
    * Reads a node table: comma-separated lines below a header line with the
    * columns node, component, x, y, z, body and, unless all matrices name their
-   * rows, dof, in any order. Coordinates in m.
+   * rows, dof, in any order. Coordinates in m. For each of @p loads there must
+   * be a column load_<name>, the force on the unknown in N.
    *
    * Throws InputError with file and line: a missing or doubled column, a line
    * with too few or too many values, a value that is no finite number, a
    * component that does not exist, a dof or (node, component) given twice, an
    * empty body name, a table without lines.
    */
-  std::vector<NodeTableRow> read_node_table(const std::string &file);
+  std::vector<NodeTableRow> read_node_table(
+    const std::string              &file,
+    const std::vector<std::string> &loads = {});
 
 
 
@@ -56,8 +61,16 @@ namespace squeal
     DofLabel label;
     double   weight = 0.;
     /** Multiplies the normal stiffness of the pair. */
-    double       stiffness_factor = 1.;
-    unsigned int line             = 0;
+    double stiffness_factor = 1.;
+    /** Contact pair of the scene that the point pair belongs to; empty where
+     * the scene names none. */
+    std::string contact;
+    /** Place of the point pair, m, the area that it stands for, m^2, and |V|
+     * there over that at the centre of the face; of scenes with contacts. */
+    Vector3      position{{0., 0., 0.}};
+    double       area        = 0.;
+    double       speed_ratio = 1.;
+    unsigned int line        = 0;
   };
 
   /**
@@ -73,10 +86,16 @@ namespace squeal
    * pointing out of the target, and the sliding row is the displacement of the
    * target against the source along the target's motion.
    *
+   * With @p of_contacts, for scenes that name their contacts, there are the
+   * columns contact, x, y, z and area in place of the stiffness factor, and
+   * speed_ratio may follow; pairs count in each contact by themselves.
+   *
    * Throws InputError with file and line, as read_node_table() does, and for a
-   * pair whose lines give different stiffness factors or not a positive one.
+   * pair whose lines give different numbers of that kind, or a stiffness
+   * factor, area or speed ratio that is not positive.
    */
-  std::vector<ContactTerm> read_contact_pattern(const std::string &file);
+  std::vector<ContactTerm> read_contact_pattern(const std::string &file,
+                                                const bool of_contacts = false);
 } // namespace squeal
 
 #endif

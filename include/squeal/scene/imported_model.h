@@ -6,6 +6,7 @@
 
 #include <squeal/scene/matrix_import.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,19 @@ namespace squeal
     std::vector<Row> normal, sliding, transverse;
     /** Multiplies the normal stiffness, one a pair. */
     std::vector<double> stiffness_factors;
+
+    /** @name Of contacts that the scene names, one a pair; else empty */
+    //@{
+    /** Motions of either side along normal, sliding and transverse direction,
+     * both counted along it. */
+    std::vector<std::array<Row, 3>> target, source;
+    /** These three directions, unit vectors, orthogonal: s = t x n. */
+    std::vector<std::array<Vector3, 3>> directions;
+    std::vector<Vector3>                points; /**< m */
+    std::vector<double>                 areas;  /**< m^2 */
+    /** |V| over that at the centre of the face. */
+    std::vector<double> speed_ratio;
+    //@}
   };
 
 
@@ -65,8 +79,13 @@ namespace squeal
     /** Body of each unknown. */
     std::vector<unsigned int> body_of;
 
-    /** Point pairs; empty without a contact pattern. */
+    /** Point pairs of a scene that names no contacts; empty without a contact
+     * pattern. */
     ImportedContact contact;
+    /** Those of the scene's contacts, in its order. */
+    std::vector<ImportedContact> contacts;
+    /** Forces of the scene's loads, N, one a load and unknown. */
+    std::vector<std::vector<double>> loads;
   };
 
   /** Magnitude from which on a diagonal stiffness counts as a held unknown. */
@@ -83,7 +102,10 @@ namespace squeal
    *  - an unknown with neither mass nor stiffness of its own (unconnected, or
    *    a Lagrange multiplier),
    *  - a point pair without normal or sliding row, with an unknown that is not
-   *    there, or one that a rigid translation would open or close.
+   *    there, or one that a rigid translation would open or close,
+   *  - a contact of the pattern that the scene does not have or the other way
+   *    round, and directions of a pair, by the sums of its weights, that are
+   *    not three orthogonal unit vectors with s = t x n.
    */
   ImportedModel read_imported_model(const SceneParameters &scene);
 

@@ -44,6 +44,7 @@ namespace squeal
   private:
     const RowSpace       &space;
     const ReductionBasis &basis;
+    const Pencil         &pencil;
     const ShiftedInverse  inverse;
   };
 } // namespace squeal

@@ -207,12 +207,11 @@ namespace squeal
     Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
-    const SteadyModel about = PressedModel(p,
-                                           *model.discretization(),
-                                           model.body_matrices(),
-                                           p.transient.cut_off,
-                                           context.timers,
-                                           p.transient.interface_cut_off)
+    const SteadyModel about = pressed_model(p,
+                                            model,
+                                            p.transient.cut_off,
+                                            context.timers,
+                                            p.transient.interface_cut_off)
                                 .steady(p.preload.tolerance, context.timers);
     const PressedModel  &pressed = about.pressed;
     const SteadySliding &steady  = about.sliding;

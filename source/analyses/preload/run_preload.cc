@@ -5,6 +5,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/contact_output.h>
+#include <squeal/output/open_scene_output.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 
@@ -67,11 +68,7 @@ namespace squeal
             moving(with_value(p, p.preload.stiffness_entry, value));
           Model             model(q, context.timers, {}, Model::Contacts::open);
           const SteadyModel full =
-            PressedModel(q,
-                         *model.discretization(),
-                         model.body_matrices(),
-                         q.eigen.highest_frequency,
-                         context.timers)
+            pressed_model(q, model, q.eigen.highest_frequency, context.timers)
               .steady(q.preload.tolerance, context.timers);
           const auto states = load_steps(full, q, context.timers);
           for (std::size_t k = 0; k < states.size(); ++k)
@@ -320,12 +317,11 @@ namespace squeal
     Model            model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
-    const SteadyModel full = PressedModel(p,
-                                          *model.discretization(),
-                                          model.body_matrices(),
-                                          p.eigen.highest_frequency,
-                                          context.timers)
-                               .steady(p.preload.tolerance, context.timers);
+    if (p.output.export_matrices)
+      write_open_scene(context, model, "matrices");
+    const SteadyModel full =
+      pressed_model(p, model, p.eigen.highest_frequency, context.timers)
+        .steady(p.preload.tolerance, context.timers);
     const PressedModel &pressed = full.pressed;
     const auto          states  = load_steps(full, p, context.timers);
     LoadSteps           steps(p.scene.contacts);

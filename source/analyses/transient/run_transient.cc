@@ -9,6 +9,7 @@
 #include <squeal/base/stop_request.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
+#include <squeal/output/open_scene_output.h>
 #include <squeal/results/wav_file.h>
 
 #include <algorithm>
@@ -356,13 +357,14 @@ namespace squeal
     model.print_summary(context.log);
     if (p.transient.disc_frame == TransientParameters::DiscFrame::eulerian)
       warn_of_frozen_rotors(model, context.log);
+    if (p.output.export_matrices)
+      write_open_scene(context, model, "matrices");
     const PreparedTransient prepared(
-      PressedModel(p,
-                   *model.discretization(),
-                   model.body_matrices(),
-                   p.transient.cut_off,
-                   context.timers,
-                   p.transient.interface_cut_off),
+      pressed_model(p,
+                    model,
+                    p.transient.cut_off,
+                    context.timers,
+                    p.transient.interface_cut_off),
       p,
       context.timers);
     context.record.n_dofs = model.n_unknowns();

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/sum_operator.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/contact/imported_geometry.h>
+#include <squeal/model/imported_system.h>
+
+namespace squeal
+{
+  namespace
+  {
+    using Role = MatrixPartParameters::Role;
+
+    /** What part @p i counts in M, C and K. */
+    TermCoefficients
+    coefficients_of(const SceneParameters &s, const unsigned int i)
+    {
+      const double f = s.matrix_parts[i].factor;
+      const bool   whole =
+        s.damping.model == DampingParameters::Model::whole_model;
+      switch (s.matrix_parts[i].role)
+        {
+        case Role::mass:
+          return {f, whole ? s.damping.mass_damping * f : 0., 0.};
+        case Role::damping:
+          return {0., f, 0.};
+        case Role::stiffness:
+        case Role::normal_contact:
+          return elastic_coefficients(s, f, 0., 0.);
+        case Role::friction:
+          return elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
+        }
+      unknown_choice("role");
+    }
+
+    std::shared_ptr<const LinearOperator>
+    operator_of(const ImportedMatrix                  &part,
+                const std::shared_ptr<const RowSpace> &rows)
+    {
+      const auto symmetric =
+        std::make_shared<const SparseMatrix>(rows, lower_symmetric_part(part));
+      if (part.symmetry == ImportedMatrix::Symmetry::symmetric)
+        return symmetric;
+      // One non-symmetric operator: the undamped, frictionless problem must
+      // not take in its symmetric half.
+      const auto skew = std::make_shared<const SparseMatrix>(
+        rows, lower_skew_part(part), SparseMatrix::Symmetry::skew);
+      return std::make_shared<SumOperator>(
+        std::vector<SumOperator::Part>{{1., symmetric}, {1., skew}});
+    }
+
+    /** The point pairs of a scene that names no contacts. */
+    void
+    add_pattern(const ImportedContact &contact, AffineSystem &system)
+    {
+      const auto normal =
+        std::make_shared<const Functionals>(system.space, contact.normal);
+      const auto sliding =
+        std::make_shared<const Functionals>(system.space, contact.sliding);
+      const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(
+        contact.stiffness_factors.data(), contact.stiffness_factors.size());
+      system.terms.push_back(
+        {"normal contact",
+         std::make_shared<LowRankMatrix>(normal, weights, normal),
+         [](const SceneParameters &s) {
+           return elastic_coefficients(s, s.contact_normal_stiffness, 0., 0.);
+         }});
+      system.terms.push_back(
+        {"friction",
+         std::make_shared<LowRankMatrix>(sliding, weights, normal),
+         [](const SceneParameters &s) {
+           return elastic_coefficients(
+             s, s.friction_coefficient * s.contact_normal_stiffness, 0., 0.);
+         }});
+    }
+  } // namespace
+
+
+
+  LinearizedSystem
+  imported_parts(const ImportedModel &model)
+  {
+    LinearizedSystem result;
+    result.system.space    = std::make_shared<const RowSpace>(model.n_dofs);
+    result.expand          = [](const Block &v) { return v; };
+    result.restrict_forces = result.expand;
+    for (unsigned int i = 0; i < model.parts.size(); ++i)
+      result.system.terms.push_back(
+        {model.parts[i].name,
+         operator_of(model.parts[i], result.system.space),
+         [i](const SceneParameters &s) { return coefficients_of(s, i); }});
+    return result;
+  }
+
+
+
+  std::shared_ptr<const LinearOperator>
+  imported_mass(const ImportedModel &model)
+  {
+    const auto rows = std::make_shared<const RowSpace>(model.n_dofs);
+    std::vector<SumOperator::Part> masses;
+    for (const ImportedMatrix &part : model.parts)
+      if (part.role == Role::mass)
+        masses.emplace_back(part.factor,
+                            std::make_shared<const SparseMatrix>(
+                              rows, lower_symmetric_part(part)));
+    return std::make_shared<SumOperator>(std::move(masses));
+  }
+
+
+
+  void
+  add_imported_contact(const SceneParameters            &scene,
+                       const ImportedModel              &model,
+                       const std::vector<ContactStates> &states,
+                       LinearizedSystem                 &system)
+  {
+    if (!model.contact.pairs.empty())
+      add_pattern(model.contact, system.system);
+    for (unsigned int i = 0; i < model.contacts.size(); ++i)
+      {
+        const ContactGeometry g =
+          imported_geometry(system.system.space, model.contacts[i]);
+        const bool sticks =
+          scene.contacts[i].state == ContactParameters::State::stick;
+        const ContactStates all =
+          i < states.size() && !states[i].empty()
+            ? states[i]
+            : ContactStates{uniform_state(
+                g, sticks ? ContactStatus::stick : ContactStatus::slip)};
+        add_spring_contact(scene, i, g, all, system.system);
+      }
+  }
+
+
+
+  void
+  add_open_contacts(const ImportedModel &model, LinearizedSystem &system)
+  {
+    for (const ImportedContact &contact : model.contacts)
+      {
+        system.contacts.push_back(
+          imported_geometry(system.system.space, contact));
+        system.states.push_back(
+          uniform_state(system.contacts.back(), ContactStatus::open));
+      }
+  }
+} // namespace squeal

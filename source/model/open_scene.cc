@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
+#include <squeal/discretization/load_vector.h>
+#include <squeal/model/imported_system.h>
+#include <squeal/model/observed_motions.h>
+#include <squeal/model/open_scene.h>
+#include <squeal/model/pressed_model.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <random>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Points of a body that a disturbance strikes. */
+    constexpr unsigned int n_struck = 24;
+
+    /** Between -1/2 and 1/2. */
+    double
+    random_force(std::mt19937 &generator)
+    {
+      return generator() / 4294967296. - 0.5;
+    }
+
+    Block
+    struck_points(const Discretization &d)
+    {
+      const PointEvaluator evaluator(d);
+      const auto          &mesh  = d.coarse_mesh();
+      const auto          &scene = d.scene();
+      Block                f     = Block::Zero(d.space()->n_owned(), 1);
+      std::mt19937         generator(1);
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        {
+          std::vector<unsigned int> corners;
+          for (const auto &cell : mesh.cells)
+            if (cell.material_id == b)
+              corners.insert(
+                corners.end(), cell.vertices.begin(), cell.vertices.end());
+          std::vector<dealii::Point<3>> points;
+          for (unsigned int i = 0; i < n_struck && !corners.empty(); ++i)
+            points.push_back(
+              mesh.vertices[corners[generator() % corners.size()]]);
+          if (corners.empty()) // a rigid body
+            points.emplace_back(scene.bodies[b].position[0],
+                                scene.bodies[b].position[1],
+                                scene.bodies[b].position[2]);
+          const auto found = evaluator.displacements(b, points);
+          for (std::size_t i = 0; i < points.size(); ++i)
+            for (unsigned int c = 0; c < 3; ++c)
+              if (found.found[i])
+                add_functional(*d.space(),
+                               found.rows[i][c],
+                               random_force(generator),
+                               f.col(0));
+        }
+      return f;
+    }
+
+    /** Component of an unknown, 1 to 3 for translations; 0 without names. */
+    unsigned int
+    component(const ImportedModel &model, const unsigned int dof)
+    {
+      return model.labels.empty() ? 0 : model.labels[dof].component;
+    }
+
+    /** Some translations of every body. */
+    Block
+    struck_unknowns(const ImportedModel &model)
+    {
+      Block        f = Block::Zero(model.n_dofs, 1);
+      std::mt19937 generator(1);
+      for (unsigned int b = 0; b < model.bodies.size(); ++b)
+        {
+          std::vector<unsigned int> own;
+          for (unsigned int i = 0; i < model.n_dofs; ++i)
+            if (model.body_of[i] == b && component(model, i) <= 3)
+              own.push_back(i);
+          for (unsigned int i = 0; i < 3 * n_struck && !own.empty(); ++i)
+            f(own[generator() % own.size()], 0) += random_force(generator);
+        }
+      return f;
+    }
+
+    /** Mean of the nodes of a body along each of x, y, z. */
+    Block
+    mean_motion(const ImportedModel &model, const std::string &body)
+    {
+      Block           mean  = Block::Zero(model.n_dofs, 3);
+      Eigen::Vector3d count = Eigen::Vector3d::Zero();
+      for (unsigned int i = 0; i < model.n_dofs; ++i)
+        if (const unsigned int c = component(model, i);
+            c >= 1 && c <= 3 && model.bodies[model.body_of[i]] == body)
+          {
+            mean(i, c - 1) = 1.;
+            count[c - 1] += 1.;
+          }
+      for (unsigned int c = 0; c < 3; ++c)
+        if (count[c] > 0.)
+          mean.col(c) /= count[c];
+      return mean;
+    }
+
+    /** The load whose resultant presses most against the mean normal. */
+    Block
+    pressing_motion(const ImportedModel        &model,
+                    const dealii::Tensor<1, 3> &normal)
+    {
+      Block  motion = Block::Zero(model.n_dofs, 1);
+      double most   = 0.;
+      for (const std::vector<double> &load : model.loads)
+        {
+          dealii::Tensor<1, 3> force;
+          for (unsigned int i = 0; i < model.n_dofs; ++i)
+            if (const unsigned int c = component(model, i); c >= 1 && c <= 3)
+              force[c - 1] += load[i];
+          if (-(force * normal) <= most)
+            continue;
+          most = -(force * normal);
+          motion =
+            -Eigen::Map<const Eigen::VectorXd>(load.data(), load.size()) /
+            force.norm();
+        }
+      return motion;
+    }
+
+    Block
+    observed_motions(const ImportedModel &model, const ContactNodes &nodes)
+    {
+      const unsigned int n = PressedModel::n_observers;
+      Block l = Block::Zero(model.n_dofs, n * nodes.pairs().size());
+      for (std::size_t p = 0; p < nodes.pairs().size(); ++p)
+        {
+          const ContactPair &pair = nodes.pairs()[p];
+          const auto        &g    = pair.geometry;
+          const double       area =
+            std::accumulate(g.areas.begin(), g.areas.end(), 0.);
+          auto                 own = l.middleCols(n * p, n);
+          dealii::Tensor<1, 3> normal;
+          for (std::size_t j = 0; j < g.points.size(); ++j)
+            {
+              normal += g.areas[j] / area * g.frames[j].normal;
+              for (unsigned int c = 0; c < 3; ++c)
+                for (const auto &[dof, weight] : g.target_rows[j][c])
+                  own(dof, PressedModel::target_at_contact) +=
+                    g.frames[j].normal[c] * g.areas[j] / area * weight;
+            }
+          const Block centre = mean_motion(model, pair.parameters.source_body);
+          own.middleCols(PressedModel::centre_x, 3) = centre;
+          for (unsigned int c = 0; c < 3; ++c)
+            own.col(PressedModel::far_face) += normal[c] * centre.col(c);
+          own.col(PressedModel::loaded_face) = pressing_motion(model, normal);
+        }
+      return l;
+    }
+  } // namespace
+
+
+
+  OpenScene
+  open_scene(const SceneParameters           &scene,
+             const Discretization            &d,
+             const std::vector<BodyMatrices> &bodies)
+  {
+    OpenScene open;
+    open.discretization = &d;
+    open.separated      = separated_system(d, bodies);
+    open.nodes          = ContactNodes(scene.contacts, open.separated.contacts);
+    const auto restricted = open.separated.restrict_forces;
+    open.force_of         = [&d, restricted](const LoadParameters &load) {
+      return restricted(load_vector(d, PointEvaluator(d), load));
+    };
+    const PointEvaluator evaluator(d);
+    Block                nodal = Block::Zero(d.space()->n_owned(), 1);
+    for (const auto &load : scene.loads)
+      nodal += load_vector(d, evaluator, load);
+    open.load     = restricted(nodal);
+    open.observed = restricted(squeal::observed_motions(d, open.nodes, bodies));
+    open.struck   = restricted(struck_points(d));
+    return open;
+  }
+
+
+
+  OpenScene
+  open_scene(const SceneParameters &scene, const ImportedModel &model)
+  {
+    for (const ContactParameters &contact : scene.contacts)
+      if (std::find(model.bodies.begin(),
+                    model.bodies.end(),
+                    contact.source_body) == model.bodies.end())
+        throw InputError("Scene/Contact " + contact.name +
+                         ": 'Source body' = '" + contact.source_body +
+                         "' is not a body of 'Node table file'");
+    OpenScene open;
+    open.separated = imported_parts(model);
+    add_open_contacts(model, open.separated);
+    open.nodes = ContactNodes(scene.contacts, open.separated.contacts);
+    Block                        all = Block::Zero(model.n_dofs, 1);
+    std::map<std::string, Block> of_load;
+    for (std::size_t l = 0; l < scene.loads.size(); ++l)
+      {
+        const Block force = Eigen::Map<const Eigen::VectorXd>(
+          model.loads[l].data(), model.loads[l].size());
+        of_load.emplace(scene.loads[l].name, force);
+        all += force;
+      }
+    open.load     = all;
+    open.force_of = [of_load](const LoadParameters &load) {
+      return of_load.at(load.name);
+    };
+    open.observed = observed_motions(model, open.nodes);
+    open.struck   = struck_unknowns(model);
+    return open;
+  }
+} // namespace squeal
