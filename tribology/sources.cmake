@@ -32,6 +32,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/history/contact_grid.cc
     source/history/csv_import.cc
     source/images/agreement.cc
+    source/images/area_evidence.cc
     source/images/areas.cc
     source/images/centre_line.cc
     source/images/crack_depth.cc

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Fits the numbers of LineJudge to images with masks, to made specimens and to
-// drawn scenes of straight cracks and grooves. No test: arguments are the
+// Fits the numbers of LineJudge to images with masks as they are and through
+// other cameras, to made specimens and to drawn scenes of straight cracks and
+// grooves. No test: arguments are the
 // folder of the images (SQUEAL_CRACK_IMAGES) and the table to write,
 //
 //   train_line_judge FOLDER tribology/source/images/line_judge_table.cc
@@ -25,6 +26,7 @@
 #include <memory>
 #include <set>
 
+#include "tribology/camera_views.h"
 #include "tribology/line_score.h"
 #include "tribology/straight_scenes.h"
 
@@ -47,7 +49,8 @@ namespace
            const std::string &specimen,
            const cv::Mat     &grey,
            const cv::Mat     &mask,
-           const double       weight)
+           const double       weight,
+           const double       scale = 1.)
       : name(name)
       , specimen(specimen)
       , grey(grey)
@@ -66,7 +69,7 @@ namespace
           for (const cv::Point &p : core)
             {
               const uchar m = mask.at<uchar>(p);
-              near += distance(p) <= on_crack;
+              near += distance(p) <= scale * on_crack;
               ignored += m > 100 && m < 200;
             }
           const double n = double(core.size());
@@ -194,6 +197,23 @@ namespace
 
 
 
+  /** An image, which has no name, and through other cameras: what is a crack
+   * does not depend on them. */
+  std::vector<CameraView>
+  views_of(const cv::Mat &grey, const cv::Mat &mask)
+  {
+    return {{"", grey, mask, 1.},
+            scaled_view(grey, mask, 0.5),
+            scaled_view(grey, mask, 2.),
+            gamma_view(grey, mask, 0.7),
+            gamma_view(grey, mask, 1.4),
+            jpeg_view(grey, mask, 50),
+            quarter_turn_view(grey, mask),
+            noisy_view(grey, mask, 4., 77)};
+  }
+
+
+
   void
   add_images(Lessons &lessons, const std::filesystem::path &folder)
   {
@@ -210,8 +230,15 @@ namespace
                          cv::IMREAD_GRAYSCALE);
             if (mask.empty())
               mask = cv::Mat::zeros(grey.size(), CV_8U);
-            lessons.push_back(std::make_unique<Lesson>(
-              stem, specimen_of(stem), grey, mask, 1.));
+            const std::vector<CameraView> views = views_of(grey, mask);
+            for (const CameraView &v : views)
+              lessons.push_back(std::make_unique<Lesson>(
+                v.name.empty() ? stem : stem + " " + v.name,
+                specimen_of(stem),
+                v.grey,
+                v.mask,
+                1. / double(views.size()),
+                v.scale < 1. ? 0.75 : v.scale));
           }
       }
   }
@@ -279,19 +306,29 @@ namespace
   write_table(const LineJudge &judge, const std::string &file)
   {
     std::ofstream out(file);
-    out << "// SPDX-License-Identifier: LGPL-2.1-or-later\n\n"
-           "// Version 1, written by tests/tribology/train_line_judge.cc from "
-           "the images, made\n// specimens and drawn scenes of "
-           "doc/verification.md: offset; means, deviations and\n// weights in "
-           "the order of LineFeature and ContextFeature. clang-format after "
-           "it.\n#include <squeal/tribology/images/line_judge.h>\n\n"
-           "namespace squeal::tribology\n{\n  namespace\n  {\n";
+    out
+      << "// SPDX-License-Identifier: LGPL-2.1-or-later\n\n"
+         "// Version 2, written by tests/tribology/train_line_judge.cc from "
+         "the images, made\n// specimens and drawn scenes of "
+         "doc/studies/images.md: offset; means, deviations and\n// weights in "
+         "the order of LineFeature and ContextFeature. clang-format after "
+         "it.\n#include <squeal/tribology/images/line_judge.h>\n\n"
+         "namespace squeal::tribology\n{\n  namespace\n  {\n";
     write(out, "by_itself", judge.alone);
     write(out, "among_lines", judge.in_context);
     out << "  } // namespace\n\n\n\n  const LineJudge &\n"
            "  LineJudge::standard()\n  {\n"
            "    static const LineJudge judge{by_itself, among_lines};\n"
            "    return judge;\n  }\n} // namespace squeal::tribology\n";
+  }
+
+
+
+  /** No view through another camera. */
+  bool
+  is_original(const Lesson &lesson)
+  {
+    return lesson.name.find(' ') == std::string::npos;
   }
 
 
@@ -308,7 +345,7 @@ namespace
       {
         const LineJudge judge = learn(lessons, {specimen});
         for (const auto &lesson : lessons)
-          if (lesson->specimen == specimen)
+          if (lesson->specimen == specimen && is_original(*lesson))
             {
               const cv::Mat line =
                 segment(lesson->grey, {}, judge).cracks.centre_line;

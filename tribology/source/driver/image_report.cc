@@ -25,6 +25,31 @@ namespace squeal::tribology
 
 
 
+    /** A share with its deviation, per cent. */
+    std::string
+    share_text(const double share, const double error)
+    {
+      return rounded_text(100. * share, 2) + " +- " +
+             rounded_text(100. * error, 2);
+    }
+
+
+
+    /** What the image tells about exfoliations: an area, or how much it does
+     * not exclude. */
+    std::string
+    exfoliated_in_words(const ImageStatistics &s)
+    {
+      const double least = 2. * s.exfoliation_fraction_error;
+      return s.shows_exfoliations()
+               ? share_text(s.exfoliation_fraction,
+                            s.exfoliation_fraction_error)
+               : "none shown, up to " +
+                   rounded_text(100. * (s.exfoliation_fraction + least), 2);
+    }
+
+
+
     /** Main figures of each image in units that are read at a glance;
      * segmentation.csv has them in SI units. */
     Table
@@ -38,21 +63,22 @@ namespace squeal::tribology
          {"crack_density", T::real, "mm/mm^2", "length over area", 3},
          {"crack_width", T::real, "um", "mean along the length", 2},
          {"crack_width_error", T::real, "um", "one deviation", 2},
-         {"exfoliated", T::real, "%", "share of the area", 2},
-         {"plateaus", T::real, "%", "share of the area", 2},
+         {"exfoliated", T::text, "%", "share of the area, one deviation"},
+         {"plateaus", T::text, "%", "bright even places, one deviation"},
          {"pixel_size", T::real, "um", "edge of a pixel", 4}});
       for (const SegmentedImage &i : record.images)
         {
           const ImageStatistics &s = i.statistics;
-          table.add_row({i.stem + (i.is_synthetic ? " (made)" : ""),
-                         s.crack_length,
-                         s.crack_length_error,
-                         s.crack_density,
-                         s.crack_width,
-                         s.crack_width_error,
-                         100. * s.exfoliation_fraction,
-                         100. * s.plateau_fraction,
-                         i.pixel_size});
+          table.add_row(
+            {i.stem + (i.is_synthetic ? " (made)" : ""),
+             s.crack_length,
+             s.crack_length_error,
+             s.crack_density,
+             s.crack_width,
+             s.crack_width_error,
+             exfoliated_in_words(s),
+             share_text(s.plateau_fraction, s.plateau_fraction_error),
+             i.pixel_size});
         }
       return table;
     }
@@ -160,7 +186,8 @@ namespace squeal::tribology
       report.section("Overlays");
       report.paragraph(
         "Cracks are red, lines that were left out yellow, outlines of "
-        "exfoliations purple, of contact plateaus blue. Judge by eye whether "
+        "exfoliations purple, of dark places without a rim grey, of contact "
+        "plateaus blue. Judge by eye whether "
         "the red lines are the cracks of this surface.");
       for (std::size_t i = 0; i < std::min(most_pictures, record.images.size());
            ++i)
@@ -214,9 +241,38 @@ namespace squeal::tribology
       std::to_string(n) + (n == 1 ? " image" : " images");
     const std::string error = rounded_text(std::sqrt(square), 2) + " mm";
     if (length == 0.)
-      return "no crack found in " + text + " (0 +- " + error + ")";
+      return "no crack found in " + text + " (0 +- " + error +
+             "; cracks of up to " + rounded_text(2. * std::sqrt(square), 2) +
+             " mm are not excluded)";
     return "cracks of " + rounded_text(length, 3) + " +- " + error + " in " +
            text + ", " + rounded_text(length / area, 3) + " mm per mm^2";
+  }
+
+
+
+  std::vector<std::string>
+  areas_in_words(const SegmentationRecord &record)
+  {
+    std::vector<std::string> lines;
+    for (const SegmentedImage &i : record.images)
+      {
+        const ImageStatistics &s = i.statistics;
+        if (!s.shows_exfoliations() && s.unsettled_fraction > 0.)
+          lines.push_back(i.stem + ": no evidence of exfoliations: " +
+                          rounded_text(100. * s.unsettled_fraction, 2) +
+                          " % of the area is dark without a rim, which may be "
+                          "shading or stains; an image with light from another "
+                          "side, or depths, would tell");
+        if (s.plateau_fraction > 0. && !i.is_synthetic)
+          lines.push_back(
+            i.stem +
+            ": no evidence of contact plateaus but "
+            "brightness: their area may be any up to " +
+            rounded_text(
+              100. * (s.plateau_fraction + 2. * s.plateau_fraction_error), 2) +
+            " %");
+      }
+    return lines;
   }
 
 
@@ -230,6 +286,8 @@ namespace squeal::tribology
     report.table(figures_of(record),
                  "Figures of each image (in SI units: segmentation.csv)");
     add_overlays(report, record, context);
+    for (const std::string &line : areas_in_words(record))
+      report.paragraph(line);
     report.section("How sure the figures are");
     report.paragraph(
       "Errors are one standard deviation. That of a length holds the pixels "

@@ -95,6 +95,8 @@ namespace squeal::tribology
         summary_table(record).print(text);
         context.log.heading("Images");
         context.log.info(text.str());
+        for (const std::string &line : areas_in_words(record))
+          context.log.warning(line);
         const Table found  = summary_table(record);
         double      length = 0.;
         for (const double l : found.reals("crack_length_m"))
@@ -289,7 +291,9 @@ namespace squeal::tribology
         full.cracks.centre_line = whole(found.cracks.centre_line, m);
         full.areas.exfoliation  = whole(found.areas.exfoliation, m);
         full.areas.plateau      = whole(found.areas.plateau, m);
-        const auto file         = [&](const std::string &end) {
+        if (!found.areas.unsettled.empty())
+          full.areas.unsettled = whole(found.areas.unsettled, m);
+        const auto file = [&](const std::string &end) {
           return context.output.file(m.stem + end);
         };
         write_png(file("_cracks.png"), full.cracks.area);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/area_evidence.h>
 #include <squeal/tribology/images/areas.h>
 
 #include <opencv2/imgproc.hpp>
@@ -18,8 +19,13 @@ namespace squeal::tribology
     constexpr double plateau_roughness = 1.3; // of the bulk's
     constexpr double rough_pit         = 1.5; // of the bulk's
     constexpr double half_depth        = 0.5;
-    constexpr int    depth_rounds      = 3;  // the last changes areas by 0.5 %
-    constexpr double least_thickness   = 3.; // pixels, radius
+    constexpr int    depth_rounds      = 3;   // the last changes areas by 0.5 %
+    constexpr double least_thickness   = 3.;  // pixels, radius
+    constexpr double rim_smoothing     = 1.;  // pixels, to see a step at a rim
+    constexpr double outline_error     = 0.7; // pixels
+    constexpr double unsettled_error   = 0.3; // of the area of dark places
+    // By how much, of itself, the contrast that makes a plateau is not known.
+    constexpr double limit_error = 0.5;
 
     double
     median_of(const cv::Mat1f &values)
@@ -223,6 +229,22 @@ namespace squeal::tribology
           }
       return result;
     }
+
+
+
+    /** Deviation, pixels: of the outlines, of dark places that may be areas all
+     * the same (shading is wrong in all of them at once), of what the border
+     * cuts, and of areas too small to be looked for. */
+    double
+    exfoliation_error(const AreaMap      &map,
+                      const double        cut_off,
+                      const AreaSettings &settings)
+    {
+      return std::sqrt(
+        std::pow(outline_error * outline_length(map.exfoliation), 2) +
+        std::pow(unsettled_error * cv::countNonZero(map.unsettled), 2) +
+        std::pow(cut_off, 2) + std::pow(settings.smallest_area, 2));
+    }
   } // namespace
 
 
@@ -315,11 +337,31 @@ namespace squeal::tribology
                             smooth < bulk - dark,
                             settings.smallest_area);
     sharpen_edges(map.exfoliation, bulk - smooth);
+    cv::Mat1f fine;
+    cv::GaussianBlur(flat,
+                     fine,
+                     cv::Size(),
+                     rim_smoothing,
+                     rim_smoothing,
+                     cv::BORDER_REFLECT_101);
+    const AreasWithoutRim left = take_without_rim(
+      map.exfoliation, fine - bulk, line, settings.dark_contrast);
+    map.unsettled      = left.taken;
     map.rough          = rough_parts(map.exfoliation, rough, rough_pit * usual);
     const cv::Mat even = rough < plateau_roughness * usual;
-    map.plateau        = clean((smooth > bulk + inner_share * bright) & even,
-                        (smooth > bulk + bright) & even,
-                        settings.smallest_area);
+    const auto    plateau_from = [&](const double least) {
+      return clean((smooth > bulk + inner_share * least) & even,
+                   (smooth > bulk + least) & even,
+                   settings.smallest_area);
+    };
+    map.plateau           = plateau_from(bright);
+    map.exfoliation_error = exfoliation_error(map, left.cut_off, settings);
+    // Without a rim a bright place may be light as well as a plateau.
+    map.plateau_error = std::max<double>(
+      cv::countNonZero(map.plateau),
+      0.5 *
+        std::abs(cv::countNonZero(plateau_from((1. - limit_error) * bright)) -
+                 cv::countNonZero(plateau_from((1. + limit_error) * bright))));
     return map;
   }
 

@@ -52,6 +52,11 @@ namespace squeal::tribology
     constexpr double same_line = 2.;                 // pixels apart
     // Share of what was led on to without a line of its own that is wrong.
     constexpr double led_wrong = 0.3;
+    // Log odds of a line being true once it is part of a crack: slope and
+    // offset over its log odds.
+    constexpr double found_slope = 0.37, found_offset = 0.48;
+    // Where no crack is found a line of log odds above this has even odds.
+    constexpr double unsettled_odds = -4., even_odds = 0.5;
 
     double
     probability(const double log_odds)
@@ -364,7 +369,9 @@ namespace squeal::tribology
       {
         result.doubt.is_drawn = false;
         const cv::Mat found   = widened(result.centre_line, same_line);
+        const bool    is_none = cv::countNonZero(found) == 0;
         cv::Mat       judged  = cv::Mat::zeros(start.size(), CV_8U);
+        double        square  = 0.;
         for (std::size_t i = 0; i < kept.size(); ++i)
           {
             const PixelPath &core = lines.cores[i];
@@ -374,7 +381,12 @@ namespace squeal::tribology
               n += found.at<uchar>(q) != 0;
             const double missing = double(core.size()) - n;
             result.doubt.missed += p * missing;
-            result.doubt.invented += (1. - p) * n;
+            result.doubt.invented +=
+              (1. -
+               probability(found_slope * lines.log_odds[i] + found_offset)) *
+              n;
+            if (is_none && lines.log_odds[i] > unsettled_odds)
+              square += even_odds * double(core.size()) * double(core.size());
             paint(judged, core, 255);
             if (lines.log_odds[i] >= worth_a_word &&
                 int(core.size()) >= shortest_listed && n < missing)
@@ -385,7 +397,8 @@ namespace squeal::tribology
                    ? Exclusion::small
                    : main_objection(judge.in_context, lines.features[i])});
           }
-        cv::Mat led = result.centre_line.clone();
+        result.doubt.unsettled = std::sqrt(square);
+        cv::Mat led            = result.centre_line.clone();
         led.setTo(0, widened(judged, same_line));
         result.doubt.invented += led_wrong * cv::countNonZero(led);
       }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/area_evidence.h>
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/rating.h>
@@ -11,6 +12,8 @@ namespace squeal::tribology
   {
     constexpr int     longest_spur = 6; // pixels, of the skeleton of a mask
     const char *const own_name     = "squeal";
+    // Deviation of a drawn outline, pixels.
+    constexpr double drawn_outline = 0.7;
 
     double
     length_of(const cv::Mat &line)
@@ -97,7 +100,14 @@ namespace squeal::tribology
         masks.push_back(segmentation.areas.exfoliation);
       }
     else
-      segmentation.areas.exfoliation = consensus_of(masks);
+      {
+        // Whoever drew them knows what the dark places are.
+        AreaMap &drawn    = segmentation.areas;
+        drawn.exfoliation = consensus_of(masks);
+        drawn.unsettled   = cv::Mat();
+        drawn.exfoliation_error =
+          drawn_outline * outline_length(drawn.exfoliation);
+      }
     for (const cv::Mat &mask : masks)
       rating.amounts.push_back(cv::countNonZero(mask));
     compare(rating,
@@ -124,8 +134,9 @@ namespace squeal::tribology
           statistics.crack_area_error, 1e-3 * statistics.crack_width * length);
       }
     if (areas && areas->deviation)
-      statistics.exfoliation_fraction_error = 1e-6 * pixel_size * pixel_size *
-                                              *areas->deviation /
-                                              statistics.observed_area;
+      statistics.exfoliation_fraction_error =
+        std::hypot(statistics.exfoliation_fraction_error,
+                   1e-6 * pixel_size * pixel_size * *areas->deviation /
+                     statistics.observed_area);
   }
 } // namespace squeal::tribology

@@ -34,11 +34,14 @@ namespace squeal::tribology
 
 
     Json
-    areas_json(const double fraction, const std::vector<double> &areas)
+    areas_json(const double               fraction,
+               const double               error,
+               const std::vector<double> &areas)
     {
       std::vector<double>       lower;
       const std::vector<double> counts = size_classes(areas, lower);
       return {{"area_fraction", fraction},
+              {"area_fraction_error", error},
               {"count", areas.size()},
               {"areas_um2", areas},
               {"size_class_lower_um2", lower},
@@ -132,12 +135,13 @@ namespace squeal::tribology
                    {"area_fraction_error", s.crack_area_error / s.observed_area},
                    {"mean_width_error_um", s.crack_width_error},
                    {"orientation_share_15deg", s.orientation}};
-      json["exfoliation"] =
-        areas_json(s.exfoliation_fraction, s.exfoliation_areas);
-      json["plateaus"] = areas_json(s.plateau_fraction, s.plateau_areas);
-      if (s.exfoliation_fraction_error)
-        json["exfoliation"]["area_fraction_error"] =
-          *s.exfoliation_fraction_error;
+      json["exfoliation"] = areas_json(s.exfoliation_fraction,
+                                       s.exfoliation_fraction_error,
+                                       s.exfoliation_areas);
+      json["exfoliation"]["without_rim_fraction"] = s.unsettled_fraction;
+      json["exfoliation"]["is_shown"]             = s.shows_exfoliations();
+      json["plateaus"]                            = areas_json(
+        s.plateau_fraction, s.plateau_fraction_error, s.plateau_areas);
       json["cracks"]["expected_missed_mm"]   = 1e-3 * i.pixel_size * i.missed;
       json["cracks"]["expected_invented_mm"] = 1e-3 * i.pixel_size * i.invented;
       json["cracks"]["excluded"]             = excluded_json(i);
@@ -190,7 +194,22 @@ namespace squeal::tribology
        {"crack_width_m", T::real, "m", "mean along the length", 3},
        {"crack_width_error_m", T::real, "m", "deviation", 2},
        {"exfoliation_fraction", T::real, "", "share of the area", 3},
-       {"plateau_fraction", T::real, "", "share of the area", 3},
+       {"exfoliation_fraction_error",
+        T::real,
+        "",
+        "deviation; shares below twice of it show no exfoliation",
+        2},
+       {"without_rim_fraction",
+        T::real,
+        "",
+        "dark places without a rim: shading, stains or exfoliations",
+        2},
+       {"plateau_fraction", T::real, "", "bright even places", 3},
+       {"plateau_fraction_error",
+        T::real,
+        "",
+        "deviation; only their brightness speaks for plateaus",
+        2},
        {"synthetic", T::integer, "", "1: a made image"}});
     for (const SegmentedImage &i : record.images)
       {
@@ -202,7 +221,10 @@ namespace squeal::tribology
                        1e-6 * s.crack_width,
                        1e-6 * s.crack_width_error,
                        s.exfoliation_fraction,
+                       s.exfoliation_fraction_error,
+                       s.unsettled_fraction,
                        s.plateau_fraction,
+                       s.plateau_fraction_error,
                        int(i.is_synthetic)});
       }
     return table;

@@ -15,9 +15,10 @@ namespace squeal::tribology
     constexpr double length_error = 0.02; // relative, of pixel_lengths()
     constexpr double end_error    = 1.;   // pixels, of each free end
     constexpr double missed_width = 2.;   // pixels
-    // A crack shorter than this is not looked for.
-    constexpr double shortest_crack = 14.; // pixels
-    constexpr double doubt_error    = 0.8; // of what may be missed, invented
+    // Cracks shorter than 14 pixels are not looked for; the root mean square of
+    // what is anything up to that.
+    constexpr double too_short   = 14. / 1.7321; // pixels
+    constexpr double doubt_error = 0.8; // of what may be missed, invented
 
 
 
@@ -39,11 +40,11 @@ namespace squeal::tribology
             }
           length += own;
         }
-      return std::sqrt(std::pow(length_error * length, 2) +
-                       std::pow(end_error, 2) * n_ends +
-                       (doubt.is_drawn ? 0. : std::pow(shortest_crack, 2)) +
-                       std::pow(doubt_error * doubt.missed, 2) +
-                       std::pow(doubt_error * doubt.invented, 2));
+      return std::sqrt(
+        std::pow(length_error * length, 2) + std::pow(end_error, 2) * n_ends +
+        (doubt.is_drawn ? 0. : std::pow(too_short, 2)) +
+        std::pow(doubt.unsettled, 2) + std::pow(doubt_error * doubt.missed, 2) +
+        std::pow(doubt_error * doubt.invented, 2));
     }
 
 
@@ -143,9 +144,14 @@ namespace squeal::tribology
     const double total     = double(line.total());
     r.exfoliation_fraction = cv::countNonZero(s.areas.exfoliation) / total;
     r.plateau_fraction     = cv::countNonZero(s.areas.plateau) / total;
-    const double um2       = pixel_size * pixel_size;
-    r.exfoliation_areas    = scaled(part_areas(s.areas.exfoliation), um2);
-    r.plateau_areas        = scaled(part_areas(s.areas.plateau), um2);
+    r.exfoliation_fraction_error = s.areas.exfoliation_error / total;
+    r.plateau_fraction_error     = s.areas.plateau_error / total;
+    r.unsettled_fraction         = s.areas.unsettled.empty()
+                                     ? 0.
+                                     : cv::countNonZero(s.areas.unsettled) / total;
+    const double um2             = pixel_size * pixel_size;
+    r.exfoliation_areas          = scaled(part_areas(s.areas.exfoliation), um2);
+    r.plateau_areas              = scaled(part_areas(s.areas.plateau), um2);
     return r;
   }
 
@@ -305,6 +311,8 @@ namespace squeal::tribology
     };
     outline(s.areas.plateau, {255, 180, 0});
     outline(s.areas.exfoliation, {255, 0, 255});
+    if (!s.areas.unsettled.empty())
+      outline(s.areas.unsettled, {128, 128, 128});
     // What was looked at and left out.
     for (const ExcludedLine &line : s.excluded)
       for (const cv::Point &p : line.pixels)

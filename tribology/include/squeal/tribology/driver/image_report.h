@@ -7,6 +7,7 @@
 #include <squeal/tribology/images/segmentation_record.h>
 
 #include <string>
+#include <vector>
 
 namespace squeal::tribology
 {
@@ -17,6 +18,10 @@ namespace squeal::tribology
   /** The length of all cracks with its deviation, and their density, in one
    * line. */
   std::string cracks_in_words(const SegmentationRecord &record);
+
+  /** What the images do not tell about areas, a line for each image and kind:
+   * areas that rest on nothing but brightness are no finding. */
+  std::vector<std::string> areas_in_words(const SegmentationRecord &record);
 
   /** Fills the report of segmented images: figures, what their errors are made
    * of, overlays (the files `<stem>_overlay.png` of the run, reduced into its

@@ -20,6 +20,12 @@ namespace squeal::tribology
     cv::Mat exfoliation; /**< CV_8U, 255 inside */
     cv::Mat rough;       /**< CV_8U, the exfoliations that are rough as well */
     cv::Mat plateau;     /**< CV_8U, 255 inside */
+    cv::Mat unsettled;   /**< CV_8U, dark areas for which nothing but their
+                            brightness speaks; empty where people drew the
+                            areas */
+    double exfoliation_error = 0.; /**< deviation of the area, pixels */
+    double plateau_error     = 0.; /**< the same; plateaus have no rims, so
+                                      that it is no less than their area */
   };
 
   struct AreaSettings
@@ -30,8 +36,9 @@ namespace squeal::tribology
   };
 
   /**
-   * Areas darker than the bulk are exfoliations, areas that are brighter and
-   * no rougher than the bulk are plateaus. Both thresholds are absolute
+   * Areas darker than the bulk that have a rim are exfoliations, see
+   * take_without_rim(), areas that are brighter and no rougher than the bulk
+   * are plateaus. Both thresholds are absolute
    * contrasts and at least three deviations of the smoothed bulk. Thin dark
    * lines (@p cracks, CV_8U) are taken out before.
    */

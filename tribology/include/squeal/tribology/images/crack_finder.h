@@ -32,7 +32,9 @@ namespace squeal::tribology
   struct FinderDoubt
   {
     double missed = 0., invented = 0.;
-    bool   is_drawn = true; /**< by people: nothing is too short for them */
+    double unsettled = 0.; /**< deviation from 0, where no crack is found: each
+                              line that may be one has even odds */
+    bool is_drawn = true;  /**< by people: nothing is too short for them */
   };
 
   /** Cracks of one image. All of its size. */

@@ -31,11 +31,23 @@ namespace squeal::tribology
     std::vector<double> orientation; /**< length share in bins of 15 degrees
                                         from 0 (along the sliding direction) */
     double exfoliation_fraction = 0.;
-    /** How far raters differ; missing without masks of several. */
-    std::optional<double> exfoliation_fraction_error;
-    std::vector<double>   exfoliation_areas; /**< um^2, largest first */
-    double                plateau_fraction = 0.;
-    std::vector<double>   plateau_areas; /**< um^2, largest first */
+    /** Deviations: outlines, dark places without a rim, how far raters differ;
+     * that of the plateaus is no less than their share, as nothing but their
+     * brightness speaks for them. */
+    double exfoliation_fraction_error = 0., plateau_fraction_error = 0.;
+    /** Dark places without a rim: shading, stains or exfoliations. */
+    double              unsettled_fraction = 0.;
+    std::vector<double> exfoliation_areas; /**< um^2, largest first */
+    double              plateau_fraction = 0.;
+    std::vector<double> plateau_areas; /**< um^2, largest first */
+
+    /** Whether the area of exfoliations is more than two deviations, so that
+     * there are some. */
+    bool
+    shows_exfoliations() const
+    {
+      return exfoliation_fraction > 2. * exfoliation_fraction_error;
+    }
   };
 
   /** @p sliding is the direction in the image, radians from x towards y. */
@@ -86,8 +98,8 @@ namespace squeal::tribology
     std::vector<Covariate> covariates;
   };
 
-  /** The picture with cracks in red, exfoliations outlined in magenta and
-   * plateaus in blue (CV_8UC3). */
+  /** The picture with cracks in red, exfoliations outlined in magenta, dark
+   * places without a rim in grey and plateaus in blue (CV_8UC3). */
   cv::Mat draw_overlay(const cv::Mat &grey, const Segmentation &segmentation);
 } // namespace squeal::tribology
 
