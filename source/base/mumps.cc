@@ -116,7 +116,7 @@ namespace squeal
             throw ComputationError(
               "the matrix is numerically singular: a body without support, or "
               "a shift on an eigenvalue");
-          if (error == -13 || error == -19)
+          if (error == -5 || error == -7 || error == -13 || error == -19)
             throw NotEnoughMemory(
               "not enough memory to factorise: use a coarser mesh or more "
               "ranks");

@@ -291,13 +291,30 @@ namespace squeal
       Eigen::VectorXd::Constant(pairs.size(), options.residual_tolerance);
     const Block residual_directions =
       compress(space, right.vectors, right_scales(tolerances), 0.3);
-    Block all = inverse.solve(residual_directions);
+    // Where memory is short every group of directions is taken in as it comes;
+    // all at once share the products with the matrices.
+    Block        all;
+    unsigned int n_added = 0;
+    const auto   add     = [&](Block directions) {
+      if (!reduced.keeps_products())
+        n_added += reduced.extend(std::move(directions));
+      else if (all.cols() == 0)
+        all = std::move(directions);
+      else
+        all = side_by_side(all, directions);
+    };
+    Block answers = inverse.solve(residual_directions);
     // The responses to the inertia forces too: two steps of the Krylov space
     // for one evaluation of the residuals.
+    Block inertia;
     if (others.empty())
-      all = side_by_side(all, inverse.solve(pencil.multiply_mass(all)));
+      inertia = pencil.multiply_mass(answers);
+    add(std::move(answers));
+    if (others.empty())
+      add(inverse.solve(inertia));
+    inertia.resize(0, 0);
     for (const auto &other : others)
-      all = side_by_side(all, other->solve(residual_directions));
+      add(other->solve(residual_directions));
     // Left residuals enter the eigenvalue's error only as a product with the
     // right ones: the square root of the tolerance is enough for them.
     if (residuals.left.vectors.cols() > 0)
@@ -307,11 +324,11 @@ namespace squeal
           residuals.left.vectors,
           std::sqrt(options.residual_tolerance) * residuals.left.denominators,
           0.3);
-        all = side_by_side(all, inverse.solve_transposed(left_directions));
+        add(inverse.solve_transposed(left_directions));
         for (const auto &other : others)
-          all = side_by_side(all, other->solve(left_directions));
+          add(other->solve(left_directions));
       }
-    return reduced.extend(std::move(all));
+    return reduced.keeps_products() ? reduced.extend(std::move(all)) : n_added;
   }
 
 

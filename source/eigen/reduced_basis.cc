@@ -167,6 +167,12 @@ namespace squeal
     return basis.size();
   }
 
+  bool
+  ReducedBasis::keeps_products() const
+  {
+    return basis.keeps_products();
+  }
+
   Eigen::Map<const Block>
   ReducedBasis::vectors() const
   {

@@ -270,16 +270,19 @@ namespace squeal
 
 
     UndampedModes
-    ritz_modes(const Pencil                  &pencil,
-               const SymmetricPairs          &ritz,
-               const Eigen::VectorXd         &errors,
-               const Eigen::Ref<const Block> &Q,
-               const Eigen::Ref<const Block> &MQ,
-               const double                   shift,
-               const double                   tolerance)
+    ritz_modes(const Pencil                &pencil,
+               const SymmetricPairs        &ritz,
+               const Eigen::VectorXd       &errors,
+               std::unique_ptr<BlockKrylov> krylov,
+               const double                 shift,
+               const double                 tolerance)
     {
       const Eigen::VectorXd &theta = ritz.values;
-      std::vector<int>       kept, rest;
+      const auto             Q =
+        krylov->basis.vectors().middleCols(krylov->n_deflated, theta.size());
+      const auto MQ = krylov->basis.mass_products().middleCols(
+        krylov->n_deflated, theta.size());
+      std::vector<int> kept, rest;
       for (Eigen::Index i = 0; i < theta.size(); ++i)
         if (theta[i] < 0. && errors[i] <= tolerance * std::abs(theta[i]))
           kept.push_back(i);
@@ -306,8 +309,9 @@ namespace squeal
         Z.col(k) = ritz.vectors.col(rest[k]);
       Eigen::MatrixXd all(theta.size(), kept.size() + rest.size());
       all << Y, Z;
-      const Block both         = Q * all;
-      modes.mass_products      = MQ * all;
+      const Block both    = Q * all;
+      modes.mass_products = MQ * all;
+      krylov.reset(); // the largest of all that there is
       modes.shapes             = both.leftCols(kept.size());
       modes.supplement         = both.rightCols(rest.size());
       modes.stiffness_products = pencil.multiply_undamped_stiffness(both);
@@ -337,8 +341,9 @@ namespace squeal
         return theta < 0. || theta * (wanted.limit - inverse.shift()) > 1.;
       };
       const unsigned int n_total = pencil.space()->n_global();
-      BlockKrylov        krylov(pencil, inverse, options);
-      Eigen::Index       next_look = n_wanted + options.block_size;
+      auto own = std::make_unique<BlockKrylov>(pencil, inverse, options);
+      BlockKrylov &krylov    = *own;
+      Eigen::Index next_look = n_wanted + options.block_size;
       while (true)
         {
           krylov.extend();
@@ -372,14 +377,12 @@ namespace squeal
               ++n_seen;
           const bool stagnant = n_converged == n_seen && n > 3 * n_wanted + 200;
           if (n_converged >= n_wanted || whole || stagnant)
-            return ritz_modes(
-              pencil,
-              ritz,
-              errors,
-              krylov.basis.vectors().middleCols(krylov.n_deflated, n),
-              krylov.basis.mass_products().middleCols(krylov.n_deflated, n),
-              inverse.shift(),
-              options.tolerance);
+            return ritz_modes(pencil,
+                              ritz,
+                              errors,
+                              std::move(own),
+                              inverse.shift(),
+                              options.tolerance);
         }
     }
 

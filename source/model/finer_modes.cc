@@ -3,6 +3,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/eigen/undamped_modes.h>
 #include <squeal/model/finer_modes.h>
+#include <squeal/model/linear_solver.h>
 #include <squeal/model/other_degree.h>
 
 #include <deal.II/distributed/tria.h>
@@ -59,8 +60,9 @@ namespace squeal
     ModeOptions options;
     options.tolerance = p.eigen.mode_tolerance;
     // A curved face of a higher degree may raise a frequency a little.
-    const UndampedModes modes = undamped_modes(
-      *fine.pencil, ShiftedInverse(*fine.pencil, 1.1 * limit), options);
+    const ShiftedInverse inverse(
+      *fine.pencil, 1.1 * limit, factor_storage(p, *fine.pencil->space()));
+    const UndampedModes modes = undamped_modes(*fine.pencil, inverse, options);
     if (modes.omega_squared.size() < omega_squared.size())
       throw ComputationError(
         "the modes of the next degree, from which the errors of a nearly "

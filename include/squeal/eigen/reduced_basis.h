@@ -44,6 +44,7 @@ namespace squeal
     void release_products();
 
     unsigned int                    size() const;
+    bool                            keeps_products() const;
     Eigen::Map<const Block>         vectors() const;
     const std::vector<ReducedPart> &parts() const;
 

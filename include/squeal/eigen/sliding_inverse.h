@@ -26,8 +26,8 @@ namespace squeal
     /** Solves once for every row of the friction operators and of those
      * symmetric ones of low rank that are there in other contact states than
      * that of @p pencil. Non-symmetric terms that are not of low rank, or of
-     * more than 600 rows (200 where the factor is on disk), are left out: the inverse is then that of a
-     * neighbouring problem. */
+     * more than 600 rows (200 where the factor is on disk), are left out: the
+     * inverse is then that of a neighbouring problem. */
     SlidingInverse(const Pencil &pencil, const ShiftedInverse &inverse);
 
     /** The same factor and the same rows with the strength that @p pencil gives
