@@ -121,6 +121,19 @@ namespace squeal
               ": a rigid translation would act on the contact");
       }
 
+      /** What a pair touches with one row it touches with all. */
+      void
+      check_sides(const Pair &pair, const long number, const std::string &file)
+      {
+        for (const RowTerms &row : pair)
+          if (!row.weights.empty() && (row.has_source != pair[0].has_source ||
+                                       row.has_target != pair[0].has_target))
+            throw InputError(place(file, row.line) + "pair " +
+                             std::to_string(number) +
+                             " has weights of target and source in some of its "
+                             "rows and of one of them in others");
+      }
+
       void
       check_pair(const Pair        &pair,
                  const long         number,
@@ -136,6 +149,7 @@ namespace squeal
               throw InputError(file + ": pair " + std::to_string(number) +
                                " has no " + name_of(direction) + " row");
           }
+        check_sides(pair, number, file);
       }
 
       ImportedContact::Row
