@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A disc between two pads of tetrahedra, whose matrices CalculiX stores.
 
-    make_brake.py deck      writes brake/matrices.inp and brake/modes.inp
-    ccx -i brake/matrices   stores K, M and the names of their rows
-    ccx -i brake/modes      computes the first 30 frequencies itself
-    make_brake.py tables    writes what squeal needs beside: brake/nodes.csv,
-                            brake/contact.csv, brake/frequencies.csv
+    make_brake.py deck     writes brake/matrices.inp and brake/modes.inp
+    make_brake.py run      ccx -i matrices stores K, M and the names of their
+                           rows, ccx -i modes computes the first 30 frequencies
+    make_brake.py tables   writes what squeal needs beside: brake/nodes.csv,
+                           brake/contact.csv, brake/frequencies.csv
 
 Only Python's own library and CalculiX (ccx) are needed. All of it is quadratic
 tetrahedra (C3D10), six for each brick of a grid:
@@ -29,6 +29,7 @@ import csv
 import itertools
 import math
 import os
+import subprocess
 
 INNER, OUTER, THICKNESS = 0.060, 0.140, 0.020
 PAD_CENTRE, PAD_SIZE = 0.110, (0.040, 0.060, 0.015)
@@ -273,15 +274,34 @@ def write_tables(folder, bodies):
                 table.writerow([fields[0], repr(math.sqrt(float(fields[1])) / (2 * math.pi))])
 
 
+def run_calculix(folder):
+    for job in ("matrices", "modes"):
+        done = subprocess.run(["ccx", "-i", job], cwd=folder, stdout=subprocess.PIPE,
+                              encoding="utf-8", errors="replace")
+        # ccx ends with 201 after an error, and some versions with 0.
+        if done.returncode or "Job finished" not in done.stdout:
+            raise SystemExit("ccx -i %s:\n%s" % (job, done.stdout[-2000:]))
+        for ending in ("12d", "cvg", "sta", "frd"):
+            path = os.path.join(folder, job + "." + ending)
+            if os.path.exists(path):
+                os.remove(path)
+    for left in ("matrices.dat", "spooles.out"):
+        path = os.path.join(folder, left)
+        if os.path.exists(path):
+            os.remove(path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("deck", "tables"))
+    parser.add_argument("what", choices=("deck", "run", "tables"))
     parser.add_argument("--around", type=int, default=16)
     parser.add_argument("--pad", type=int, default=2)
     parser.add_argument("--output",
                         default=os.path.join(os.path.dirname(os.path.realpath(__file__)), "brake"))
     options = parser.parse_args()
+    if options.what == "run":
+        return run_calculix(options.output)
     bodies = make_bodies(options.around, options.pad)
     if options.what == "tables":
         return write_tables(options.output, bodies)
