@@ -47,21 +47,17 @@ namespace squeal
                      const SweepGrid  &grid,
                      RunContext       &context)
     {
-      const Discretization discretization(parameters.scene,
-                                          parameters.discretization,
-                                          parameters.discretization.degree,
-                                          MPI_COMM_WORLD);
-      const auto           bodies = assemble_bodies(discretization);
-      const auto           groups = points_by_flexibility(grid);
+      const Model model(parameters, context.timers, {}, Model::Contacts::open);
+      const auto  groups = points_by_flexibility(grid);
       std::vector<std::vector<ContactStates>> result(grid.n_points());
       Progress                                progress(
         context.log, "contact of steady sliding", groups.size());
       for (const auto &[key, points] : groups)
         {
-          const Parameters here = with_values(
-            parameters, grid.entries(), grid.values(grid.point(points[0])));
-          const PressedModel pressed(
-            here, discretization, bodies, cut_off_of_statics, context.timers);
+          const Parameters   here = without_damping(with_values(
+            parameters, grid.entries(), grid.values(grid.point(points[0]))));
+          const PressedModel pressed =
+            pressed_model(here, model, cut_off_of_statics, context.timers);
           for (const std::size_t i : points)
             {
               const SweepPoint point = grid.point(i);
@@ -120,8 +116,7 @@ namespace squeal
                     RunContext       &context)
   {
     const SceneParameters &scene = parameters.scene;
-    if (scene.kind != SceneParameters::Kind::bodies ||
-        !has_preload_state(scene))
+    if (!has_preload_state(scene))
       return {};
     const auto all = states_of_points(parameters, grid, context);
     std::map<std::vector<ContactStatus>, std::vector<std::size_t>> members;

@@ -108,6 +108,22 @@ namespace squeal
 
 
 
+  Block
+  translations(const ImportedModel &model, const std::string &body)
+  {
+    Block result = Block::Zero(model.n_dofs, 3);
+    if (model.labels.empty())
+      return result;
+    for (unsigned int i = 0; i < model.n_dofs; ++i)
+      if (const unsigned int c = model.labels[i].component;
+          c >= 1 && c <= 3 &&
+          (body.empty() || model.bodies[model.body_of[i]] == body))
+        result(i, c - 1) = 1.;
+    return result;
+  }
+
+
+
   void
   add_imported_contact(const SceneParameters            &scene,
                        const ImportedModel              &model,
@@ -118,7 +134,7 @@ namespace squeal
       add_pattern(model.contact, system.system);
     for (unsigned int i = 0; i < model.contacts.size(); ++i)
       {
-        const ContactGeometry g =
+        ContactGeometry g =
           imported_geometry(system.system.space, model.contacts[i]);
         const bool sticks =
           scene.contacts[i].state == ContactParameters::State::stick;
@@ -128,6 +144,8 @@ namespace squeal
             : ContactStates{uniform_state(
                 g, sticks ? ContactStatus::stick : ContactStatus::slip)};
         add_spring_contact(scene, i, g, all, system.system);
+        system.contacts.push_back(std::move(g));
+        system.states.push_back(all.front());
       }
   }
 

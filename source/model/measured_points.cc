@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/discretization/point_evaluator.h>
 #include <squeal/model/measured_points.h>
 #include <squeal/results/compare.h>
+#include <squeal/scene/imported_model.h>
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -25,28 +28,125 @@ namespace squeal
 
 
 
+  namespace
+  {
+    std::vector<Functionals::Row>
+    rows_of_bodies(const Parameters &p, const Discretization &d)
+    {
+      const PointEvaluator          evaluator(d);
+      std::vector<Functionals::Row> rows;
+      for (const auto &point : p.measurement.points)
+        {
+          const dealii::Point<3> x(
+            point.position[0], point.position[1], point.position[2]);
+          const auto found = evaluator.displacements(
+            body_index(p.scene, point.body), {x}, tolerance);
+          if (!found.found[0])
+            throw InputError("Measurement/Point " + point.name +
+                             "/Position lies outside body '" + point.body +
+                             "'");
+          const Vector3 n = unit(point.direction);
+          rows.push_back(combine({{n[0], &found.rows[0][0]},
+                                  {n[1], &found.rows[0][1]},
+                                  {n[2], &found.rows[0][2]}}));
+        }
+      return rows;
+    }
+
+    bool
+    is_translation(const ImportedModel &model,
+                   const unsigned int   unknown,
+                   const unsigned int   body)
+    {
+      return model.body_of[unknown] == body &&
+             model.labels[unknown].component >= 1 &&
+             model.labels[unknown].component <= 3;
+    }
+
+    double
+    distance(const Vector3 &a, const Vector3 &b)
+    {
+      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+
+    /** An unknown of the node of a body at a point, from which it may be
+     * @p tolerance of the way to the furthest one away. */
+    unsigned int
+    unknown_at(const ImportedModel           &model,
+               const unsigned int             body,
+               const MeasuredPointParameters &point)
+    {
+      const std::string text = "Measurement/Point " + point.name +
+                               "/Position is at no node of '" + point.body +
+                               "'";
+      unsigned int nearest = -1u;
+      double       size    = 0.;
+      for (unsigned int i = 0; i < model.n_dofs; ++i)
+        if (is_translation(model, i, body))
+          {
+            const double here = distance(model.positions[i], point.position);
+            size              = std::max(size, here);
+            if (nearest == -1u ||
+                here < distance(model.positions[nearest], point.position))
+              nearest = i;
+          }
+      if (nearest == -1u)
+        throw InputError(text + ", which has none");
+      const Vector3 &place = model.positions[nearest];
+      if (!(distance(place, point.position) <= tolerance * size))
+        throw InputError(
+          text + ": the nearest is " + rounded_text(place[0], 8) + ", " +
+          rounded_text(place[1], 8) + ", " + rounded_text(place[2], 8));
+      return nearest;
+    }
+
+    Functionals::Row
+    row_at_node(const ImportedModel           &model,
+                const MeasuredPointParameters &point)
+    {
+      const std::string section = "Measurement/Point " + point.name;
+      const auto        body =
+        std::find(model.bodies.begin(), model.bodies.end(), point.body);
+      if (body == model.bodies.end())
+        throw InputError(section + "/Body = '" + point.body +
+                         "' is not in 'Scene/Node table file'");
+      const unsigned int number = body - model.bodies.begin();
+      const long    node = model.labels[unknown_at(model, number, point)].node;
+      const Vector3 n    = unit(point.direction);
+      Functionals::Row row;
+      for (unsigned int i = 0; i < model.n_dofs; ++i)
+        if (is_translation(model, i, number) && model.labels[i].node == node)
+          if (const double weight = n[model.labels[i].component - 1];
+              weight != 0.)
+            row.emplace_back(i, weight);
+      if (row.empty())
+        throw InputError(section + "/Direction: the node is held along it");
+      return row;
+    }
+
+    std::vector<Functionals::Row>
+    rows_of_nodes(const Parameters &p, const ImportedModel &model)
+    {
+      std::vector<Functionals::Row> rows;
+      for (const auto &point : p.measurement.points)
+        rows.push_back(row_at_node(model, point));
+      return rows;
+    }
+  } // namespace
+
+
+
   MeasuredPoints::MeasuredPoints(const Model &model)
     : model(model)
   {
-    const auto                   &p = model.parameters();
-    const Discretization         &d = *model.discretization();
-    const PointEvaluator          evaluator(d);
-    std::vector<Functionals::Row> rows;
-    for (const auto &point : p.measurement.points)
-      {
-        const dealii::Point<3> x(
-          point.position[0], point.position[1], point.position[2]);
-        const auto found = evaluator.displacements(
-          body_index(p.scene, point.body), {x}, tolerance);
-        if (!found.found[0])
-          throw InputError("Measurement/Point " + point.name +
-                           "/Position lies outside body '" + point.body + "'");
-        const Vector3 n = unit(point.direction);
-        rows.push_back(combine({{n[0], &found.rows[0][0]},
-                                {n[1], &found.rows[0][1]},
-                                {n[2], &found.rows[0][2]}}));
-      }
-    const Functionals functionals(d.space(), rows);
+    const auto       &p     = model.parameters();
+    const auto        space = model.discretization() != nullptr
+                                ? model.discretization()->space()
+                                : model.linearized().system.space;
+    const auto        rows  = model.imported() != nullptr
+                                ? rows_of_nodes(p, *model.imported())
+                                : rows_of_bodies(p, *model.discretization());
+    const Functionals functionals(space, rows);
     all = model.linearized().restrict_forces(functionals.apply_transposed(
       Eigen::MatrixXd(Eigen::MatrixXd::Identity(rows.size(), rows.size()))));
   }

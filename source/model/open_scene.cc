@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 
 namespace squeal
 {
@@ -85,23 +86,55 @@ namespace squeal
       return f;
     }
 
-    /** Mean of the nodes of a body along each of x, y, z. */
+    /** The motion of a body's centre of mass along each of x, y, z; where the
+     * body is held, of what is free of it. */
     Block
-    mean_motion(const ImportedModel &model, const std::string &body)
+    centre_motion(const ImportedModel &model, const std::string &body)
     {
-      Block           mean  = Block::Zero(model.n_dofs, 3);
-      Eigen::Vector3d count = Eigen::Vector3d::Zero();
+      const Block rigid  = translations(model, body);
+      Block       motion = imported_mass(model)->multiply(rigid);
+      for (unsigned int i = 0; i < model.n_dofs; ++i)
+        if (model.bodies[model.body_of[i]] != body)
+          motion.row(i).setZero();
+      for (unsigned int c = 0; c < 3; ++c)
+        if (const double mass = rigid.col(c).dot(motion.col(c)); mass > 0.)
+          motion.col(c) /= mass;
+      return motion;
+    }
+
+    /** Mean motion along @p normal of the nodes of a body that are furthest
+     * along it, the face away from the contact; of the centre where these are
+     * fewer than three. */
+    Eigen::VectorXd
+    far_motion(const ImportedModel        &model,
+               const std::string          &body,
+               const dealii::Tensor<1, 3> &normal,
+               const Block                &centre)
+    {
+      std::vector<double> heights(model.n_dofs);
+      double              lowest = 1e300, highest = -1e300;
+      for (unsigned int i = 0; i < model.n_dofs; ++i)
+        if (model.bodies[model.body_of[i]] == body)
+          {
+            for (unsigned int c = 0; c < 3; ++c)
+              heights[i] += normal[c] * model.positions[i][c];
+            lowest  = std::min(lowest, heights[i]);
+            highest = std::max(highest, heights[i]);
+          }
+      const double    level  = highest - 1e-6 * (highest - lowest);
+      Eigen::VectorXd motion = Eigen::VectorXd::Zero(model.n_dofs);
+      std::set<long>  nodes;
       for (unsigned int i = 0; i < model.n_dofs; ++i)
         if (const unsigned int c = component(model, i);
-            c >= 1 && c <= 3 && model.bodies[model.body_of[i]] == body)
+            c >= 1 && c <= 3 && heights[i] >= level &&
+            model.bodies[model.body_of[i]] == body)
           {
-            mean(i, c - 1) = 1.;
-            count[c - 1] += 1.;
+            motion[i] = normal[c - 1];
+            nodes.insert(model.labels[i].node);
           }
-      for (unsigned int c = 0; c < 3; ++c)
-        if (count[c] > 0.)
-          mean.col(c) /= count[c];
-      return mean;
+      if (nodes.size() < 3)
+        return centre * Eigen::Vector3d(normal[0], normal[1], normal[2]);
+      return motion / nodes.size();
     }
 
     /** The load whose resultant presses most against the mean normal. */
@@ -148,10 +181,11 @@ namespace squeal
                   own(dof, PressedModel::target_at_contact) +=
                     g.frames[j].normal[c] * g.areas[j] / area * weight;
             }
-          const Block centre = mean_motion(model, pair.parameters.source_body);
+          const Block centre =
+            centre_motion(model, pair.parameters.source_body);
           own.middleCols(PressedModel::centre_x, 3) = centre;
-          for (unsigned int c = 0; c < 3; ++c)
-            own.col(PressedModel::far_face) += normal[c] * centre.col(c);
+          own.col(PressedModel::far_face) =
+            far_motion(model, pair.parameters.source_body, normal, centre);
           own.col(PressedModel::loaded_face) = pressing_motion(model, normal);
         }
       return l;

@@ -26,6 +26,27 @@ namespace squeal
 
 
 
+  Parameters
+  without_damping(Parameters parameters)
+  {
+    SceneParameters &scene = parameters.scene;
+    scene.damping          = DampingParameters();
+    scene.damping.model    = DampingParameters::Model::none;
+    for (BodyParameters &body : scene.bodies)
+      body.table_loss_factor = 0.;
+    for (SpringParameters &spring : scene.springs)
+      {
+        spring.dashpot  = 0.;
+        spring.dashpots = Vector3();
+      }
+    for (MatrixPartParameters &part : scene.matrix_parts)
+      if (part.role == MatrixPartParameters::Role::damping)
+        part.factor = 0.;
+    return parameters;
+  }
+
+
+
   bool
   has_held_support(const SceneParameters &scene)
   {
@@ -329,15 +350,6 @@ namespace squeal
 
   namespace
   {
-    /** Nothing moves: loss factors of modulus tables do nothing. */
-    Parameters
-    at_rest(Parameters parameters)
-    {
-      for (BodyParameters &body : parameters.scene.bodies)
-        body.table_loss_factor = 0.;
-      return parameters;
-    }
-
     std::vector<ContactStates>
     states_where_asked(const PressedModel &pressed,
                        const Parameters   &parameters,
@@ -362,7 +374,7 @@ namespace squeal
                  Timers                          &timers)
   {
     // Statics do not depend on the cut-off.
-    const Parameters p = at_rest(parameters);
+    const Parameters p = without_damping(parameters);
     return states_where_asked(
       PressedModel(
         p, discretization, bodies, p.eigen.highest_frequency, timers),
@@ -375,12 +387,12 @@ namespace squeal
                  const ImportedModel &model,
                  Timers              &timers)
   {
+    const Parameters p = without_damping(parameters);
     return states_where_asked(
-      PressedModel(
-        parameters,
-        timed(timers, [&]() { return open_scene(parameters.scene, model); }),
-        parameters.eigen.highest_frequency,
-        timers),
+      PressedModel(p,
+                   timed(timers, [&]() { return open_scene(p.scene, model); }),
+                   p.eigen.highest_frequency,
+                   timers),
       parameters,
       timers);
   }

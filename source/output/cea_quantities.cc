@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/model/imported_system.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/pair_table.h>
 #include <squeal/parameters/choices.h>
@@ -10,6 +11,14 @@ namespace squeal
   double
   total_mass(const Model &model)
   {
+    if (const ImportedModel *const imported = model.imported())
+      {
+        const Block rigid = translations(*imported);
+        return rigid.cwiseProduct(imported_mass(*imported)->multiply(rigid))
+          .colwise()
+          .sum()
+          .maxCoeff();
+      }
     double      sum   = 0.;
     const auto &scene = model.parameters().scene;
     for (unsigned int b = 0; b < model.body_matrices().size(); ++b)
@@ -35,7 +44,9 @@ namespace squeal
         target.push_back(
           combine({{n[0], &d[0]}, {n[1], &d[1]}, {n[2], &d[2]}}));
       }
-    const auto &space = model.discretization()->space();
+    const auto &space = model.discretization() != nullptr
+                          ? model.discretization()->space()
+                          : model.linearized().system.space;
     return {std::make_shared<Functionals>(space, std::move(source)),
             std::make_shared<Functionals>(space, std::move(target))};
   }

@@ -22,16 +22,19 @@ namespace squeal
         const MeasurementParameters &m = parameters.measurement;
         if (m.points.empty() && m.shapes_file.empty())
           return;
-        if (parameters.scene.kind != SceneParameters::Kind::bodies)
+        const bool has_bodies =
+          parameters.scene.kind == SceneParameters::Kind::bodies;
+        if (!has_bodies && parameters.scene.node_table_file.empty())
           refuse_entry("Measurement",
                        "Points",
-                       "need 'Scene/Kind = bodies': imported matrices have no "
-                       "places");
+                       "need 'Scene/Node table file': without it imported "
+                       "matrices have no places");
         std::set<std::pair<unsigned int, Vector3>> seen;
         for (unsigned int i = 0; i < m.points.size(); ++i)
           {
             const std::string section = "Measurement/Point " + m.points[i].name;
-            require_body(parameters.scene, m.points[i].body, section, "Body");
+            if (has_bodies)
+              require_body(parameters.scene, m.points[i].body, section, "Body");
             if (!seen.insert({m.node(i), m.points[i].direction}).second)
               refuse_entry(section,
                            "Node",

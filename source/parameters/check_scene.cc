@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 
 #include <squeal/parameters/checks.h>
+#include <squeal/parameters/choices.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/parameters/names.h>
 #include <squeal/parameters/numbers.h>
@@ -368,6 +369,14 @@ namespace squeal
                          : "Contact normal stiffness",
                        "belongs to a pattern without 'Contacts': each contact "
                        "has its own");
+        for (const MatrixPartParameters &part : scene.matrix_parts)
+          if (part.role == MatrixPartParameters::Role::friction ||
+              part.role == MatrixPartParameters::Role::normal_contact)
+            refuse_entry("Scene/Matrix part " + part.name,
+                         "Role",
+                         "= " + choice_name(part.role) +
+                           " belongs to a scene without 'Contacts', whose "
+                           "matrices have the contact cut open");
         for (const ContactParameters &contact : scene.contacts)
           {
             const std::string section = "Scene/Contact " + contact.name;

@@ -422,26 +422,30 @@ namespace squeal
         if (p.scene.kind != SceneParameters::Kind::matrices)
           return;
         const TransientParameters &t = p.transient;
-        const bool is_moving         = p.analysis == Analysis::transient;
-        const bool is_linear         = p.analysis != Analysis::preload &&
+        const bool is_moving         = p.analysis == Analysis::transient ||
+                               p.analysis == Analysis::limit_cycle;
+        const bool is_linear = p.analysis != Analysis::preload &&
                                p.analysis != Analysis::limit_cycle &&
                                (!is_moving || t.compare_with_cea);
         for (const ContactParameters &c : p.scene.contacts)
           {
             const std::string section = "Scene/Contact " + c.name;
             if (c.formulation != ContactParameters::Formulation::springs &&
-                (is_linear || c.state == State::preload))
+                is_linear)
               refuse_entry(section,
                            "Formulation",
                            "must be springs: eigenvalues of matrices without "
                            "penetration would need unknowns taken out");
-            if (c.state == State::preload && p.analysis == Analysis::sweep)
-              refuse_entry(section,
-                           "Contact state",
-                           "= preload in a sweep is for 'Kind = bodies'");
           }
         if (!is_moving)
           return;
+        for (const MatrixPartParameters &part : p.scene.matrix_parts)
+          if (part.role == MatrixPartParameters::Role::damping)
+            refuse_entry("Scene/Matrix part " + part.name,
+                         "Role",
+                         "= damping is not for motions in time, whose damping "
+                         "is C = alpha M + beta K: leave the part out and set "
+                         "'Scene/Damping'");
         if (t.disc_frame != TransientParameters::DiscFrame::eulerian)
           refuse_corotating("turns meshes, which matrices do not have");
         if (t.integrator == Integrator::explicit_)

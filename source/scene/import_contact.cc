@@ -186,6 +186,20 @@ namespace squeal
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
       }
 
+      /** What a pair of a named contact touches with one row it touches with
+       * all. */
+      void
+      check_sides(const Pair &pair, const long number, const std::string &file)
+      {
+        for (const RowTerms &row : pair)
+          if (!row.weights.empty() && (row.has_source != pair[0].has_source ||
+                                       row.has_target != pair[0].has_target))
+            throw InputError(place(file, row.line) + "pair " +
+                             std::to_string(number) +
+                             " has weights of target and source in some of its "
+                             "rows and of one of them in others");
+      }
+
       /** Normal, sliding and transverse direction of the rows of a pair. */
       std::array<Vector3, 3>
       directions_of(const Pair        &pair,
@@ -229,6 +243,7 @@ namespace squeal
           {
             const Pair        &pair = pairs.at(number);
             const ContactTerm &term = *first.at(number);
+            check_sides(pair, number, file);
             contact.target.emplace_back();
             contact.source.emplace_back();
             for (unsigned int k = 0; k < 3; ++k)

@@ -14,6 +14,10 @@ namespace squeal
   std::shared_ptr<const LinearOperator> imported_mass(
     const ImportedModel &model);
 
+  /** Rigid translations of the unknowns along x, y, z; of one body where
+   * @p body is given. Zero without names of unknowns. */
+  Block translations(const ImportedModel &model, const std::string &body = "");
+
   /**
    * Adds the contact of an imported model, closed: the point pairs of its
    * pattern, or those of the scene's contacts as springs, slipping or sticking

@@ -15,7 +15,8 @@ namespace squeal
   class MeasuredPoints
   {
   public:
-    /** Throws InputError for a point that lies outside its body. */
+    /** Throws InputError for a point that lies outside its body or, with
+     * imported matrices, at no node of it. */
     explicit MeasuredPoints(const Model &model);
 
     unsigned int size() const;

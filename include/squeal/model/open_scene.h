@@ -36,8 +36,8 @@ namespace squeal
                        const std::vector<BodyMatrices> &bodies);
 
   /** Of an imported model. The loads are those of its node table; the motion of
-   * a body's centre is the mean of its nodes, and the far face of a source is
-   * that mean. */
+   * a body's centre is that of its centre of mass; the far face of a source is
+   * its nodes furthest along the normal. */
   OpenScene open_scene(const SceneParameters &scene,
                        const ImportedModel   &model);
 } // namespace squeal

@@ -151,6 +151,10 @@ namespace squeal
                              Timers           &timers,
                              const double      interface_cut_off = 0.);
 
+  /** The same without damping, which steady sliding does not feel: it may be
+   * of a kind that motions in time cannot have. */
+  Parameters without_damping(Parameters parameters);
+
   /** Whether some support is `held`. */
   bool has_held_support(const SceneParameters &scene);
 } // namespace squeal

@@ -40,7 +40,8 @@ namespace squeal
   };
   ContactMotion contact_motion(const Model &model, const unsigned int number);
 
-  /** Mass of all bodies, kg. */
+  /** Mass of all bodies, kg; of imported matrices that of the direction in
+   * which fewest unknowns are held. */
   double total_mass(const Model &model);
 
   PairQuantities pair_quantities(const Model        &model,

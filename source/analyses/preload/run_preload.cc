@@ -43,8 +43,9 @@ namespace squeal
     /** The scene of the loads: a held support is kept where they have moved it,
      * so that the state is that of the guided one. */
     Parameters
-    moving(Parameters p)
+    moving(const Parameters &parameters)
     {
+      Parameters p = without_damping(parameters);
       for (auto &contact : p.scene.contacts)
         contact.state = ContactParameters::State::full;
       for (auto &support : p.scene.supports)
