@@ -133,5 +133,10 @@ main(int argc, char **argv)
   return run_guarded(
     is_root,
     [&]() { act(read_command_line(argc, argv, actions), is_root); },
-    []() { MPI_Abort(MPI_COMM_WORLD, 1); });
+    []() {
+      int n_ranks = 1;
+      MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+      if (n_ranks > 1)
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    });
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 namespace squeal
@@ -38,8 +39,10 @@ namespace squeal
       if (::getrlimit(RLIMIT_AS, &limit) != 0 ||
           limit.rlim_cur == RLIM_INFINITY)
         return unlimited;
+      // What the heap has freed is taken from it again.
       return static_cast<double>(limit.rlim_cur) -
-             1024. * kernel_number("/proc/self/status", "VmSize:");
+             1024. * kernel_number("/proc/self/status", "VmSize:") +
+             static_cast<double>(::mallinfo2().fordblks);
     }
 
 

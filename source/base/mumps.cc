@@ -43,6 +43,12 @@ namespace squeal
       }
     };
 
+    std::string
+    gigabytes(const double bytes)
+    {
+      return rounded_text(bytes / 1e9, 2) + " GB";
+    }
+
     constexpr int job_initialize = -1, job_terminate = -2, job_analyze = 1,
                   job_factorize = 2, job_solve = 3;
   } // namespace
@@ -74,6 +80,7 @@ namespace squeal
 
     void choose_place();
     void put_on_disk();
+    void factorize();
 
     bool
     is_distributed() const
@@ -118,8 +125,11 @@ namespace squeal
               "a shift on an eigenvalue");
           if (error == -5 || error == -7 || error == -13 || error == -19)
             throw NotEnoughMemory(
-              "not enough memory to factorise: use a coarser mesh or more "
-              "ranks");
+              "the factors need more memory than there is" +
+              (job == job_analyze
+                 ? std::string()
+                 : " (" + gigabytes(estimate(FactorPlace::memory)) + ")") +
+              ": use a coarser mesh, a lower degree or more ranks");
           break;
         }
       throw ComputationError(
@@ -211,12 +221,6 @@ namespace squeal
       MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MIN, comm);
       return bytes;
     }
-
-    std::string
-    gigabytes(const double bytes)
-    {
-      return rounded_text(bytes / 1e9, 2) + " GB";
-    }
   } // namespace
 
 
@@ -269,6 +273,27 @@ namespace squeal
 
   template <typename Number>
   void
+  MumpsFactorization<Number>::Implementation::factorize()
+  {
+    // What is free may be in pieces that are too small.
+    try
+      {
+        run(job_factorize);
+      }
+    catch (const NotEnoughMemory &)
+      {
+        if (storage.place != FactorStorage::Place::automatic ||
+            storage.directory.empty() || scratch)
+          throw;
+        put_on_disk();
+        run(job_factorize);
+      }
+  }
+
+
+
+  template <typename Number>
+  void
   MumpsFactorization<Number>::factorize(std::vector<int>    rows,
                                         std::vector<int>    columns,
                                         std::vector<Number> values,
@@ -309,7 +334,7 @@ namespace squeal
       }
     impl->run(job_analyze);
     impl->choose_place();
-    impl->run(job_factorize);
+    impl->factorize();
     std::vector<Number>().swap(impl->values);
     if (!keep_pattern)
       {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/base/timers.h>
 #include <squeal/base/version.h>
 #include <squeal/run/command_line.h>
 
 #include <algorithm>
 #include <iostream>
+#include <new>
 
 namespace squeal
 {
@@ -58,7 +61,7 @@ namespace squeal
   int
   run_guarded(const bool                   is_root,
               const std::function<void()> &action,
-              const std::function<void()> &on_internal_error)
+              const std::function<void()> &on_lone_error)
   {
     const auto fail = [is_root](const std::string &text, const int code) {
       if (is_root)
@@ -81,11 +84,23 @@ namespace squeal
       {
         return fail(e.what(), 4);
       }
+    catch (const std::bad_alloc &)
+      {
+        std::cerr << "squeal: the memory ran out, "
+                  << rounded_text(peak_memory_mb() / 1000., 2)
+                  << " GB were in use: a coarser mesh or shorter data, more "
+                     "ranks or Eigenvalues/Linear solver = out of core need "
+                     "less"
+                  << std::endl;
+        if (on_lone_error)
+          on_lone_error();
+        return 3;
+      }
     catch (const std::exception &e)
       {
         std::cerr << "squeal: internal error: " << e.what() << std::endl;
-        if (on_internal_error)
-          on_internal_error();
+        if (on_lone_error)
+          on_lone_error();
         return 1;
       }
     return 0;

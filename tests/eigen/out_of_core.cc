@@ -10,6 +10,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <filesystem>
@@ -46,7 +47,7 @@ namespace
     return {FactorStorage::Place::disk, folder.string(), 0.};
   }
 
-  /** No more address space than @p bytes beyond what the process has. */
+  /** No more memory than @p bytes beyond what the process uses. */
   class MemoryLimit
   {
   public:
@@ -57,7 +58,8 @@ namespace
       double        pages = 0.;
       in >> pages;
       struct rlimit limit = former;
-      limit.rlim_cur = static_cast<rlim_t>(pages * ::getpagesize() + bytes);
+      limit.rlim_cur = static_cast<rlim_t>(pages * ::getpagesize() + bytes -
+                                           ::mallinfo2().fordblks);
       ::setrlimit(RLIMIT_AS, &limit);
     }
     ~MemoryLimit()

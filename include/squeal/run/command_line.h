@@ -30,12 +30,13 @@ namespace squeal
   /**
    * Calls @p action and turns what it throws into one line on stderr (on the
    * root rank: every rank fails alike) and the exit code of the program: 2
-   * input, 3 computation, 4 result check, 1 anything else, for which
-   * @p on_internal_error is called.
+   * input, 3 computation or memory, 4 result check, 1 anything else. Memory may
+   * run out and anything else may happen on one rank alone: then
+   * @p on_lone_error is called.
    */
   int run_guarded(bool                         is_root,
                   const std::function<void()> &action,
-                  const std::function<void()> &on_internal_error = {});
+                  const std::function<void()> &on_lone_error = {});
 } // namespace squeal
 
 #endif
