@@ -18,7 +18,6 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace squeal;
@@ -153,7 +152,8 @@ end
               ++n;
               ++i;
             }
-          most = std::max(most, n);
+          if (n > most)
+            most = n;
         }
     return most;
   }
