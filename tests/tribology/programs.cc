@@ -110,6 +110,87 @@ end
 
 
 
+  /** The words that a reader sees of a page up to its parameters, marks between
+   * them. */
+  std::string
+  visible(const std::string &path)
+  {
+    std::string page = text_of(path), words;
+    for (const std::string part : {"script", "style"})
+      for (std::size_t from = page.find("<" + part); from != std::string::npos;
+           from             = page.find("<" + part))
+        page.erase(from, page.find("</" + part, from) - from);
+    bool is_mark = false;
+    for (const char c : page)
+      {
+        is_mark = is_mark || c == '<';
+        if (!is_mark)
+          words += c;
+        else if (c == '>')
+          {
+            is_mark = false;
+            words += '|';
+          }
+      }
+    return words.substr(0, words.rfind("How to repeat"));
+  }
+
+
+
+  /** The longest run of digits after a point. */
+  int
+  most_decimals(const std::string &text)
+  {
+    int most = 0;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '.')
+        {
+          int n = 0;
+          while (i + 1 < text.size() && text[i + 1] >= '0' &&
+                 text[i + 1] <= '9')
+            {
+              ++n;
+              ++i;
+            }
+          if (n > most)
+            most = n;
+        }
+    return most;
+  }
+
+
+
+  /** Reports have verdicts with and without shared causes side by side, no
+   * number of nine digits or more and no section of an analysis that did not
+   * run. */
+  void
+  check_reports()
+  {
+    for (const char *file : {"damage/report.html", "correlation/report.html"})
+      {
+        const std::string text = visible(file);
+        check(most_decimals(text) < 9,
+              std::string(file) + " has no squeezed digits: " +
+                std::to_string(most_decimals(text)));
+        check(text.find("nan") == std::string::npos &&
+                text.find("is not there") == std::string::npos,
+              std::string(file) + " speaks of what is there");
+      }
+    const std::string damage = visible("damage/report.html");
+    check(damage.find("MPa") != std::string::npos &&
+            damage.find("an application is 1200 s of it") != std::string::npos,
+          "engineering units, and what an application is");
+    const std::string links = visible("correlation/report.html");
+    check(links.find("verdict without") != std::string::npos &&
+            links.find("verdict without") > links.find("verdict") &&
+            links.find("shared causes taken out") != std::string::npos,
+          "verdicts with and without shared causes side by side");
+    check(links.find("|Overlays|") == std::string::npos,
+          "no section of images where none were read");
+  }
+
+
+
   /** With a thickness the pad is a block, and few points are flagged. */
   void
   check_block()
@@ -213,6 +294,7 @@ end
     check(text_of("correlation/run.json").find("25 cells are known, worth") !=
             std::string::npos,
           "which is warned of");
+    check_reports();
     for (const auto &link : json.at("links"))
       check(link.at("verdict").get<std::string>().rfind("synthetic: ", 0) == 0,
             "synthetic verdicts say so");
