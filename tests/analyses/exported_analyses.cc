@@ -167,6 +167,7 @@ end
                 const Settings    &settings,
                 const std::string &text)
   {
+    std::filesystem::remove_all("refused");
     const Outcome o = outcome_of(program, scene, analysis, "refused", settings);
     check(o.code == 2, "exit code of a refusal: " + std::to_string(o.code));
     check(o.errors.find(text) != std::string::npos &&
