@@ -57,7 +57,7 @@ namespace squeal
         return BasisProducts::kept;
       case LinearSolver::out_of_core:
         return BasisProducts::computed_anew;
-      default:
+      case LinearSolver::automatic:
         break;
       }
     return_freed_memory();
