@@ -13,9 +13,8 @@ namespace squeal
   namespace
   {
     /** Stiffness that stands in for that of rigid motions while they are
-     * solved for; what it holds goes back into the load. Much lower, the motion
-     * that it allows drowns in its rounding what the contact gives way. */
-    constexpr double auxiliary_frequency = 30.; // Hz
+     * solved for; what it holds goes back into the load. */
+    constexpr double auxiliary_frequency = 3.; // Hz
 
     [[noreturn]] void
     throw_none(const bool without_friction, const double reached)
