@@ -12,9 +12,42 @@ namespace squeal
 {
   namespace
   {
-    /** Stiffness that stands in for that of rigid motions while they are
-     * solved for; what it holds goes back into the load. */
-    constexpr double auxiliary_frequency = 3.; // Hz
+    /** Stiffness of the contact over the auxiliary one of a motion that nothing
+     * else holds. Each round leaves the inverse of this number of what the
+     * latter holds; a much larger one drowns the contact in rounding. */
+    constexpr double contact_over_auxiliary = 1e3;
+
+    /** Auxiliary stiffness of the modes without one, over their mass, 1/s^2; 0
+     * of others. The contact resists a motion v along its normals with at least
+     * (v^T v)^2 / (v^T W v), W the flexibility of all that is held. */
+    Eigen::VectorXd
+    auxiliary_stiffness(const ReducedContactModel &model)
+    {
+      const auto            normals = Eigen::seqN(0, model.n_nodes(), 3);
+      const Eigen::MatrixXd Psi     = model.participation(normals, Eigen::all);
+      const Eigen::MatrixXd F       = model.flexibility(normals, normals);
+      Eigen::VectorXd       compliance(model.n_modes());
+      for (unsigned int k = 0; k < model.n_modes(); ++k)
+        compliance[k] =
+          model.omega_squared[k] == 0. ? 0. : 1. / model.omega_squared[k];
+      Eigen::VectorXd result = Eigen::VectorXd::Zero(model.n_modes());
+      for (unsigned int k = 0; k < model.n_modes(); ++k)
+        {
+          const auto   v = Psi.col(k);
+          const double gives_way =
+            v.dot(F * v) + (Psi.transpose() * v).cwiseAbs2().dot(compliance);
+          if (model.omega_squared[k] == 0. && gives_way > 0.)
+            result[k] = std::pow(v.squaredNorm(), 2) /
+                        (contact_over_auxiliary * gives_way);
+        }
+      // A rigid contact takes any stiffness, a motion along the faces a small
+      // one.
+      const double most = result.size() > 0 ? result.maxCoeff() : 0.;
+      for (unsigned int k = 0; k < model.n_modes(); ++k)
+        if (model.omega_squared[k] == 0.)
+          result[k] = most > 0. ? std::max(result[k], 1e-4 * most) : 1.;
+      return result;
+    }
 
     [[noreturn]] void
     throw_none(const bool without_friction, const double reached)
@@ -66,15 +99,9 @@ namespace squeal
     public:
       StaticContact(const ReducedContactModel &m, const double tolerance)
         : model(m)
-        , held(Eigen::VectorXd::Zero(m.n_modes()))
-        , compliance(m.n_modes())
+        , held(auxiliary_stiffness(m))
+        , compliance((m.omega_squared + held).cwiseInverse())
       {
-        for (unsigned int k = 0; k < model.n_modes(); ++k)
-          {
-            if (model.omega_squared[k] == 0.)
-              held[k] = std::pow(2. * M_PI * auxiliary_frequency, 2);
-            compliance[k] = 1. / (model.omega_squared[k] + held[k]);
-          }
         const Eigen::MatrixXd &Psi = model.participation;
         const Eigen::MatrixXd  W =
           Psi * compliance.asDiagonal() * Psi.transpose() + model.flexibility;

@@ -94,7 +94,7 @@ namespace
     check_same(other + "_preload/contact.csv",
                other + "_more_modes/contact.csv",
                {"pressure_pa", "traction_y_pa"},
-               1e-8);
+               2e-9);
 
     run(scene, "cea", own + "_cea");
     run(imported, "cea", other + "_cea");

@@ -70,8 +70,10 @@ namespace
       {
         ReducedTransient run(
           r.model, dt, drive_by(pair, speed), load / r.model.n_nodes());
+        // So large that what the tolerance of the steps leaves is small beside
+        // the slope's share of the rate.
         run.start(s.coordinates,
-                  Eigen::VectorXd::Constant(r.model.n_modes(), 1e-9),
+                  Eigen::VectorXd::Constant(r.model.n_modes(), 1e-8),
                   s.forces);
         std::vector<double>  times;
         std::vector<Complex> amplitudes;
