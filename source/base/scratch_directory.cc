@@ -17,12 +17,16 @@ namespace squeal
   {
     const std::string scratch_prefix =
       std::string(partial_file_prefix) + "scratch.";
+
+    /** What mkdtemp() puts its own characters in place of. */
+    const std::string unknown_characters(6, 'X');
   } // namespace
 
 
 
   ScratchDirectory::ScratchDirectory(const std::string &parent)
-    : directory((fs::path(parent) / (scratch_prefix + "XXXXXX")).string())
+    : directory(
+        (fs::path(parent) / (scratch_prefix + unknown_characters)).string())
   {
     if (!::mkdtemp(directory.data()))
       throw InputError("cannot create a folder in '" + parent +

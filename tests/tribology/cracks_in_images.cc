@@ -198,6 +198,7 @@ namespace
         length += n;
         megapixels += 1e-6 * double(grey.total());
       }
+    check(length < 30., "less than 30 px of false length in all of them");
     check(megapixels > 0. && length <= 10. * megapixels,
           "at most 10 px of false length a megapixel");
   }

@@ -37,6 +37,9 @@ namespace squeal
     /** Axes of a sweep: entries, ranges and that every value is allowed. */
     void check_sweep(const Parameters &parameters);
 
+    /** What needs the mesh of a model is refused for matrices. */
+    void check_imported(const Parameters &parameters);
+
     /** Preload and transient: one contact, a load, times in order. */
     void check_transient(const Parameters &parameters);
 

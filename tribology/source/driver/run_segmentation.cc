@@ -97,20 +97,14 @@ namespace squeal::tribology
         context.log.info(text.str());
         for (const std::string &line : areas_in_words(record))
           context.log.warning(line);
-        const Table found  = summary_table(record);
-        double      length = 0.;
-        for (const double l : found.reals("crack_length_m"))
-          length += l;
-        context.record.figures = {
-          {"images", std::to_string(record.images.size())},
-          {"cracks found", rounded_text(1e3 * length, 3) + " mm"}};
+        const std::string found = cracks_in_words(record);
+        context.record.figures  = {{"found", found}};
         HtmlReport report("Images" + (context.parameters.name.empty()
                                         ? ""
                                         : ": " + context.parameters.name),
                           "cracks, exfoliations and plateaus");
-        report.set_verdict(HtmlReport::Verdict::neutral,
-                           cracks_in_words(record),
-                           context.record.figures);
+        report.set_verdict(
+          HtmlReport::Verdict::neutral, found, context.record.figures);
         const bool writes = context.parameters.output.report;
         if (writes)
           fill_image_report(report, record, context);
