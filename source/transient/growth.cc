@@ -2,7 +2,9 @@
 #include <squeal/transient/growth.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace squeal
@@ -39,15 +41,17 @@ namespace squeal
     slope_with_interval(const std::vector<double> &x,
                         const std::vector<double> &y)
     {
-      double mean = 0., square = 0.;
+      std::array<double, n_parts> slopes;
       for (std::size_t k = 0; k < n_parts; ++k)
-        {
-          const double s =
-            slope(x, y, k * x.size() / n_parts, (k + 1) * x.size() / n_parts);
-          mean += s / n_parts;
-          square += s * s / n_parts;
-        }
-      const double variance = std::max(square - mean * mean, 0.);
+        slopes[k] =
+          slope(x, y, k * x.size() / n_parts, (k + 1) * x.size() / n_parts);
+      const double mean =
+        std::accumulate(slopes.begin(), slopes.end(), 0.) / n_parts;
+      // Not by the mean of squares: phases turn so fast that their scatter is
+      // below its rounding, and an interval could be zero.
+      double variance = 0.;
+      for (const double s : slopes)
+        variance += (s - mean) * (s - mean) / n_parts;
       return {slope(x, y, 0, x.size()),
               student * std::sqrt(variance / (n_parts - 1.))};
     }
