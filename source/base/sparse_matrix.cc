@@ -339,6 +339,27 @@ namespace squeal
 
 
   void
+  SparseMatrix::append_rows_to(Triplets                &triplets,
+                               const std::vector<bool> &wanted) const
+  {
+    const double sign = kind == Symmetry::symmetric ? 1. : -1.;
+    for (std::size_t i = 0; i + 1 < row_starts.size(); ++i)
+      {
+        const int row = static_cast<int>(row_space->global(i));
+        for (std::size_t k = row_starts[i]; k < row_starts[i + 1]; ++k)
+          {
+            const int column = static_cast<int>(row_space->global(columns[k]));
+            if (wanted[row])
+              triplets.add(row, column, values[k]);
+            if (wanted[column] && column != row)
+              triplets.add(column, row, sign * values[k]);
+          }
+      }
+  }
+
+
+
+  void
   SparseMatrix::add(const double factor, const SparseMatrix &other)
   {
     Assert(same_pattern(other), dealii::ExcInternalError());

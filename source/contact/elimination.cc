@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/sparse_matrix.h>
 #include <squeal/contact/elimination.h>
 
 #include <deal.II/base/exceptions.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 
@@ -112,15 +114,16 @@ namespace squeal
   Elimination::expanded(const Block           &v,
                         const Eigen::MatrixXd &of_dependent) const
   {
-    Block        u(full->n_owned(), v.cols());
-    Eigen::Index next = 0;
-    for (unsigned int i = 0; i < full->n_owned(); ++i)
+    Block     u(full->n_owned(), v.cols());
+    const int first = static_cast<int>(full->first_owned());
+    for (Eigen::Index c = 0; c < v.cols(); ++c)
       {
-        const int number = new_number[full->first_owned() + i];
-        if (number >= 0)
-          u.row(i) = v.row(next++);
-        else
-          u.row(i) = of_dependent.row(-1 - number);
+        const double *next = v.col(c).data();
+        for (Eigen::Index i = 0; i < u.rows(); ++i)
+          {
+            const int number = new_number[first + i];
+            u(i, c) = number >= 0 ? *next++ : of_dependent(-1 - number, c);
+          }
       }
     return u;
   }
@@ -140,11 +143,15 @@ namespace squeal
   Block
   Elimination::independent_rows(const Block &f) const
   {
-    Block        result(reduced->n_owned(), f.cols());
-    Eigen::Index next = 0;
-    for (unsigned int i = 0; i < full->n_owned(); ++i)
-      if (new_number[full->first_owned() + i] >= 0)
-        result.row(next++) = f.row(i);
+    Block     result(reduced->n_owned(), f.cols());
+    const int first = static_cast<int>(full->first_owned());
+    for (Eigen::Index c = 0; c < f.cols(); ++c)
+      {
+        double *next = result.col(c).data();
+        for (Eigen::Index i = 0; i < f.rows(); ++i)
+          if (new_number[first + i] >= 0)
+            *next++ = f(i, c);
+      }
     return result;
   }
 
@@ -234,36 +241,88 @@ namespace squeal
 
 
 
-  void
-  Elimination::friction_entries(const Triplets    &entries,
-                                const Functionals &left,
-                                const Functionals &normal,
-                                Triplets          &out) const
+  namespace
   {
-    const int n = reduced->n_global(), n_forces = normal.n_rows();
+    /** This rank's entries of the rows of @p matrix that @p wanted flags. */
+    Triplets
+    entries_of_rows(const LinearOperator    &matrix,
+                    const std::vector<bool> &wanted)
+    {
+      Triplets entries;
+      if (const auto *sparse = dynamic_cast<const SparseMatrix *>(&matrix))
+        sparse->append_rows_to(entries, wanted);
+      else
+        matrix.append_to(entries, 1., false);
+      return entries;
+    }
+
+    /** An entry of N A, to be sent to other ranks. */
+    struct ForceEntry
+    {
+      int    force, column;
+      double value;
+    };
+
+    /** Those of all ranks, in the order of the ranks. */
+    std::vector<ForceEntry>
+    gather(const std::vector<ForceEntry> &own, const RowSpace &space)
+    {
+      std::vector<int> sizes(space.n_ranks()), starts(space.n_ranks());
+      const int        size = static_cast<int>(own.size() * sizeof(ForceEntry));
+      MPI_Allgather(
+        &size, 1, MPI_INT, sizes.data(), 1, MPI_INT, space.communicator());
+      std::partial_sum(sizes.begin(), sizes.end() - 1, starts.begin() + 1);
+      std::vector<ForceEntry> all((starts.back() + sizes.back()) /
+                                  sizeof(ForceEntry));
+      MPI_Allgatherv(own.data(),
+                     size,
+                     MPI_BYTE,
+                     all.data(),
+                     sizes.data(),
+                     starts.data(),
+                     MPI_BYTE,
+                     space.communicator());
+      return all;
+    }
+  } // namespace
+
+
+
+  std::shared_ptr<const Functionals>
+  Elimination::forces_of(const Functionals    &normal,
+                         const LinearOperator &matrix,
+                         const bool            absolute) const
+  {
+    const auto sized = [&](const double a) {
+      return absolute ? std::abs(a) : a;
+    };
     std::unordered_map<unsigned int, Functionals::Row> force_of_row;
-    for (int k = 0; k < n_forces; ++k)
+    std::vector<bool>                                  wanted(full->n_global());
+    for (unsigned int k = 0; k < normal.n_rows(); ++k)
       for (const auto &[row, weight] : normal.rows()[k])
-        force_of_row[row].emplace_back(k, weight);
-    std::vector<Eigen::Triplet<double>> independent, on_dependent;
+        {
+          force_of_row[row].emplace_back(k, sized(weight));
+          wanted[row] = true;
+        }
+    const Triplets          entries = entries_of_rows(matrix, wanted);
+    std::vector<ForceEntry> own;
     for (std::size_t e = 0; e < entries.rows.size(); ++e)
-      if (const auto it = force_of_row.find(entries.rows[e]);
-          it != force_of_row.end())
-        for (const auto &[k, weight] : it->second)
-          {
-            const int    j     = new_number[entries.columns[e]];
-            const double value = weight * entries.values[e];
-            if (j >= 0)
-              independent.emplace_back(k, j, value);
-            else
-              on_dependent.emplace_back(k, -1 - j, value);
-          }
-    SmallSparse N_n(n_forces, n), N_s(n_forces, n_dependent());
-    N_n.setFromTriplets(independent.begin(), independent.end());
-    N_s.setFromTriplets(on_dependent.begin(), on_dependent.end());
-    const SmallSparse G  = N_n + SmallSparse(N_s * as_sparse(*combinations, n));
-    const SmallSparse Lt = as_sparse(left, n).transpose();
-    append(SmallSparse(Lt * G), false, out);
+      if (wanted[entries.rows[e]])
+        for (const auto &[k, weight] : force_of_row[entries.rows[e]])
+          own.push_back({static_cast<int>(k),
+                         entries.columns[e],
+                         weight * sized(entries.values[e])});
+    std::vector<std::map<unsigned int, double>> sums(normal.n_rows());
+    for (const ForceEntry &e : gather(own, *full))
+      if (const int j = new_number[e.column]; j >= 0)
+        sums[e.force][j] += e.value;
+      else
+        for (const auto &[c, w] : combinations->rows()[-1 - j])
+          sums[e.force][c] += e.value * sized(w);
+    std::vector<Functionals::Row> rows;
+    for (const auto &sum : sums)
+      rows.emplace_back(sum.begin(), sum.end());
+    return std::make_shared<Functionals>(reduced, std::move(rows));
   }
 
 
@@ -274,6 +333,18 @@ namespace squeal
     : matrix(std::move(m))
     , elimination(std::move(e))
   {
+  }
+
+  const LinearOperator &
+  EliminatedOperator::inner() const
+  {
+    return *matrix;
+  }
+
+  const VectorMap &
+  EliminatedOperator::map() const
+  {
+    return *elimination;
   }
 
   Block
@@ -316,16 +387,15 @@ namespace squeal
 
 
   MultiplierFriction::MultiplierFriction(
-    std::shared_ptr<const LinearOperator> m,
-    std::shared_ptr<const Elimination>    e,
-    std::shared_ptr<const Functionals>    tangential,
-    std::shared_ptr<const Functionals>    n)
-    : matrix(std::move(m))
-    , elimination(std::move(e))
-    , left(std::move(tangential))
-    , normal(std::move(n))
+    const LinearOperator              &matrix,
+    const Elimination                 &elimination,
+    std::shared_ptr<const Functionals> tangential,
+    const Functionals                 &normal)
+    : left(std::move(tangential))
+    , right(elimination.forces_of(normal, matrix, false))
+    , right_absolute(elimination.forces_of(normal, matrix, true))
   {
-    AssertDimension(left->n_rows(), normal->n_rows());
+    AssertDimension(left->n_rows(), right->n_rows());
   }
 
   const Functionals &
@@ -337,21 +407,19 @@ namespace squeal
   Eigen::MatrixXd
   MultiplierFriction::forces(const Block &X) const
   {
-    return normal->apply(matrix->multiply(elimination->expand(X)));
+    return right->apply(X);
   }
 
   Block
   MultiplierFriction::transposed_forces(const Eigen::MatrixXd &g) const
   {
-    return elimination->restrict_forces(
-      matrix->multiply_transposed(normal->apply_transposed(g)));
+    return right->apply_transposed(g);
   }
 
   Block
   MultiplierFriction::multiply_absolute(const Block &X) const
   {
-    return left->apply_transposed_absolute(normal->apply_absolute(
-      matrix->multiply_absolute(elimination->expand_absolute(X))));
+    return left->apply_transposed_absolute(right_absolute->apply_absolute(X));
   }
 
   bool
@@ -365,8 +433,13 @@ namespace squeal
                                 const double factor,
                                 const bool) const
   {
-    Triplets full;
-    matrix->append_to(full, factor, false);
-    elimination->friction_entries(full, *left, *normal, triplets);
+    // The rows are those of all ranks.
+    if (left->space().rank() != 0)
+      return;
+    const unsigned int n  = left->space().n_global();
+    const SmallSparse  Lt = as_sparse(*left, n).transpose();
+    append(SmallSparse(factor * SmallSparse(Lt * as_sparse(*right, n))),
+           false,
+           triplets);
   }
 } // namespace squeal

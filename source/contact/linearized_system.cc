@@ -197,14 +197,13 @@ namespace squeal
         {
           const auto tangential = elimination->reduce(
             Functionals(result.system.space, contact.tangential));
-          const auto normal = std::make_shared<const Functionals>(
-            result.system.space, contact.normal);
+          const Functionals  normal(result.system.space, contact.normal);
           const unsigned int number = contact.number;
           for (const auto &term : result.system.terms)
             reduced.terms.push_back(
               {"friction by " + term.name,
                std::make_shared<MultiplierFriction>(
-                 term.matrix, elimination, tangential, normal),
+                 *term.matrix, *elimination, tangential, normal),
                [number, ratio = contact.speed_ratio, c = term.coefficients](
                  const SceneParameters &s) {
                  const double mu =

@@ -161,7 +161,7 @@ namespace squeal
             Timers       &timers)
   {
     const auto &p = model.parameters().eigen;
-    if (!ModulusTables(model.parameters().scene).empty())
+    if (ModulusTables(model.parameters().scene).depend_on_frequency())
       return solve_over_frequency(model, modes, log, timers);
     CeaSolution solution;
     if (p.solver == EigenParameters::Solver::direct)

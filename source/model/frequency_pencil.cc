@@ -48,7 +48,7 @@ namespace squeal
     {
       const auto &p = scene.bodies[body_of_a], &q = scene.bodies[body_of_b];
       if (p.modulus_table_file != q.modulus_table_file ||
-          p.temperature != q.temperature ||
+          p.temperature != q.temperature || p.pressure != q.pressure ||
           a.matrix->is_symmetric() != b.matrix->is_symmetric())
         return false;
       for (const double factor : {1., .37, 2.3})
@@ -179,6 +179,7 @@ namespace squeal
        {"body", Type::text, "", "body with a modulus table"},
        {"frequency_hz", Type::real, "Hz", "frequency of the pair", 7},
        {"temperature_c", Type::real, "degrees Celsius", "of the table", 5},
+       {"pressure_pa", Type::real, "Pa", "of a table that has pressures", 6},
        {"storage_modulus_pa", Type::real, "Pa", "at that frequency", 6},
        {"loss_factor", Type::real, "", "at that frequency", 5}});
     const ModulusTables tables(scene);
@@ -187,12 +188,14 @@ namespace squeal
         const SceneParameters here = tables.at(scene, pairs.frequency(i));
         for (const BodyParameters &body : here.bodies)
           if (body.has_modulus_table())
-            table.add_row({i + 1,
-                           body.name,
-                           pairs.frequency(i),
-                           body.temperature,
-                           body.young_modulus,
-                           body.table_loss_factor});
+            table.add_row(
+              {i + 1,
+               body.name,
+               pairs.frequency(i),
+               body.temperature,
+               tables.depend_on_pressure(body) ? Cell(body.pressure) : Cell(),
+               body.young_modulus,
+               body.table_loss_factor});
       }
     return table;
   }

@@ -126,7 +126,7 @@ namespace squeal
       // With moduli that follow the frequency the second solution would need
       // them too: the estimate of the cells stands.
       return d && d->has_mesh() &&
-             ModulusTables(model.parameters().scene).empty() &&
+             !ModulusTables(model.parameters().scene).depend_on_frequency() &&
              pairs.lambda.real().maxCoeff() > 0.;
     }
   } // namespace

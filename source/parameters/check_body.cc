@@ -168,6 +168,12 @@ namespace squeal
                           const std::string    &section)
       {
         const std::string entry = "Modulus table file";
+        if (!body.has_modulus_table() && body.pressure != 0.)
+          refuse_entry(section,
+                       "Pressure",
+                       "= " + format_number(body.pressure) +
+                         " is that of a 'Modulus table file', and the body has "
+                         "none; loads stand in 'Scene/Load'");
         if (!body.has_modulus_table())
           return;
         if (body.shape == Shape::rigid)

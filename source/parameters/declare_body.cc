@@ -119,7 +119,8 @@ namespace squeal
                    b.modulus_table_file,
                    Allowed::file(),
                    "Table with the columns frequency_Hz, temperature_C, "
-                   "storage_modulus_Pa and loss_factor, relative to the "
+                   "storage_modulus_Pa, loss_factor and, if the modulus "
+                   "depends on it, pressure_Pa, relative to the "
                    "parameter file. Each pair gets the complex modulus at its "
                    "own frequency; 'Young modulus' and 'Structural damping' "
                    "are not used, and the loss factor counts whatever "
@@ -129,10 +130,18 @@ namespace squeal
                    Allowed::number(-273.15, 5000.),
                    "Temperature at which that table is read.",
                    "degrees Celsius");
+        schema.add("Pressure",
+                   b.pressure,
+                   Allowed::number(0.),
+                   "Pressure on the lining at which that table is read, if it "
+                   "has the column pressure_Pa; in an operating matrix with "
+                   "'Pressures' that of each condition.",
+                   "Pa");
         schema.add("Modulus extrapolation",
                    b.modulus_extrapolation,
-                   "What holds outside the frequencies and temperatures of "
-                   "that table: nothing, or the value at its nearest end.");
+                   "What holds outside the frequencies, temperatures and "
+                   "pressures of that table: nothing, or the value at its "
+                   "nearest end.");
       }
 
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace squeal
 {
@@ -24,10 +25,19 @@ namespace squeal
       frequency,
       temperature,
       storage,
-      loss
+      loss,
+      pressure /**< need not be there */
     };
-    const std::array<std::string, 4> column_names = {
-      {"frequency_Hz", "temperature_C", "storage_modulus_Pa", "loss_factor"}};
+    constexpr unsigned int                   n_columns    = 5;
+    const std::array<std::string, n_columns> column_names = {
+      {"frequency_Hz",
+       "temperature_C",
+       "storage_modulus_Pa",
+       "loss_factor",
+       "pressure_Pa"}};
+
+    /** Where each column stands in a line; -1: nowhere. */
+    using Positions = std::array<int, n_columns>;
 
     /** Six digits without zeros behind them. */
     std::string
@@ -52,8 +62,7 @@ namespace squeal
       return false;
     }
 
-    /** Where each column stands in a line. */
-    std::array<std::size_t, 4>
+    Positions
     read_header(TextFile &file)
     {
       if (!next_line(file))
@@ -64,33 +73,42 @@ namespace squeal
             column_names.end())
           file.fail("column " + prm::in_quotes(name) +
                     " is not known; the columns are frequency_Hz, "
-                    "temperature_C, storage_modulus_Pa, loss_factor");
-      std::array<std::size_t, 4> position;
-      for (unsigned int c = 0; c < 4; ++c)
+                    "temperature_C, storage_modulus_Pa, loss_factor and, if "
+                    "the modulus depends on it, pressure_Pa");
+      Positions position;
+      for (unsigned int c = 0; c < n_columns; ++c)
         {
           const auto n =
             std::count(names.begin(), names.end(), column_names[c]);
-          if (n != 1)
-            file.fail(
-              "column " + prm::in_quotes(column_names[c]) +
-              (n == 0 ? " is missing in the header line" : " is there twice"));
-          position[c] = std::find(names.begin(), names.end(), column_names[c]) -
-                        names.begin();
+          if (n > 1)
+            file.fail("column " + prm::in_quotes(column_names[c]) +
+                      " is there twice");
+          if (n == 0 && c != pressure)
+            file.fail("column " + prm::in_quotes(column_names[c]) +
+                      " is missing in the header line");
+          position[c] =
+            n == 0 ? -1
+                   : static_cast<int>(
+                       std::find(names.begin(), names.end(), column_names[c]) -
+                       names.begin());
         }
       return position;
     }
 
-    std::array<double, 4>
-    read_row(const TextFile &file, const std::array<std::size_t, 4> &position)
+    std::array<double, n_columns>
+    read_row(const TextFile &file, const Positions &position)
     {
-      const auto values = prm::split(std::string(file.line()), ',');
-      if (values.size() != 4)
+      const auto        values = prm::split(std::string(file.line()), ',');
+      const std::size_t n      = n_columns - (position[pressure] < 0 ? 1 : 0);
+      if (values.size() != n)
         file.fail("this line has " + std::to_string(values.size()) +
-                  " values, the header 4");
-      std::array<double, 4> row;
-      for (unsigned int c = 0; c < 4; ++c)
-        row[c] = import::real_field(
-          file, values[position[c]], column_names[c].c_str());
+                  " values, the header " + std::to_string(n));
+      std::array<double, n_columns> row;
+      for (unsigned int c = 0; c < n_columns; ++c)
+        row[c] = position[c] < 0 ? 0.
+                                 : import::real_field(file,
+                                                      values[position[c]],
+                                                      column_names[c].c_str());
       if (!(row[frequency] > 0.))
         file.fail("frequency_Hz must be greater than 0");
       if (!(row[storage] > 0.))
@@ -99,6 +117,8 @@ namespace squeal
         file.fail("loss_factor must be from 0 to 10");
       if (!(row[temperature] >= -273.15))
         file.fail("temperature_C must be at least -273.15");
+      if (!(row[pressure] >= 0.))
+        file.fail("pressure_Pa must be at least 0");
       return row;
     }
 
@@ -178,24 +198,77 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** The two of ascending @p items about @p x and the weight of the second,
+     * at the ends the nearest with weight 0. */
+    template <typename Item>
+    std::tuple<const Item *, const Item *, double>
+    about(const std::vector<Item> &items,
+          const double             x,
+          double Item::*const key)
+    {
+      if (x <= items.front().*key)
+        return {&items.front(), &items.front(), 0.};
+      if (x >= items.back().*key)
+        return {&items.back(), &items.back(), 0.};
+      const auto second = std::upper_bound(
+        items.begin(), items.end(), x, [&](const double a, const Item &item) {
+          return a < item.*key;
+        });
+      const auto first = second - 1;
+      return {&*first,
+              &*second,
+              (x - (*first).*key) / ((*second).*key - (*first).*key)};
+    }
+
+    std::array<double, 2>
+    between(const std::array<double, 2> &a,
+            const std::array<double, 2> &b,
+            const double                 weight)
+    {
+      return {{a[0] + weight * (b[0] - a[0]), a[1] + weight * (b[1] - a[1])}};
+    }
+  } // namespace
+
+
+
+  std::array<double, 2>
+  ModulusTable::Sheet::at(const double log_f, const double t) const
+  {
+    const auto [first, second, weight] = about(curves, t, &Curve::temperature);
+    return weight > 0. ? between(first->at(log_f), second->at(log_f), weight)
+                       : first->at(log_f);
+  }
+
+
+
   ModulusTable::ModulusTable(const std::string &file)
     : file_name(file)
   {
     read(file);
-    for (Curve &curve : curves)
-      {
-        curve.slope_e      = monotone_slopes(curve.log_f, curve.log_e);
-        curve.slope_eta    = monotone_slopes(curve.log_f, curve.eta);
-        const double steep = steepest(curve.log_f, curve.log_e, curve.slope_e);
-        if (!(steep < steepest_modulus))
-          throw InputError(
-            "modulus table '" + file_name + "': at " +
-            shown(curve.temperature) +
-            " degrees Celsius the storage modulus rises like the power " +
-            shown(steep) +
-            " of the frequency; below the power 1.9 each mode has one "
-            "frequency, so no table may be steeper");
-      }
+    require_moderate_slopes();
+  }
+
+  void
+  ModulusTable::require_moderate_slopes()
+  {
+    for (Sheet &sheet : sheets)
+      for (Curve &curve : sheet.curves)
+        {
+          curve.slope_e   = monotone_slopes(curve.log_f, curve.log_e);
+          curve.slope_eta = monotone_slopes(curve.log_f, curve.eta);
+          const double steep =
+            steepest(curve.log_f, curve.log_e, curve.slope_e);
+          if (!(steep < steepest_modulus))
+            throw InputError(
+              "modulus table '" + file_name + "': at " +
+              shown(curve.temperature) +
+              " degrees Celsius the storage modulus rises like the power " +
+              shown(steep) +
+              " of the frequency; below the power 1.9 each mode has one "
+              "frequency, so no table may be steeper");
+        }
   }
 
   void
@@ -203,99 +276,134 @@ namespace squeal
   {
     TextFile   file(name);
     const auto position = read_header(file);
-    // temperature, then frequency
-    std::map<double, std::map<double, ComplexModulus>> rows;
+    has_pressures       = position[pressure] >= 0;
+    const auto place    = [&](const double p, const double t) {
+      return (has_pressures ? shown(p) + " Pa and " : "") + shown(t) +
+             " degrees Celsius";
+    };
+    // pressure, temperature, frequency
+    std::map<double, std::map<double, std::map<double, ComplexModulus>>> rows;
     while (next_line(file))
       {
         const auto row = read_row(file, position);
-        if (!rows[row[temperature]]
+        if (!rows[row[pressure]][row[temperature]]
                .emplace(row[frequency], ComplexModulus{row[storage], row[loss]})
                .second)
           file.fail("there is a row for " + shown(row[frequency]) + " Hz and " +
-                    shown(row[temperature]) + " degrees Celsius already");
+                    place(row[pressure], row[temperature]) + " already");
       }
     if (rows.empty())
       file.fail("the table has no rows");
     file.check_last_line_is_complete();
-    for (const auto &[t, values] : rows)
+    for (const auto &[p, temperatures] : rows)
       {
-        if (values.size() < 2)
-          file.fail("at " + shown(t) +
-                    " degrees Celsius there is one frequency, but at least "
-                    "two are needed");
-        Curve curve;
-        curve.temperature = t;
-        for (const auto &[f, modulus] : values)
+        sheets.push_back({p, {}});
+        for (const auto &[t, values] : temperatures)
           {
-            curve.log_f.push_back(std::log(f));
-            curve.log_e.push_back(std::log(modulus.storage));
-            curve.eta.push_back(modulus.loss_factor);
+            if (values.size() < 2)
+              file.fail("at " + place(p, t) +
+                        " there is one frequency, but at least two are needed");
+            Curve curve;
+            curve.temperature = t;
+            for (const auto &[f, modulus] : values)
+              {
+                curve.log_f.push_back(std::log(f));
+                curve.log_e.push_back(std::log(modulus.storage));
+                curve.eta.push_back(modulus.loss_factor);
+              }
+            sheets.back().curves.push_back(std::move(curve));
           }
-        curves.push_back(std::move(curve));
       }
   }
 
 
 
-  ModulusTable::Between
-  ModulusTable::curves_about(const double t) const
+  namespace
   {
-    if (t <= curves.front().temperature)
-      return {&curves.front(), &curves.front(), 0.};
-    if (t >= curves.back().temperature)
-      return {&curves.back(), &curves.back(), 0.};
-    const auto second = std::upper_bound(
-      curves.begin(), curves.end(), t, [](const double a, const Curve &c) {
-        return a < c.temperature;
-      });
-    const auto first = second - 1;
-    return {&*first,
-            &*second,
-            (t - first->temperature) /
-              (second->temperature - first->temperature)};
-  }
+    [[noreturn]] void
+    refuse_table(const std::string &file, const std::string &text)
+    {
+      throw InputError("modulus table '" + file + "' " + text +
+                       ": extend it, or set 'Modulus extrapolation = "
+                       "constant' for its values at the nearest end");
+    }
+  } // namespace
 
-  std::pair<double, double>
-  ModulusTable::frequencies_at(const double t) const
+
+
+  void
+  ModulusTable::require_inside(const Sheet &sheet,
+                               const double f,
+                               const double t) const
   {
-    const Between b     = curves_about(t);
-    const Curve  &other = b.weight > 0. ? *b.second : *b.first;
-    return {std::exp(std::max(b.first->log_f.front(), other.log_f.front())),
-            std::exp(std::min(b.first->log_f.back(), other.log_f.back()))};
+    const std::string here =
+      has_pressures ? " at " + shown(sheet.pressure) + " Pa" : "";
+    const auto &curves = sheet.curves;
+    if (t < curves.front().temperature || t > curves.back().temperature)
+      refuse_table(file_name,
+                   "goes from " + shown(curves.front().temperature) + " to " +
+                     shown(curves.back().temperature) + " degrees Celsius" +
+                     here + ", the body has " + shown(t));
+    const auto [first, second, weight] = about(curves, t, &Curve::temperature);
+    const Curve &other                 = weight > 0. ? *second : *first;
+    const double lowest                = std::exp(
+                   std::max(first->log_f.front(), other.log_f.front())),
+                 highest =
+                   std::exp(std::min(first->log_f.back(), other.log_f.back()));
+    if (!(f >= lowest * (1. - 1e-12) && f <= highest * (1. + 1e-12)))
+      refuse_table(file_name,
+                   "goes from " + shown(lowest) + " to " + shown(highest) +
+                     " Hz at " + shown(t) + " degrees Celsius" + here +
+                     ", but " + shown(f) + " Hz are asked for");
   }
 
   ComplexModulus
   ModulusTable::at(const double        f,
                    const double        t,
+                   const double        p,
                    const Extrapolation extrapolation) const
   {
+    const auto [first, second, weight] = about(sheets, p, &Sheet::pressure);
     if (extrapolation == Extrapolation::refused)
       {
-        const auto refuse = [&](const std::string &text) {
-          throw InputError("modulus table '" + file_name + "' " + text +
-                           ": extend it, or set 'Modulus extrapolation = "
-                           "constant' for its values at the nearest end");
-        };
-        if (t < curves.front().temperature || t > curves.back().temperature)
-          refuse("goes from " + shown(curves.front().temperature) + " to " +
-                 shown(curves.back().temperature) +
-                 " degrees Celsius, the body has " + shown(t));
-        const auto [lowest, highest] = frequencies_at(t);
-        if (!(f >= lowest * (1. - 1e-12) && f <= highest * (1. + 1e-12)))
-          refuse("goes from " + shown(lowest) + " to " + shown(highest) +
-                 " Hz at " + shown(t) + " degrees Celsius, but " + shown(f) +
-                 " Hz are asked for");
+        if (has_pressures &&
+            (p < sheets.front().pressure || p > sheets.back().pressure))
+          refuse_table(file_name,
+                       "goes from " + shown(sheets.front().pressure) + " to " +
+                         shown(sheets.back().pressure) + " Pa, the body has " +
+                         shown(p));
+        require_inside(*first, f, t);
+        if (weight > 0.)
+          require_inside(*second, f, t);
       }
-    const Between b     = curves_about(t);
-    const double  log_f = std::log(std::max(f, 1e-300));
-    auto [log_e, eta]   = b.first->at(log_f);
-    if (b.weight > 0.)
-      {
-        const auto second = b.second->at(log_f);
-        log_e += b.weight * (second[0] - log_e);
-        eta += b.weight * (second[1] - eta);
-      }
+    const double log_f = std::log(std::max(f, 1e-300));
+    const auto [log_e, eta] =
+      weight > 0. ? between(first->at(log_f, t), second->at(log_f, t), weight)
+                  : first->at(log_f, t);
     return {std::exp(log_e), eta};
+  }
+
+  bool
+  ModulusTable::depends_on_pressure() const
+  {
+    return has_pressures;
+  }
+
+
+
+  bool
+  ModulusTable::depends_on_frequency() const
+  {
+    const auto varies = [](const std::vector<double> &values) {
+      return std::any_of(values.begin(), values.end(), [&](const double x) {
+        return x != values.front();
+      });
+    };
+    for (const Sheet &sheet : sheets)
+      for (const Curve &curve : sheet.curves)
+        if (varies(curve.log_e) || varies(curve.eta))
+          return true;
+    return false;
   }
 
 
@@ -304,16 +412,29 @@ namespace squeal
     : of_body(scene.bodies.size())
   {
     for (std::size_t b = 0; b < of_body.size(); ++b)
-      {
-        const std::string &file = scene.bodies[b].modulus_table_file;
-        if (file.empty())
-          continue;
-        for (std::size_t a = 0; a < b; ++a)
-          if (scene.bodies[a].modulus_table_file == file)
-            of_body[b] = of_body[a];
-        if (!of_body[b])
-          of_body[b] = std::make_shared<const ModulusTable>(file);
-      }
+      if (const std::string &file = scene.bodies[b].modulus_table_file;
+          !file.empty())
+        {
+          auto &table = of_file[file];
+          if (!table)
+            table = std::make_shared<const ModulusTable>(file);
+          of_body[b] = table;
+        }
+  }
+
+  bool
+  ModulusTables::depend_on_frequency() const
+  {
+    return std::any_of(of_file.begin(), of_file.end(), [](const auto &table) {
+      return table.second->depends_on_frequency();
+    });
+  }
+
+  bool
+  ModulusTables::depend_on_pressure(const BodyParameters &body) const
+  {
+    const auto table = of_file.find(body.modulus_table_file);
+    return table != of_file.end() && table->second->depends_on_pressure();
   }
 
   bool
@@ -332,8 +453,8 @@ namespace squeal
       if (of_body[b])
         {
           auto                &body = result.bodies[b];
-          const ComplexModulus m =
-            of_body[b]->at(f, body.temperature, Extrapolation::constant);
+          const ComplexModulus m    = of_body[b]->at(
+            f, body.temperature, body.pressure, Extrapolation::constant);
           body.young_modulus     = m.storage;
           body.table_loss_factor = m.loss_factor;
         }
@@ -351,7 +472,13 @@ namespace squeal
           try
             {
               const auto &body = scene.bodies[b];
-              of_body[b]->at(f, body.temperature, body.modulus_extrapolation);
+              if (body.pressure != 0. && !of_body[b]->depends_on_pressure())
+                throw InputError("'Pressure' = " + shown(body.pressure) +
+                                 ", but the modulus table '" +
+                                 body.modulus_table_file +
+                                 "' has no column pressure_Pa");
+              of_body[b]->at(
+                f, body.temperature, body.pressure, body.modulus_extrapolation);
             }
           catch (const InputError &error)
             {

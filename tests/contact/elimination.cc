@@ -6,6 +6,7 @@
 #include "worst.h"
 
 #include <squeal/base/sparse_matrix.h>
+#include <squeal/base/sum_operator.h>
 #include <squeal/contact/elimination.h>
 
 #include <deal.II/base/exceptions.h>
@@ -140,11 +141,10 @@ namespace
     std::vector<Functionals::Row> out;
     for (std::size_t k = 0; k < c.dependent.rows.size(); ++k)
       out.push_back({{c.dependent.rows[k], .8}, {unsigned((k + 5) % n), -.6}});
-    const auto normal =
-      std::make_shared<const Functionals>(c.space, std::move(out));
+    const Functionals        normal(c.space, std::move(out));
     const MultiplierFriction friction(
-      matrix, c.elimination, c.elimination->reduce(*tangential), normal);
-    const Eigen::MatrixXd G = as_dense(*normal, n) * A * c.P;
+      *matrix, *c.elimination, c.elimination->reduce(*tangential), normal);
+    const Eigen::MatrixXd G = as_dense(normal, n) * A * c.P;
     check_equal(
       friction.multiply(X), L.transpose() * G * X, text + ": friction");
     check_equal(friction.multiply_transposed(X),
@@ -155,6 +155,21 @@ namespace
     check_equal(
       dense(t, m), .5 * L.transpose() * G, text + ": entries of friction");
     check(!friction.is_symmetric(), text + ": friction is not symmetric");
+    check_equal(friction.multiply_absolute(X),
+                L.cwiseAbs().transpose() * as_dense(normal, n).cwiseAbs() *
+                  A.cwiseAbs() * c.P.cwiseAbs() * X.cwiseAbs(),
+                text + ": rounding size of friction");
+
+    // A sum applies the map once for all that have it.
+    const SumOperator sum(
+      {{2., std::make_shared<EliminatedOperator>(matrix, c.elimination)},
+       {-.5,
+        std::make_shared<EliminatedOperator>(
+          std::make_shared<SparseMatrix>(c.space, lower_entries(A * A)),
+          c.elimination)}});
+    check_equal(sum.multiply(X),
+                c.P.transpose() * (2. * A - .5 * A * A) * c.P * X,
+                text + ": sum of eliminated operators");
   }
 
   void

@@ -74,6 +74,7 @@ namespace squeal
       SQUEAL_DESCRIBE(body, element_layers);
       SQUEAL_DESCRIBE(body, modulus_table_file);
       SQUEAL_DESCRIBE(body, temperature);
+      SQUEAL_DESCRIBE(body, pressure);
       SQUEAL_DESCRIBE(body, modulus_extrapolation);
       SQUEAL_DESCRIBE(body, material_from_mesh_file);
       SQUEAL_DESCRIBE(body, material_model);

@@ -38,15 +38,17 @@ namespace
   values()
   {
     const ModulusTable t = table(good);
-    check_close(t.at(1000., 20., E::refused).storage, 4e6, 1e-14, "an entry");
     check_close(
-      t.at(1000., 20., E::refused).loss_factor, .8, 1e-14, "its loss");
-    check_close(t.at(1e4, 60., E::refused).storage, 2e6, 1e-14, "the last one");
-    check_close(t.at(100., 30., E::refused).storage,
+      t.at(1000., 20., 0., E::refused).storage, 4e6, 1e-14, "an entry");
+    check_close(
+      t.at(1000., 20., 0., E::refused).loss_factor, .8, 1e-14, "its loss");
+    check_close(
+      t.at(1e4, 60., 0., E::refused).storage, 2e6, 1e-14, "the last one");
+    check_close(t.at(100., 30., 0., E::refused).storage,
                 1e6 * std::pow(.5, .25),
                 1e-13,
                 "between temperatures, log E is linear");
-    check_close(t.at(1000., 60., E::refused).storage,
+    check_close(t.at(1000., 60., 0., E::refused).storage,
                 1e6,
                 1e-13,
                 "of two entries log E is linear over log f");
@@ -54,7 +56,7 @@ namespace
     bool   rises = true, is_smooth = true;
     for (double f = 100.; f < 1e4; f *= 1.001)
       {
-        const double e = std::log(t.at(f, 20., E::refused).storage);
+        const double e = std::log(t.at(f, 20., 0., E::refused).storage);
         if (before > 0.)
           {
             rises = rises && e > before;
@@ -69,17 +71,69 @@ namespace
     check(rises, "the storage modulus rises where its entries do");
     check(is_smooth, "without corners");
     for (double f = 1000.; f < 3000.; f *= 1.1)
-      check_close(t.at(f, 20., E::refused).loss_factor,
+      check_close(t.at(f, 20., 0., E::refused).loss_factor,
                   .8,
                   1e-13,
                   "a loss factor that is constant between equal entries");
-    check_close(t.at(1., 20., E::constant).storage, 1e6, 1e-14, "below");
-    check_close(t.at(1e6, 90., E::constant).storage, 2e6, 1e-14, "beyond both");
+    check_close(t.at(1., 20., 0., E::constant).storage, 1e6, 1e-14, "below");
+    check_close(
+      t.at(1e6, 90., 0., E::constant).storage, 2e6, 1e-14, "beyond both");
     const ModulusTable c = table(header + "1, 20, 3.3e7, 0.4\n"
                                           "10, 20, 3.3e7, 0.4\n"
                                           "1e5, 20, 3.3e7, 0.4\n");
     for (const double f : {2., 77., 5432.1})
-      check_close(c.at(f, 20., E::refused).storage, 3.3e7, 2e-14, "constant");
+      check_close(
+        c.at(f, 20., 0., E::refused).storage, 3.3e7, 2e-14, "constant");
+  }
+
+  void
+  pressures()
+  {
+    const std::string with_pressure =
+      "pressure_Pa, frequency_Hz, temperature_C, storage_modulus_Pa, "
+      "loss_factor\n";
+    // A lining that its pressure stiffens, more so when it is cold.
+    const ModulusTable t = table(with_pressure + "1e6, 100, 20, 2e9, 0.1\n"
+                                                 "1e6, 10000, 20, 2e9, 0.1\n"
+                                                 "3e6, 100, 20, 8e9, 0.3\n"
+                                                 "3e6, 10000, 20, 8e9, 0.3\n"
+                                                 "1e6, 100, 100, 1e9, 0.2\n"
+                                                 "1e6, 10000, 100, 1e9, 0.2\n"
+                                                 "3e6, 1000, 100, 1e9, 0.2\n"
+                                                 "3e6, 10000, 100, 1e9, 0.2\n");
+    check(t.depends_on_pressure(), "a table with pressures");
+    check(!table(good).depends_on_pressure(), "one without");
+    check_close(
+      t.at(2e3, 20., 3e6, E::refused).storage, 8e9, 1e-14, "an entry");
+    check_close(t.at(2e3, 20., 1.5e6, E::refused).storage,
+                2e9 * std::pow(4., .25),
+                1e-13,
+                "between pressures log E is linear");
+    check_close(t.at(2e3, 20., 1.5e6, E::refused).loss_factor,
+                .15,
+                1e-13,
+                "and the loss factor");
+    check_close(t.at(2e3, 60., 2e6, E::refused).storage,
+                std::sqrt(std::sqrt(2e9 * 1e9) * std::sqrt(8e9 * 1e9)),
+                1e-13,
+                "between temperatures at either pressure");
+    check_close(
+      t.at(2e3, 20., 9e6, E::constant).storage, 8e9, 1e-14, "beyond the last");
+    check_refused([&]() { t.at(2e3, 20., 9e6, E::refused); },
+                  {"from 1e6 to 3e6 Pa", "9e6"},
+                  "a pressure beyond the table");
+    check_refused([&]() { t.at(500., 60., 2e6, E::refused); },
+                  {"1000", "at 3e6 Pa", "500 Hz"},
+                  "a frequency that one of two pressures has not");
+    check_refused(
+      [&]() {
+        table(with_pressure + "-1, 100, 20, 2e9, 0.1\n1, 200, 20, 2e9, 0.1\n");
+      },
+      {"table.csv:2", "at least 0"},
+      "a pressure below 0");
+    check_refused([&]() { table(with_pressure + "1, 100, 20, 2e9\n"); },
+                  {"table.csv:2", "4 values, the header 5"},
+                  "a line without its pressure");
   }
 
   void
@@ -110,10 +164,10 @@ namespace
     refuses(header + "1, 20, 3e6, 0.1\n2, 20, 3e6, 0.",
             {"table.csv", "truncated"});
     const ModulusTable t = table(good);
-    check_refused([&]() { t.at(99., 20., E::refused); },
+    check_refused([&]() { t.at(99., 20., 0., E::refused); },
                   {"from 100 to 10000 Hz", "99 Hz"},
                   "a frequency below the table");
-    check_refused([&]() { t.at(1000., 61., E::refused); },
+    check_refused([&]() { t.at(1000., 61., 0., E::refused); },
                   {"from 20 to 60 degrees", "61"},
                   "a temperature above it");
   }
@@ -142,7 +196,7 @@ namespace
     };
     const Parameters     p = read({});
     const ComplexModulus there =
-      ModulusTable("table.csv").at(1600., 20., E::refused);
+      ModulusTable("table.csv").at(1600., 20., 0., E::refused);
     check(p.scene.bodies[1].young_modulus == there.storage &&
             p.scene.bodies[1].table_loss_factor == there.loss_factor,
           "bodies have the modulus in the middle of the band");
@@ -179,6 +233,7 @@ int
 main()
 {
   values();
+  pressures();
   refusals();
   scenes();
 }

@@ -51,6 +51,11 @@ namespace squeal
                    const double factor,
                    const bool   lower_only) const override;
 
+    /** Appends this rank's entries of the rows that @p wanted, a flag for each
+     * global row, has, without the others. */
+    void append_rows_to(Triplets                &triplets,
+                        const std::vector<bool> &wanted) const;
+
     /** this += factor * other; the two share one pattern. */
     void add(const double factor, const SparseMatrix &other);
 

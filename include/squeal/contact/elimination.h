@@ -2,6 +2,7 @@
 #ifndef squeal_contact_elimination_h
 #define squeal_contact_elimination_h
 
+#include <squeal/base/congruent_operator.h>
 #include <squeal/base/low_rank_matrix.h>
 #include <squeal/discretization/affine_system.h>
 
@@ -28,7 +29,7 @@ namespace squeal
    * The map u = P v from the independent unknowns v to all unknowns u. The
    * dependent rows are known in full on every rank (contact is small).
    */
-  class Elimination
+  class Elimination : public VectorMap
   {
   public:
     Elimination(std::shared_ptr<const RowSpace> full,
@@ -39,9 +40,9 @@ namespace squeal
     unsigned int                    n_dependent() const;
 
     /** u = P v. */
-    Block expand(const Block &v) const;
+    Block expand(const Block &v) const override;
     /** P^T f. */
-    Block restrict_forces(const Block &f) const;
+    Block restrict_forces(const Block &f) const override;
     /** |P| |v| and |P|^T |f|, entry by entry: bounds of rounding. */
     Block expand_absolute(const Block &v) const;
     Block restrict_absolute(const Block &f) const;
@@ -56,12 +57,12 @@ namespace squeal
                         const bool      lower_only,
                         Triplets       &reduced) const;
 
-    /** L^T N A P for functionals L of the independent unknowns and as many N
-     * of all unknowns, entries. */
-    void friction_entries(const Triplets    &full,
-                          const Functionals &left,
-                          const Functionals &normal,
-                          Triplets          &reduced) const;
+    /** N A P with functionals N of all unknowns, as functionals of the
+     * independent ones: the rows of A that N takes, summed over the ranks. With
+     * @p absolute |N| |A| |P|. */
+    std::shared_ptr<const Functionals> forces_of(const Functionals    &normal,
+                                                 const LinearOperator &matrix,
+                                                 const bool absolute) const;
 
   private:
     /** The dependent rows of f, the same on every rank. */
@@ -77,18 +78,20 @@ namespace squeal
   };
 
   /** P^T A P. */
-  class EliminatedOperator : public LinearOperator
+  class EliminatedOperator : public CongruentOperator
   {
   public:
     EliminatedOperator(std::shared_ptr<const LinearOperator> matrix,
                        std::shared_ptr<const Elimination>    elimination);
-    Block multiply(const Block &X) const override;
-    Block multiply_transposed(const Block &X) const override;
-    Block multiply_absolute(const Block &X) const override;
-    bool  is_symmetric() const override;
-    void  append_to(Triplets    &triplets,
-                    const double factor,
-                    const bool   lower_only) const override;
+    const LinearOperator &inner() const override;
+    const VectorMap      &map() const override;
+    Block                 multiply(const Block &X) const override;
+    Block                 multiply_transposed(const Block &X) const override;
+    Block                 multiply_absolute(const Block &X) const override;
+    bool                  is_symmetric() const override;
+    void                  append_to(Triplets    &triplets,
+                                    const double factor,
+                                    const bool   lower_only) const override;
 
   private:
     std::shared_ptr<const LinearOperator> matrix;
@@ -99,7 +102,9 @@ namespace squeal
    * What part A of the pencil adds to the friction of an eliminated contact:
    * B_t^T lambda_n with the recovered multipliers. The forces A P v on a source
    * node are n lambda_n + t mu lambda_n, and t is across n: lambda_n = N A P v,
-   * where N takes the component along n of the three rows of each node.
+   * where N takes the component along n of the three rows of each node. The few
+   * rows of N A P are computed once: products with the whole of A would take as
+   * long as those of the pencil itself.
    */
   class MultiplierFriction : public LowRankOperator
   {
@@ -107,10 +112,10 @@ namespace squeal
     /** @p tangential: B_t of the nodes that slip as functionals of the
      * independent unknowns, one object for all parts (which are then one
      * low-rank change). @p normal: N, in full numbering. */
-    MultiplierFriction(std::shared_ptr<const LinearOperator> matrix,
-                       std::shared_ptr<const Elimination>    elimination,
-                       std::shared_ptr<const Functionals>    tangential,
-                       std::shared_ptr<const Functionals>    normal);
+    MultiplierFriction(const LinearOperator              &matrix,
+                       const Elimination                 &elimination,
+                       std::shared_ptr<const Functionals> tangential,
+                       const Functionals                 &normal);
     const Functionals &left_rows() const override;
     Eigen::MatrixXd    forces(const Block &X) const override;
     Block transposed_forces(const Eigen::MatrixXd &g) const override;
@@ -121,9 +126,7 @@ namespace squeal
                     const bool   lower_only) const override;
 
   private:
-    std::shared_ptr<const LinearOperator> matrix;
-    std::shared_ptr<const Elimination>    elimination;
-    std::shared_ptr<const Functionals>    left, normal;
+    std::shared_ptr<const Functionals> left, right, right_absolute;
   };
 } // namespace squeal
 

@@ -84,11 +84,13 @@ namespace squeal
     /** Directions, of any length, of the axis 1 of an orthotropic material and
      * of one that lies with it in the plane of the axes 1 and 2. */
     Vector3 material_axis_1{{1., 0., 0.}}, material_axis_2{{0., 1., 0.}};
-    /** Storage modulus and loss factor over frequency and temperature, which
-     * take the place of `young_modulus` and `structural_damping`; empty: none.
+    /** Storage modulus and loss factor over frequency, temperature and
+     * pressure, which take the place of `young_modulus` and
+     * `structural_damping`; empty: none.
      */
     std::string modulus_table_file;
     double      temperature = 20.; /**< of the table, degrees Celsius */
+    double      pressure    = 0.;  /**< of the table, Pa */
     ModulusExtrapolation modulus_extrapolation = ModulusExtrapolation::refused;
     /** Loss factor of that table at the frequency at which `young_modulus` is
      * its storage modulus; no entry of a file. NaN: nobody has read the table.

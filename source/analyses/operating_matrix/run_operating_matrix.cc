@@ -64,17 +64,20 @@ namespace squeal
       return p;
     }
 
-    /** The scene with all tables at a temperature and their moduli of the
-     * reference frequency. */
+    /** The scene with all tables at the temperature and the pressure of a
+     * condition and their moduli of the reference frequency. */
     SceneParameters
-    at_temperature(const Parameters            &p,
-                   const std::optional<double> &temperature)
+    with_moduli(const Parameters &p, const Condition &c)
     {
-      SceneParameters scene = p.scene;
-      for (auto &body : scene.bodies)
-        if (temperature && body.has_modulus_table())
-          body.temperature = *temperature;
+      SceneParameters     scene = p.scene;
       const ModulusTables tables(scene);
+      for (auto &body : scene.bodies)
+        {
+          if (c.temperature && body.has_modulus_table())
+            body.temperature = *c.temperature;
+          if (c.pressure && tables.depend_on_pressure(body))
+            body.pressure = *c.pressure;
+        }
       tables.require_band(
         scene, p.eigen.lowest_frequency, p.eigen.highest_frequency);
       return tables.at(scene, reference_frequency(p.eigen));
@@ -192,7 +195,7 @@ namespace squeal
                             std::to_string(all_conditions.size()));
         Parameters here = at_condition(p, c);
         // The contact of steady sliding depends on the moduli, too.
-        here.scene = at_temperature(here, c.temperature);
+        here.scene = with_moduli(here, c);
         Model        model(here, context.timers);
         ModeSolution modes    = solve_modes(model, context.log, context.timers);
         context.record.n_dofs = model.n_unknowns();
