@@ -44,6 +44,17 @@ namespace
               "\n  set Pressure = " + pressure + "\n end\n";
     return text + "end\n";
   }
+
+  std::size_t
+  loudest_of(const Table &pairs)
+  {
+    std::size_t loudest = 0;
+    for (std::size_t i = 0; i < pairs.n_rows(); ++i)
+      if (pairs.real(i, "sigma_per_s") > pairs.real(loudest, "sigma_per_s"))
+        loudest = i;
+    return loudest;
+  }
+
   /** A lining whose modulus depends on temperature and a mass at one end of
    * a pad: forward and backward differ, and so do steady slidings. */
   const std::string one_sided_brake =
@@ -86,12 +97,8 @@ namespace
           write_text("alone.prm", text + "end\n");
           check(run_program({program, "alone.prm"}).code == 0,
                 "one temperature runs");
-          const Table alone   = read_csv("alone/eigenvalues.csv");
-          std::size_t loudest = 0;
-          for (std::size_t i = 0; i < alone.n_rows(); ++i)
-            if (alone.real(i, "sigma_per_s") >
-                alone.real(loudest, "sigma_per_s"))
-              loudest = i;
+          const Table       alone   = read_csv("alone/eigenvalues.csv");
+          const std::size_t loudest = loudest_of(alone);
           for (const std::string column : {"frequency_hz", "sigma_per_s"})
             difference.add(std::abs(
               matrix.real(row, column) / alone.real(loudest, column) - 1.));
@@ -103,6 +110,72 @@ namespace
       std::abs(matrix.real(0, "sigma_per_s") / matrix.real(2, "sigma_per_s") -
                1.) > 0.1,
       "forward and backward differ");
+  }
+
+  /** A lining that its pressure stiffens: the moduli and the contact of each
+   * condition are those of its pressure. The table is the same at all
+   * frequencies, so that a modulus of the body gives the same pairs. */
+  void
+  stiffened_by_pressure(const std::string &program, const std::string &folder)
+  {
+    write_text("pressed.csv",
+               "pressure_Pa,frequency_Hz,temperature_C,storage_modulus_Pa,"
+               "loss_factor\n"
+               "0.5e6,100,20,5e9,0\n0.5e6,10000,20,5e9,0\n"
+               "2e6,100,20,1e10,0\n2e6,10000,20,1e10,0\n");
+    const std::string table =
+      "subsection Scene\n subsection Body lining_upper\n"
+      "  set Modulus table file = pressed.csv\n  set Pressure = 0.5e6\n"
+      " end\nend\n";
+    write_text("stiffened.prm",
+               scene(folder,
+                     "set Analysis = operating matrix\n"
+                     "set Output directory = stiffened") +
+                 table +
+                 "subsection Operating matrix\n set Pressures = 0.5e6, 2e6\n"
+                 "end\n");
+    check(run_program({program, "stiffened.prm"}).code == 0, "pressures run");
+    const Table matrix = read_csv("stiffened/operating_matrix.csv");
+    check(matrix.n_rows() == 2, "two pressures");
+    Worst difference;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        const std::string modulus = k == 0 ? "5e9" : "1e10";
+        write_text(
+          "alone.prm",
+          scene(folder, "set Analysis = cea\nset Output directory = alone") +
+            pressed(k == 0 ? "0.5e6" : "2e6") +
+            "subsection Scene\n subsection Body lining_upper\n"
+            "  set Young modulus = " +
+            modulus + "\n end\nend\n");
+        check(run_program({program, "alone.prm"}).code == 0,
+              "the modulus of one pressure runs");
+        const Table       alone   = read_csv("alone/eigenvalues.csv");
+        const std::size_t loudest = loudest_of(alone);
+        for (const std::string column : {"frequency_hz", "sigma_per_s"})
+          difference.add(std::abs(
+            matrix.real(k, column) / alone.real(loudest, column) - 1.));
+      }
+    check(difference.largest() < 1e-9,
+          "pressures as the eigenvalue analysis with their moduli");
+    check(
+      std::abs(matrix.real(0, "sigma_per_s") / matrix.real(1, "sigma_per_s") -
+               1.) > 0.1,
+      "which matter");
+
+    write_text("lining.csv",
+               "frequency_Hz,temperature_C,storage_modulus_Pa,loss_factor\n"
+               "100,0,9e9,0.02\n10000,0,10e9,0.02\n"
+               "100,80,5e9,0.05\n10000,80,6e9,0.05\n");
+    write_text(
+      "no_column.prm",
+      scene(folder, "set Analysis = cea\nset Output directory = no_column") +
+        "subsection Scene\n subsection Body lining_upper\n"
+        "  set Modulus table file = lining.csv\n"
+        "  set Pressure = 1e6\n end\nend\n");
+    const Outcome o = run_program({program, "no_column.prm"});
+    check(o.code != 0 && o.errors.find("pressure_Pa") != std::string::npos,
+          "a pressure that the table does not know: " + o.errors);
   }
 } // namespace
 
@@ -129,11 +202,8 @@ main(int argc, char *argv[])
         scene(folder, "set Analysis = cea\nset Output directory = alone") +
           pressed(k == 0 ? "0.5e6" : "2e6"));
       check(run_program({program, "alone.prm"}).code == 0, "one pressure runs");
-      const Table alone   = read_csv("alone/eigenvalues.csv");
-      std::size_t loudest = 0;
-      for (std::size_t i = 0; i < alone.n_rows(); ++i)
-        if (alone.real(i, "sigma_per_s") > alone.real(loudest, "sigma_per_s"))
-          loudest = i;
+      const Table       alone   = read_csv("alone/eigenvalues.csv");
+      const std::size_t loudest = loudest_of(alone);
       check(alone.real(loudest, "sigma_per_s") > 100.,
             "there is something to compare");
       for (const std::string column : {"frequency_hz", "sigma_per_s"})
@@ -144,6 +214,7 @@ main(int argc, char *argv[])
         }
     }
   one_sided(program, folder);
+  stiffened_by_pressure(program, folder);
   check(difference.largest() < 1e-9, "as the eigenvalue analysis");
   check(asymmetry.largest() < 1e-6, "alike in both directions");
 }
