@@ -78,7 +78,7 @@ install(DIRECTORY prm DESTINATION ${CMAKE_INSTALL_DATADIR}/squeal
         PATTERN __pycache__ EXCLUDE PATTERN ".*" EXCLUDE PATTERN "*~" EXCLUDE)
 install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR}
         PATTERN __pycache__ EXCLUDE PATTERN ".*" EXCLUDE PATTERN "*~" EXCLUDE)
-install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md
+install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE
               cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Links between pages and parameter files lead to the same places as here.
 _squeal_link(prm ../../squeal/prm ${CMAKE_INSTALL_DOCDIR})
