@@ -4,6 +4,7 @@
 #include <squeal/run/settings.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace squeal
 {
@@ -129,7 +130,10 @@ namespace squeal
                  const std::vector<std::string> &settings,
                  const unsigned int              n_ranks)
   {
-    std::string command = "./squeal run " + shell_quoted(file);
+    // The launcher says by which name it was called, as it is installed or not.
+    const char *launcher = std::getenv("SQUEAL_LAUNCHER");
+    std::string command  = (launcher ? launcher : "./squeal") +
+                          std::string(" run ") + shell_quoted(file);
     if (n_ranks > 1)
       command += " -np " + std::to_string(n_ranks);
     for (const std::string &setting : settings)

@@ -11,6 +11,7 @@
 #include <squeal/run/settings.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -232,12 +233,17 @@ namespace
   void
   commands()
   {
+    unsetenv("SQUEAL_LAUNCHER");
     check(command_of_run("prm/a.prm", {"A/B = it's", "C = 1"}, 2) ==
             "./squeal run prm/a.prm -np 2 \\\n  --set 'A/B = it'\\''s' \\\n"
             "  --set 'C = 1'",
           "a shell reads every setting as it was");
     check(command_of_run("my file.prm", {}, 1) == "./squeal run 'my file.prm'",
           "and the name of the file");
+    setenv("SQUEAL_LAUNCHER", "squeal", 1);
+    check(command_of_run("a.prm", {}, 1) == "squeal run a.prm",
+          "an installed launcher has no folder in front");
+    unsetenv("SQUEAL_LAUNCHER");
   }
 } // namespace
 
