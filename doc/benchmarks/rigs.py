@@ -44,7 +44,7 @@ GEOMETRIES = {
 }
 # Moduli about the one at which the pad's motion along the disc meets a doublet,
 # in decades. A pad of this loss factor meets it over some 0.07 decades.
-OFFSETS = [-0.09, -0.03, 0.03, 0.09]
+OFFSETS = [-0.09, -0.04, 0.01, 0.06, 0.11, 0.16, 0.21]
 LEAST_SHARE = 0.25  # of the disc in the energy of a pair, as in doublets.csv
 
 

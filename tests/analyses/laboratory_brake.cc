@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The laboratory brake. The upper half, whose middle plane does not move along
-// itself, has exactly the pairs of the whole brake that bend the disc (its motions
-// along and across the plane do not mix, as it is its own mirror image). And where
-// its pads are pressed and dragged, of (0,7) the member squeals that has its
-// antinode at the pads: + with one pad, - with two half a wavelength apart.
-// Arguments: squeal, the folder of parameter files.
+// itself, has exactly the pairs of the whole brake that bend the disc (its
+// motions along and across the plane do not mix, as it is its own mirror
+// image). And where its pads are pressed and dragged, of (0,7) the member
+// squeals that has its antinode at the pads: + with one pad, - with two half a
+// wavelength apart. Arguments: squeal, the folder of parameter files.
 
 #include "program.h"
 #include "worst.h"
@@ -40,36 +40,33 @@ namespace
     return read_csv(directory + "/eigenvalues.csv");
   }
 
-  /** The distance of a pair to the nearest one of another table, over 2 pi f. */
+  /** The distance of a pair to the nearest one of another table, over 2 pi f.
+   */
   double
   distance(const Table &pairs, const std::size_t i, const Table &others)
   {
-    double nearest = 1e300;
+    Worst from;
     for (std::size_t k = 0; k < others.n_rows(); ++k)
-      nearest = std::min(
-        nearest,
-        std::hypot(pairs.real(i, "sigma_per_s") -
-                     others.real(k, "sigma_per_s"),
-                   2. * M_PI *
-                     (pairs.real(i, "frequency_hz") -
-                      others.real(k, "frequency_hz"))));
-    return nearest / (2. * M_PI * pairs.real(i, "frequency_hz"));
+      from.add(std::hypot(
+        pairs.real(i, "sigma_per_s") - others.real(k, "sigma_per_s"),
+        2. * M_PI *
+          (pairs.real(i, "frequency_hz") - others.real(k, "frequency_hz"))));
+    return from.smallest() / (2. * M_PI * pairs.real(i, "frequency_hz"));
   }
 
   void
   halves()
   {
-    std::vector<std::string> coarse = {
-      "Eigenvalues/Lowest frequency = 3000",
-      "Eigenvalues/Highest frequency = 7000"};
-    const auto add = [&](const std::string &side) {
+    std::vector<std::string> coarse = {"Eigenvalues/Lowest frequency = 3000",
+                                       "Eigenvalues/Highest frequency = 7000"};
+    const auto               add    = [&](const std::string &side) {
       coarse.push_back("Scene/Body " + side + "beam/Cells = 1, 12, 1");
       for (const std::string &pad : {side + "pad", side + "second_pad"})
-        coarse.insert(coarse.end(),
-                      {"Scene/Body " + pad + "/Cells = 1, 1, 1",
-                       "Scene/Contact " + pad + "_on_disc/Grid = 5, 5",
-                       "Scene/Contact " + pad +
-                         "_on_disc/Contact state = full"});
+        coarse.insert(
+          coarse.end(),
+          {"Scene/Body " + pad + "/Cells = 1, 1, 1",
+           "Scene/Contact " + pad + "_on_disc/Grid = 5, 5",
+           "Scene/Contact " + pad + "_on_disc/Contact state = full"});
     };
     add("");
     std::vector<std::string> settings = coarse;
