@@ -442,20 +442,21 @@ namespace squeal
       {
         const std::size_t first = k * s.size() / n_parts,
                           end   = (k + 1) * s.size() / n_parts;
-        double n = 0., t = 0., squares = 0.;
+        double n = 0., t = 0., variance = 0.;
         for (std::size_t i = first; i < end; ++i)
           {
             n += s[i].normal / (end - first);
             t += s[i].tangential / (end - first);
-            squares += s[i].normal * s[i].normal / (end - first);
           }
+        for (std::size_t i = first; i < end; ++i)
+          variance += (s[i].normal - n) * (s[i].normal - n) / (end - first);
         const double time = 0.5 * (s[first].time + s[end - 1].time);
         table.add_row({time,
                        v * (1. + (p.transient.final_speed_ratio - 1.) * time /
                                    p.transient.end_time),
                        n > 0. ? Cell(t / n) : Cell(),
                        n,
-                       std::sqrt(std::max(squares - n * n, 0.))});
+                       std::sqrt(variance)});
       }
     return table;
   }

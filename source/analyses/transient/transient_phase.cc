@@ -34,18 +34,25 @@ namespace squeal
           const double                        from,
           const double                        to)
     {
-      double sum = 0., squares = 0., n = 0.;
+      const auto is_between = [&](const TransientSample &s) {
+        return s.time >= from && s.time <= to;
+      };
+      double sum = 0., n = 0.;
       for (const auto &s : samples)
-        if (s.time >= from && s.time <= to)
+        if (is_between(s))
           {
             sum += s.normal;
-            squares += s.normal * s.normal;
             n += 1.;
           }
       if (n == 0.)
         return {};
-      const double mean = sum / n;
-      return {mean, std::sqrt(std::max(squares / n - mean * mean, 0.))};
+      // Deviations, as a mean of squares would drown small vibrations.
+      const double mean     = sum / n;
+      double       variance = 0.;
+      for (const auto &s : samples)
+        if (is_between(s))
+          variance += (s.normal - mean) * (s.normal - mean) / n;
+      return {mean, std::sqrt(variance)};
     }
 
     /** Runs of a campaign that one picture shows. */
