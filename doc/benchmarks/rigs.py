@@ -36,7 +36,6 @@ TABLE = {
 }
 GEOMETRIES = {
     "aluminium_disc": {},
-    "slender_beams": {"Scene/Body beam/Size": "0.010, 0.300, 0.010"},
     "thin_disc": {
         "Scene/Body disc/Height": 0.0075,
         "Scene/Body disc/Position": "0, 0, -0.0075",
@@ -246,7 +245,8 @@ def picture(_):
         return lambda row: row["thesis"] == member and f"{row['R']} 1"
 
     data = [blocks(name, split_of) for name in GEOMETRIES]
-    styles = [(7, "#0072b2"), (9, "#d55e00"), (5, "#009e73")]
+    n = len(GEOMETRIES)
+    styles = [(7, "#0072b2"), (9, "#d55e00")]
     splits = ", ".join(
         f"$data index {i} using 1:2 with points pt {point} ps 1.4 "
         f'lc rgb "{ink}" title "{name.replace("_", " ")}"'
@@ -275,15 +275,15 @@ set yrange [5:3000]
 set ylabel "largest sigma, 1/s"
 set xlabel "R, distance of the pads over the wavelength"
 set label 1 "thesis" at graph 1.01, first 1500
-plot $data index 3 using 1:2 with points pt 7 ps 1.4 lc rgb "#0072b2" \\
+plot $data index {n} using 1:2 with points pt 7 ps 1.4 lc rgb "#0072b2" \\
        title "(0,m+) squeals", \\
-     $data index 4 using 1:2 with points pt 6 ps 1.4 lc rgb "#0072b2" \\
+     $data index {n + 1} using 1:2 with points pt 6 ps 1.4 lc rgb "#0072b2" \\
        title "(0,m-) squeals", \\
-     $data index 5 using 1:2 with points pt 2 ps 1.4 lc rgb "#0072b2" \\
+     $data index {n + 2} using 1:2 with points pt 2 ps 1.4 lc rgb "#0072b2" \\
        title "both", \\
-     $data index 6 using 1:(1500) with points pt 7 ps 1.4 lc rgb "#000000" notitle, \\
-     $data index 7 using 1:(1500) with points pt 6 ps 1.4 lc rgb "#000000" notitle, \\
-     $data index 8 using 1:(1500) with points pt 2 ps 1.4 lc rgb "#000000" notitle
+     $data index {n + 3} using 1:(1500) with points pt 7 ps 1.4 lc rgb "#000000" notitle, \\
+     $data index {n + 4} using 1:(1500) with points pt 6 ps 1.4 lc rgb "#000000" notitle, \\
+     $data index {n + 5} using 1:(1500) with points pt 2 ps 1.4 lc rgb "#000000" notitle
 """
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
