@@ -40,6 +40,7 @@ GEOMETRIES = {
         "Scene/Body disc/Height": 0.0075,
         "Scene/Body disc/Position": "0, 0, -0.0075",
     },
+    "slender_beams": {"Scene/Body beam/Size": "0.010, 0.300, 0.010"},
 }
 # Moduli about the one at which the pad's motion along the disc meets a doublet,
 # in decades. A pad of this loss factor meets it over some 0.07 decades.
