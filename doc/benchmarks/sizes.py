@@ -52,7 +52,11 @@ def run(program, size, path):
         command += ["--set", f"{name} = {value}"]
     result = subprocess.run(command, capture_output=True, text=True)
     if result.returncode != 0:
-        raise SystemExit(f"{size} thousand unknowns, {path}: {result.stderr}")
+        text = f"{size} thousand unknowns, {path}: {result.stderr.strip()}"
+        if "GB" in result.stderr:
+            print(text)  # more than this machine has, refused before any work
+            return None
+        raise SystemExit(text)
     with open(folder / "run.json", encoding="utf-8") as file:
         record = json.load(file)
     with open(folder / "eigenvalues.csv", encoding="utf-8") as file:
@@ -113,6 +117,7 @@ EOD
 set multiplot layout 1,2
 set logscale xy
 set xlabel "thousand unknowns"
+set xrange [40:1500]
 set key left top
 set grid
 set ylabel "CPU time in s"
@@ -137,8 +142,10 @@ def main():
     rows = []
     for path in options.paths:
         for size in options.sizes:
-            rows.append(run(options.squeal, size, path))
-            print(f"{rows[-1]}", flush=True)
+            row = run(options.squeal, size, path)
+            if row:
+                rows.append(row)
+                print(f"{row}", flush=True)
     FOLDER.mkdir(parents=True, exist_ok=True)
     with open(FOLDER / "sizes.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, fieldnames=rows[0])

@@ -241,29 +241,32 @@ namespace squeal
   void
   MumpsFactorization<Number>::Implementation::choose_place()
   {
-    using Place             = FactorStorage::Place;
-    const bool   has_folder = !storage.directory.empty();
-    const double in_memory  = estimate(FactorPlace::memory),
-                 on_disk    = estimate(FactorPlace::disk),
-                 available  = available_on_every_rank(space->communicator());
+    using Place                  = FactorStorage::Place;
+    const bool        has_folder = !storage.directory.empty();
+    const std::string what       = storage.reserve > 0.
+                                     ? "the factors and what stands beside them need "
+                                     : "the factors need ";
+    const double      in_memory  = estimate(FactorPlace::memory),
+                 on_disk         = estimate(FactorPlace::disk),
+                 available = available_on_every_rank(space->communicator());
     if (storage.place == Place::disk ||
         (storage.place == Place::automatic && has_folder &&
          !(in_memory + storage.reserve <= available)))
       {
-        if (!(on_disk <= available))
+        if (!(on_disk + storage.reserve <= available))
           throw NotEnoughMemory(
-            "the factors need " + gigabytes(on_disk) +
+            what + gigabytes(on_disk + storage.reserve) +
             " a rank even when they are kept on disk, of which " +
             gigabytes(available) +
             " are free: use a coarser mesh, a lower degree or more ranks");
         put_on_disk();
       }
-    else if (!(in_memory <= available))
+    else if (!(in_memory + storage.reserve <= available))
       throw NotEnoughMemory(
-        "the factors need " + gigabytes(in_memory) + " a rank, of which " +
+        what + gigabytes(in_memory + storage.reserve) + " a rank, of which " +
         gigabytes(available) + " are free: " +
         (has_folder ? "set Eigenvalues/Linear solver = out of "
-                      "core (" +
+                      "core (factors of " +
                         gigabytes(on_disk) + "), "
                     : "") +
         "use a coarser mesh, a lower degree or more ranks");

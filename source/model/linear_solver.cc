@@ -16,6 +16,9 @@ namespace squeal
      * where products are not kept: the basis and a round of enrichment. */
     constexpr double vectors_beside_factor = 600.;
 
+    /** The same where the products of the basis are kept, too. */
+    constexpr double vectors_with_products = 1400.;
+
     /** The same as a multiple of the vectors that a basis starts with; a basis
      * grows to between three and four times its start. With products: three
      * times the basis and a round of enrichment. */
@@ -40,7 +43,10 @@ namespace squeal
       : choice == LinearSolver::out_of_core ? FactorStorage::Place::disk
                                             : FactorStorage::Place::automatic;
     storage.directory = parameters.output.directory;
-    storage.reserve   = bytes_of(space, vectors_beside_factor);
+    storage.reserve =
+      bytes_of(space,
+               choice == LinearSolver::direct ? vectors_with_products
+                                              : vectors_beside_factor);
     return storage;
   }
 

@@ -123,8 +123,10 @@ namespace
     check(needed > 1e7, "needs " + number(needed) + " bytes");
 
     FactorStorage storage{FactorStorage::Place::automatic, folder.string(), 0.};
-    storage.reserve = 2. * available_memory();
+    // What the entries take on the way to the factor is about as much again.
+    storage.reserve = 2.3 * needed;
     {
+      const MemoryLimit    limit(4.1 * needed);
       const ShiftedInverse inverse(model.pencil, shift, storage);
       check(inverse.place() == FactorPlace::disk,
             "automatic: on disk where memory is short");
@@ -151,6 +153,10 @@ namespace
       refusal({FactorStorage::Place::memory, "", 0.}, 0.9 * needed);
     check(holds(plain, "the factors need ") && holds(plain, " GB a rank"),
           "refused with what is needed: " + plain);
+    const std::string beside =
+      refusal({FactorStorage::Place::memory, "", 2.3 * needed}, 4.1 * needed);
+    check(holds(beside, "the factors and what stands beside them need "),
+          "refused with what else is needed: " + beside);
     const std::string disk = refusal(on_disk(folder), 0.3 * needed);
     check(holds(disk, "even when they are kept on disk"),
           "refused where the disk does not help: " + disk);
