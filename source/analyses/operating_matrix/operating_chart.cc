@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iomanip>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace squeal
 {
@@ -61,11 +63,11 @@ namespace squeal
     std::string
     ticks(const std::vector<double> &all, const double unit)
     {
-      std::string text;
+      std::ostringstream text;
+      text << std::setprecision(4);
       for (std::size_t i = 0; i < all.size(); ++i)
-        text += (i ? ", " : "") + in_quotes(rounded_text(all[i] / unit, 4)) +
-                " " + std::to_string(i);
-      return "(" + text + ")";
+        text << (i ? ", '" : "'") << all[i] / unit << "' " << i;
+      return "(" + text.str() + ")";
     }
 
     struct Axes
