@@ -105,6 +105,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/mesh_materials.cc
     source/scene/mesh_selection.cc
     source/scene/modulus_table.cc
+    source/scene/modulus_tables.cc
     source/scene/nastran_groups.cc
     source/scene/nastran_mesh.cc)
 

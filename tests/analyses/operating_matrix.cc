@@ -163,10 +163,22 @@ namespace
                1.) > 0.1,
       "which matter");
 
-    write_text("lining.csv",
-               "frequency_Hz,temperature_C,storage_modulus_Pa,loss_factor\n"
-               "100,0,9e9,0.02\n10000,0,10e9,0.02\n"
-               "100,80,5e9,0.05\n10000,80,6e9,0.05\n");
+    // The last condition lies beyond the table: nothing is solved before.
+    write_text("beyond.prm",
+               scene(folder,
+                     "set Analysis = operating matrix\n"
+                     "set Output directory = beyond") +
+                 table +
+                 "subsection Operating matrix\n set Pressures = 0.5e6, 3e6\n"
+                 "end\n");
+    const Outcome beyond = run_program({program, "beyond.prm"});
+    check(beyond.code != 0 &&
+            unbroken(beyond.errors).find("the body has 3e6") !=
+              std::string::npos,
+          "a pressure beyond the table: " + beyond.errors);
+    check(beyond.output.find("by the inertia") == std::string::npos,
+          "which is refused before any work");
+
     write_text(
       "no_column.prm",
       scene(folder, "set Analysis = cea\nset Output directory = no_column") +

@@ -6,8 +6,6 @@
 #include "scenes.h"
 #include "worst.h"
 
-#include <squeal/base/available_memory.h>
-
 #include <deal.II/base/mpi.h>
 
 #include <malloc.h>

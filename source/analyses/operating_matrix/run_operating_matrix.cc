@@ -187,7 +187,10 @@ namespace squeal
   {
     const auto &p              = context.parameters;
     const auto  all_conditions = conditions(p.operating_matrix);
-    Table       all(columns()), loudest(columns());
+    // What some table does not cover ends the run before any work.
+    for (const Condition &c : all_conditions)
+      with_moduli(at_condition(p, c), c);
+    Table all(columns()), loudest(columns());
     for (std::size_t k = 0; k < all_conditions.size(); ++k)
       {
         const Condition &c = all_conditions[k];
