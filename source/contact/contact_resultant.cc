@@ -19,18 +19,18 @@ namespace squeal
 
     /** Components below this part of a unit vector are rounding: they must not
      * mix friction into the force across it. */
-    constexpr double rounding = 1e-12;
+    constexpr double least_component = 1e-12;
 
     /** A normal this close to +z is +z: of rounded coordinates in mesh files.
      */
-    constexpr double level = 1e-3;
+    constexpr double all_but_up = 1e-3;
 
     Vector
-    unit(Vector v)
+    direction_of(Vector v)
     {
       const double size = v.norm();
       for (unsigned int c = 0; c < 3; ++c)
-        if (std::abs(v[c]) < rounding * size)
+        if (std::abs(v[c]) < least_component * size)
           v[c] = 0.;
       return v / v.norm();
     }
@@ -41,7 +41,7 @@ namespace squeal
     {
       Vector axis;
       axis[std::abs(normal[1]) < 0.9 ? 1 : 0] = 1.;
-      return unit(axis - (axis * normal) * normal);
+      return direction_of(axis - (axis * normal) * normal);
     }
 
     /** @p v turned as the shortest turn takes @p from to @p to, unit vectors
@@ -50,7 +50,7 @@ namespace squeal
     turned(const Vector &v, const Vector &from, const Vector &to)
     {
       const Vector axis = dealii::cross_product_3d(from, to);
-      if (!(axis.norm() > rounding))
+      if (!(axis.norm() > least_component))
         return v;
       return v + dealii::cross_product_3d(axis, v) +
              dealii::cross_product_3d(axis, dealii::cross_product_3d(axis, v)) /
@@ -73,11 +73,11 @@ namespace squeal
       }
     ContactFrame frame;
     // A ring all round has no side that it looks to.
-    frame.normal = normal.norm() > least_direction * area ? unit(normal)
+    frame.normal = normal.norm() > least_direction * area ? direction_of(normal)
                                                           : g.frames[0].normal;
     sliding -= (sliding * frame.normal) * frame.normal;
     frame.sliding    = sliding.norm() > least_direction * area
-                         ? unit(sliding)
+                         ? direction_of(sliding)
                          : some_direction(frame.normal);
     frame.transverse = dealii::cross_product_3d(frame.sliding, frame.normal);
     return frame;
@@ -184,7 +184,7 @@ namespace squeal
     axes                    = {{mean.transverse, mean.sliding, mean.normal}};
     Vector up;
     up[2] = 1.;
-    if ((mean.normal - up).norm() < level)
+    if ((mean.normal - up).norm() < all_but_up)
       for (unsigned int c = 0; c < 3; ++c)
         {
           axes[c]    = Vector();

@@ -14,7 +14,7 @@ namespace squeal
     constexpr double small_change = 1e-5;
     /** Changes of period and parameter, over itself and its range, beyond
      * which an iteration is no longer near the branch. */
-    constexpr double largest_change = 0.3;
+    constexpr double largest_branch_change = 0.3;
 
     /** Where a branch goes, per unit of its length. */
     struct Tangent
@@ -160,8 +160,9 @@ namespace squeal
                                   : StatusChanges::located)
             .solve_with(by_parameter, row, 0.);
         const Eigen::Index n = by_parameter.size();
-        if (!change.allFinite() || std::abs(change[n]) > largest_change ||
-            std::abs(change[n + 1]) > largest_change)
+        if (!change.allFinite() ||
+            std::abs(change[n]) > largest_branch_change ||
+            std::abs(change[n + 1]) > largest_branch_change)
           return {};
         state = scaled.moved(state, change.head(n));
         period *= 1. + change[n];

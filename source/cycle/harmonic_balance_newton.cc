@@ -23,7 +23,7 @@ namespace squeal
     constexpr double       accepted_growth = 2.;
     constexpr unsigned int halvings        = 4;
     /** The frequency changes by no more than this share in an iteration. */
-    constexpr double largest_change = 0.1;
+    constexpr double largest_frequency_change = 0.1;
   } // namespace
 
 
@@ -280,8 +280,8 @@ namespace squeal
         const Eigen::VectorXd step = J.A.partialPivLu().solve(J.rhs);
         if (!step.allFinite())
           return m;
-        double share =
-          std::min(1., largest_change / std::abs(step[step.size() - 2]));
+        double share = std::min(
+          1., largest_frequency_change / std::abs(step[step.size() - 2]));
         HarmonicMotion best = J.moved(step, share);
         for (unsigned int i = 0;
              i < halvings && !(best.residual < accepted_growth * m.residual);

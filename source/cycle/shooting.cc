@@ -15,7 +15,7 @@ namespace squeal
   namespace
   {
     /** The period changes by no more than this share in an iteration. */
-    constexpr double largest_change = 0.1;
+    constexpr double largest_period_change = 0.1;
     /** Shortest step of Newton's method over its full one. */
     constexpr double shortest_step = 1. / 64.;
     /** A motion that comes back as near as this, over the mean distance, may
@@ -68,7 +68,8 @@ namespace squeal
       const Eigen::Index n    = change.size() - 1;
       PeriodicMotion     best;
       best.residual = std::numeric_limits<double>::max();
-      for (double step = std::min(1., largest_change / std::abs(change[n]));
+      for (double step =
+             std::min(1., largest_period_change / std::abs(change[n]));
            step >= shortest_step;
            step *= .5)
         {

@@ -104,9 +104,9 @@ namespace squeal
     }
 
     void
-    print_list(const std::string              &title,
-               const std::vector<std::string> &items,
-               std::ostream                   &out)
+    print_first(const std::string              &title,
+                const std::vector<std::string> &items,
+                std::ostream                   &out)
     {
       out << title << ": " << items.size() << '\n';
       for (std::size_t i = 0; i < std::min(most_items, items.size()); ++i)
@@ -170,8 +170,8 @@ namespace squeal
     if (comparison.table.has_column("dsigma"))
       {
         out << '\n';
-        print_list("New instabilities", comparison.new_instabilities, out);
-        print_list(
+        print_first("New instabilities", comparison.new_instabilities, out);
+        print_first(
           "Vanished instabilities", comparison.vanished_instabilities, out);
       }
     out << "--all prints every pair.\n";

@@ -87,17 +87,17 @@ namespace squeal
     }
 
     /** Where a text may stand from its point. */
-    struct Place
+    struct LabelPlace
     {
       double distance; /**< of its near edge, pixels */
       double angle;
     };
 
     /** Near places first, right of the point before left of it. */
-    std::vector<Place>
+    std::vector<LabelPlace>
     candidate_places()
     {
-      std::vector<Place> places;
+      std::vector<LabelPlace> places;
       for (const double distance :
            {10., 15., 25., 40., 60., 85., 115., 150., 200., 260.})
         for (const int sixteenth :
@@ -148,7 +148,7 @@ namespace squeal
 
     private:
       PixelBox
-      box_at(const PointLabel &label, const Place &place) const
+      box_at(const PointLabel &label, const LabelPlace &place) const
       {
         const double width  = text_width(label.text, font_size);
         const double height = text_height(font_size);
@@ -195,7 +195,7 @@ namespace squeal
       const PixelBox              &bounds;
       double                       font_size;
       std::vector<bool>            is_placed;
-      std::vector<Place>           places;
+      std::vector<LabelPlace>      places;
     };
   } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/inputs_read.h>
+#include <squeal/parameters/text.h>
 #include <squeal/results/measured_shapes.h>
 #include <squeal/results/table.h>
 
@@ -13,15 +14,6 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
-
-    std::string
-    trimmed(const std::string &text)
-    {
-      const auto first = text.find_first_not_of(" \t\r");
-      return first == std::string::npos
-               ? ""
-               : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-    }
 
     /** Lines of a universal file, with fields in fixed columns. */
     class Lines
@@ -52,7 +44,7 @@ namespace squeal
       bool
       is_mark() const
       {
-        return !at_end() && trimmed(lines[next]) == "-1";
+        return !at_end() && prm::trim(lines[next]) == "-1";
       }
 
       [[noreturn]] void
@@ -76,7 +68,7 @@ namespace squeal
               line = take(what);
             const std::size_t at = (i % n_in_line) * width;
             std::string       field =
-              at < line.size() ? trimmed(line.substr(at, width)) : "";
+              at < line.size() ? prm::trim(line.substr(at, width)) : "";
             for (char &c : field)
               if (c == 'D' || c == 'd')
                 c = 'E';
@@ -124,7 +116,7 @@ namespace squeal
     read_shape(Lines &lines)
     {
       MeasuredShape shape;
-      shape.name = trimmed(lines.take("a title"));
+      shape.name = prm::trim(lines.take("a title"));
       for (unsigned int i = 0; i < 4; ++i)
         lines.take("a title");
       const std::vector<int> kind = lines.integers(6, "the kind of the data");
@@ -178,12 +170,13 @@ namespace squeal
         {
           if (!lines.is_mark())
             {
-              if (trimmed(lines.take("a line")).empty())
+              if (prm::trim(lines.take("a line")).empty())
                 continue;
               lines.fail("expected -1 at the start of a dataset");
             }
           lines.take("-1");
-          const std::string number = trimmed(lines.take("a dataset's number"));
+          const std::string number =
+            prm::trim(lines.take("a dataset's number"));
           if (number == "55")
             shapes.push_back(read_shape(lines));
           else
@@ -246,10 +239,10 @@ namespace squeal
   {
     std::istringstream in(read_input_file(path));
     std::string        line;
-    while (std::getline(in, line) && trimmed(line).empty())
+    while (std::getline(in, line) && prm::trim(line).empty())
       ;
     const auto shapes =
-      trimmed(line) == "-1" ? read_universal(path) : read_table(path);
+      prm::trim(line) == "-1" ? read_universal(path) : read_table(path);
     if (shapes.empty())
       throw InputError(path + ": holds no shape (no dataset 55, no row)");
     return shapes;

@@ -39,7 +39,7 @@ namespace squeal
     }
 
     std::string
-    escaped(const std::string &text)
+    escaped_caption(const std::string &text)
     {
       std::string result;
       for (const char c : text)
@@ -196,7 +196,7 @@ namespace squeal
     return "<figure class=\"motion\"><div class=\"still\">" + still +
            "</div><script type=\"application/json\">" +
            inside_script(data.dump()) + "</script><figcaption>" +
-           escaped(caption) + "</figcaption></figure>\n";
+           escaped_caption(caption) + "</figcaption></figure>\n";
   }
 
 

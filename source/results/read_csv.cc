@@ -59,16 +59,6 @@ namespace squeal
       return value;
     }
 
-    std::string
-    trimmed(const std::string &text)
-    {
-      const auto is_blank = [](const char c) { return c == ' ' || c == '\t'; };
-      const auto first = std::find_if_not(text.begin(), text.end(), is_blank);
-      const auto last =
-        std::find_if_not(text.rbegin(), text.rend(), is_blank).base();
-      return first < last ? std::string(first, last) : std::string();
-    }
-
     /** Cuts the content of a file into records; blank lines are none. */
     std::vector<Record>
     split(const std::string &path,
@@ -88,7 +78,7 @@ namespace squeal
             record.cells.push_back(
               was_quoted
                 ? cell
-                : dialect.number(trimmed(cell),
+                : dialect.number(prm::trim(cell),
                                  path + ":" + std::to_string(record.line)));
             cell.clear();
             was_quoted = false;
@@ -104,7 +94,7 @@ namespace squeal
                 inside = false;
               else if (inside)
                 cell += c;
-              else if (c == '"' && trimmed(cell).empty())
+              else if (c == '"' && prm::trim(cell).empty())
                 {
                   inside = was_quoted = true;
                   cell.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/run_log.h>
+#include <squeal/parameters/text.h>
 #include <squeal/results/result_checks.h>
 
 #include <algorithm>
@@ -18,15 +19,6 @@ namespace squeal
       std::string comparison;
       std::string value;
     };
-
-    std::string
-    trimmed(const std::string &text)
-    {
-      const std::size_t first = text.find_first_not_of(" \t");
-      if (first == std::string::npos)
-        return "";
-      return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-    }
 
     bool
     read_number(const std::string &text, double &number)
@@ -47,9 +39,9 @@ namespace squeal
         length = 2;
       Condition condition;
       if (at != std::string::npos)
-        condition = {trimmed(text.substr(0, at)),
+        condition = {prm::trim(text.substr(0, at)),
                      text.substr(at, length),
-                     trimmed(text.substr(at + length))};
+                     prm::trim(text.substr(at + length))};
       if (condition.column.empty() || condition.value.empty() ||
           condition.comparison == "!")
         throw InputError("'" + text +
@@ -192,7 +184,7 @@ namespace squeal
   {
     std::vector<Condition> conditions;
     const std::string      separator = " and ";
-    std::string            rest      = trimmed(condition);
+    std::string            rest      = prm::trim(condition);
     while (!rest.empty())
       {
         const std::size_t cut = rest.find(separator);

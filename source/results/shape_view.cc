@@ -47,7 +47,7 @@ namespace squeal
     }
 
     double
-    length(const Point &a)
+    norm_of(const Point &a)
     {
       return std::sqrt(dot(a, a));
     }
@@ -99,10 +99,10 @@ namespace squeal
     {
       double area = 0.;
       for (const ShapeQuad &quad : quads)
-        area += 0.5 * length(normal_of(quad));
+        area += 0.5 * norm_of(normal_of(quad));
       const double size = std::sqrt(area / std::max<std::size_t>(1, n_pieces));
       const auto   n_along = [&](const Point &a, const Point &b) {
-        const double n = length(difference(a, b)) / size;
+        const double n = norm_of(difference(a, b)) / size;
         return static_cast<unsigned int>(std::min(64., std::max(1., n)));
       };
       std::vector<Piece> pieces;
@@ -190,7 +190,7 @@ namespace squeal
     double
     brightness(const Point &normal, const Viewpoint &viewpoint)
     {
-      if (length(normal) == 0.)
+      if (norm_of(normal) == 0.)
         return 1.;
       const Viewpoint light_from{viewpoint.azimuth - 35.,
                                  viewpoint.elevation + 30.};
@@ -199,7 +199,7 @@ namespace squeal
       const double    e      = light_from.elevation * degree;
       const Point     light{
         std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
-      return 0.62 + 0.38 * std::abs(dot(normal, light)) / length(normal);
+      return 0.62 + 0.38 * std::abs(dot(normal, light)) / norm_of(normal);
     }
   } // namespace
 

@@ -14,7 +14,7 @@ namespace squeal
 
   namespace
   {
-    constexpr double format_version = 5.;
+    constexpr double checkpoint_version = 5.;
 
     /** A file as it was found. */
     struct Candidate
@@ -41,12 +41,13 @@ namespace squeal
         return result;
       const Hdf5File file(path, Hdf5File::Mode::read);
       const double   version = file.number_attribute("format_version");
-      if (version != format_version)
+      if (version != checkpoint_version)
         {
-          result.difference = "its format is version " +
-                              std::to_string(static_cast<int>(version)) +
-                              ", that of this program is " +
-                              std::to_string(static_cast<int>(format_version));
+          result.difference =
+            "its format is version " +
+            std::to_string(static_cast<int>(version)) +
+            ", that of this program is " +
+            std::to_string(static_cast<int>(checkpoint_version));
           return result;
         }
       result.difference =
@@ -134,7 +135,7 @@ namespace squeal
     AtomicFile target(last);
     {
       Hdf5File file(target.temporary(), Hdf5File::Mode::create_sealed);
-      file.write_attribute("format_version", format_version);
+      file.write_attribute("format_version", checkpoint_version);
       file.write("fingerprint", std::vector<std::string>{fingerprint.text()});
       std::vector<std::string> names;
       for (const auto &[name, values] : state.all())

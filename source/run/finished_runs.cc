@@ -14,7 +14,7 @@ namespace squeal
   {
     using Json = nlohmann::ordered_json;
 
-    constexpr int format_version = 2;
+    constexpr int list_version = 2;
 
     Cell
     to_cell(const Json &value)
@@ -81,7 +81,7 @@ namespace squeal
     parse(const std::string &text)
     {
       const Json all = Json::parse(text);
-      if (all.size() != 3 || all.at("version").get<int>() != format_version)
+      if (all.size() != 3 || all.at("version").get<int>() != list_version)
         throw std::runtime_error("another version");
       std::vector<Json> rows;
       for (const Json &row : all.at("rows"))
@@ -160,7 +160,7 @@ namespace squeal
                rows.end());
     rows.push_back(entry);
     const Json all = {{"format", std::string("squeal ") + state_kind::rows},
-                      {"version", format_version},
+                      {"version", list_version},
                       {"rows", rows}};
     write_atomically(path, [&](std::ostream &out) { out << all.dump(1); });
   }

@@ -21,7 +21,7 @@ namespace squeal
 
     /** The kind of Gmsh's element types. */
     Kind
-    kind_of(const long type)
+    kind_of_type(const long type)
     {
       static const std::map<Kind, std::vector<long>> types{
         {Kind::low_dimensional, {15, 1, 8, 26, 27, 28, 62, 63, 64, 65, 66}},
@@ -337,7 +337,7 @@ namespace squeal
                             const long         type,
                             const unsigned int group)
     {
-      MeshFile::Element element{tag, kind_of(type), group, {}};
+      MeshFile::Element element{tag, kind_of_type(type), group, {}};
       if (element.kind == Kind::low_dimensional)
         return;
       for (unsigned int v = 0; v < n_nodes_read(type); ++v)

@@ -19,16 +19,16 @@ namespace squeal
     using Vector = Tensor<1, 3>;
 
     /** Corners of the faces of a cell, along its first direction first. */
-    constexpr unsigned int corners_of_face[6][4] = {{0, 2, 4, 6},
-                                                    {1, 3, 5, 7},
-                                                    {0, 1, 4, 5},
-                                                    {2, 3, 6, 7},
-                                                    {0, 1, 2, 3},
-                                                    {4, 5, 6, 7}};
+    constexpr unsigned int corners_of_layer_face[6][4] = {{0, 2, 4, 6},
+                                                          {1, 3, 5, 7},
+                                                          {0, 1, 4, 5},
+                                                          {2, 3, 6, 7},
+                                                          {0, 1, 2, 3},
+                                                          {4, 5, 6, 7}};
 
     /** A quadrilateral of the face, its two directions and the way out of the
      * body right-handed. */
-    struct Quad
+    struct LayerQuad
     {
       std::array<unsigned int, 4> corner; /**< vertices of the body below */
       /** Nodes at 0, 1/2 and 1 of both directions, the first one fastest. */
@@ -44,7 +44,7 @@ namespace squeal
     }
 
     void
-    set_straight_nodes(const BodyMesh &mesh, Quad &quad)
+    set_straight_nodes(const BodyMesh &mesh, LayerQuad &quad)
     {
       std::array<Point<3>, 4> x;
       for (unsigned int c = 0; c < 4; ++c)
@@ -59,7 +59,9 @@ namespace squeal
     }
 
     void
-    set_curved_nodes(const CellNodes &nodes, const unsigned int f, Quad &quad)
+    set_curved_nodes(const CellNodes   &nodes,
+                     const unsigned int f,
+                     LayerQuad         &quad)
     {
       unsigned int k = 0;
       for (unsigned int n = 0; n < 27; ++n)
@@ -70,7 +72,7 @@ namespace squeal
 
     /** Normal at a node, along the first direction times the second. */
     Vector
-    normal_at(const Quad &quad, const unsigned int node)
+    normal_at(const LayerQuad &quad, const unsigned int node)
     {
       // derivatives of the parabolas through 0, 1/2, 1 at these points
       constexpr double slope[3][3] = {
@@ -87,7 +89,7 @@ namespace squeal
 
     /** Turns the two directions so that the third one leaves the cell. */
     void
-    point_outwards(const Point<3> &centre_of_cell, Quad &quad)
+    point_outwards(const Point<3> &centre_of_cell, LayerQuad &quad)
     {
       if (normal_at(quad, 4) * (quad.node[4] - centre_of_cell) > 0.)
         return;
@@ -111,7 +113,7 @@ namespace squeal
 
     /** The normals of a quadrilateral of squeal's own cylinders are radial. */
     bool
-    lies_on_cylinder(const Quad &quad, const Point<3> &axis)
+    lies_on_cylinder(const LayerQuad &quad, const Point<3> &axis)
     {
       const auto radius = [&](const unsigned int c) {
         const Point<3> &x = quad.node[node_of_corner(c)];
@@ -124,7 +126,7 @@ namespace squeal
     }
 
     Vector
-    radial_normal(const Quad        &quad,
+    radial_normal(const LayerQuad   &quad,
                   const unsigned int node,
                   const Point<3>    &axis)
     {
@@ -166,14 +168,14 @@ namespace squeal
 
       void         find_quads();
       void         collect_normals();
-      static Place place_of(const Quad &quad, const unsigned int node);
-      Vector       offset_at(const Quad &quad, const unsigned int node) const;
-      CellNodes    nodes_of(const Quad        &quad,
-                            const unsigned int l,
-                            const bool         is_curved) const;
-      void         add_vertices(LayerMesh &result);
-      void         add_cells(const bool is_curved, BodyMesh &mesh) const;
-      void         add_boundary(BodyMesh &mesh) const;
+      static Place place_of(const LayerQuad &quad, const unsigned int node);
+      Vector    offset_at(const LayerQuad &quad, const unsigned int node) const;
+      CellNodes nodes_of(const LayerQuad   &quad,
+                         const unsigned int l,
+                         const bool         is_curved) const;
+      void      add_vertices(LayerMesh &result);
+      void      add_cells(const bool is_curved, BodyMesh &mesh) const;
+      void      add_boundary(BodyMesh &mesh) const;
 
       const SceneParameters               &scene;
       const BodyParameters                &layer;
@@ -181,7 +183,7 @@ namespace squeal
       const unsigned int                   n_layers;
       const std::optional<Point<3>>        axis;
       unsigned int                         face = 0; /**< its number below */
-      std::vector<Quad>                    quads;
+      std::vector<LayerQuad>               quads;
       std::map<Place, std::vector<Vector>> normals;
       /** Vertices of the layer at the face, by those of the body below. */
       std::map<unsigned int, unsigned int> vertex;
@@ -214,10 +216,11 @@ namespace squeal
       for (unsigned int c = 0; c < below.cells.size(); ++c)
         for (unsigned int f = 0; f < 6; ++f)
           {
-            Quad     quad;
-            Point<3> centre;
+            LayerQuad quad;
+            Point<3>  centre;
             for (unsigned int v = 0; v < 4; ++v)
-              quad.corner[v] = below.cells[c].vertices[corners_of_face[f][v]];
+              quad.corner[v] =
+                below.cells[c].vertices[corners_of_layer_face[f][v]];
             Place place = quad.corner;
             std::sort(place.begin(), place.end());
             if (wanted.count(place) == 0)
@@ -242,7 +245,7 @@ namespace squeal
 
 
     Extrusion::Place
-    Extrusion::place_of(const Quad &quad, const unsigned int node)
+    Extrusion::place_of(const LayerQuad &quad, const unsigned int node)
     {
       const unsigned int u = node % 3, v = node / 3;
       Place              place;
@@ -260,7 +263,7 @@ namespace squeal
     void
     Extrusion::collect_normals()
     {
-      for (const Quad &quad : quads)
+      for (const LayerQuad &quad : quads)
         {
           const bool is_round = axis && lies_on_cylinder(quad, *axis);
           for (unsigned int n = 0; n < 9; ++n)
@@ -270,7 +273,7 @@ namespace squeal
     }
 
     Vector
-    Extrusion::offset_at(const Quad &quad, const unsigned int node) const
+    Extrusion::offset_at(const LayerQuad &quad, const unsigned int node) const
     {
       const auto     &n = normals.at(place_of(quad, node));
       Eigen::MatrixXd A(n.size(), 3);
@@ -292,14 +295,14 @@ namespace squeal
     }
 
     CellNodes
-    Extrusion::nodes_of(const Quad        &quad,
+    Extrusion::nodes_of(const LayerQuad   &quad,
                         const unsigned int l,
                         const bool         is_curved) const
     {
       // Bilinear cells take the middles of their corners.
       std::array<Point<3>, 9> x;
       std::array<Vector, 9>   m;
-      Quad                    straight = quad;
+      LayerQuad               straight = quad;
       for (unsigned int c = 0; c < 4; ++c)
         m[node_of_corner(c)] = offset_at(quad, node_of_corner(c));
       if (!is_curved)
@@ -328,7 +331,7 @@ namespace squeal
     Extrusion::add_vertices(LayerMesh &result)
     {
       std::map<unsigned int, Vector> offsets;
-      for (const Quad &quad : quads)
+      for (const LayerQuad &quad : quads)
         for (unsigned int c = 0; c < 4; ++c)
           offsets.emplace(quad.corner[c], offset_at(quad, node_of_corner(c)));
       for (const auto &[v, offset] : offsets)
@@ -346,7 +349,7 @@ namespace squeal
     Extrusion::add_cells(const bool is_curved, BodyMesh &mesh) const
     {
       const unsigned int n = vertex.size();
-      for (const Quad &quad : quads)
+      for (const LayerQuad &quad : quads)
         for (unsigned int l = 0; l < n_layers; ++l)
           {
             dealii::CellData<3> cell;
@@ -378,7 +381,7 @@ namespace squeal
         mesh.boundary.push_back(quad);
       };
       std::map<std::array<unsigned int, 2>, unsigned int> n_quads;
-      for (const Quad &quad : quads)
+      for (const LayerQuad &quad : quads)
         {
           std::array<unsigned int, 4> v;
           for (unsigned int c = 0; c < 4; ++c)
@@ -406,7 +409,7 @@ namespace squeal
       find_quads();
       collect_normals();
       const bool is_curved =
-        std::any_of(quads.begin(), quads.end(), [](const Quad &quad) {
+        std::any_of(quads.begin(), quads.end(), [](const LayerQuad &quad) {
           return quad.is_curved;
         });
       LayerMesh result;

@@ -45,9 +45,9 @@ namespace squeal
       }
 
       DofLabel
-      read_label(const TextFile        &file,
-                 const std::string_view node,
-                 const std::string_view component)
+      read_node_label(const TextFile        &file,
+                      const std::string_view node,
+                      const std::string_view component)
       {
         DofLabel label;
         label.node = integer_field(file, node, "node number");
@@ -115,8 +115,8 @@ namespace squeal
             }
           else
             {
-              const DofLabel row    = read_label(file, entry[0], entry[1]);
-              const DofLabel column = read_label(file, entry[2], entry[3]);
+              const DofLabel row    = read_node_label(file, entry[0], entry[1]);
+              const DofLabel column = read_node_label(file, entry[2], entry[3]);
               matrix.add(row, column, value, file.line_number());
             }
         }

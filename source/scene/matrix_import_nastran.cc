@@ -102,9 +102,9 @@ namespace squeal
       }
 
       DofLabel
-      read_label(const TextFile        &file,
-                 const std::string_view point,
-                 const std::string_view component)
+      read_point_label(const TextFile        &file,
+                       const std::string_view point,
+                       const std::string_view component)
       {
         DofLabel label;
         label.node = integer_field(file, point, "grid point");
@@ -169,7 +169,7 @@ namespace squeal
                          upper_case(line.data[0]) == name;
           if (!is_in_column)
             return;
-          column     = read_label(file, line.data[1], line.data[2]);
+          column     = read_point_label(file, line.data[1], line.data[2]);
           first_line = file.line_number();
           n_terms    = 0;
           if (!line.data[3].empty())
@@ -193,7 +193,7 @@ namespace squeal
           if (field(0).empty() && field(1).empty() && field(2).empty() &&
               field(3).empty())
             return;
-          const DofLabel row   = read_label(file, field(0), field(1));
+          const DofLabel row   = read_point_label(file, field(0), field(1));
           const double   value = real_field(file, field(2), "matrix term");
           if (!field(3).empty() &&
               real_field(file, field(3), "imaginary part") != 0.)

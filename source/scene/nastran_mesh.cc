@@ -23,7 +23,7 @@ namespace squeal
     /** Entries that tie points or bodies together, which a mesh alone does not
      * do. */
     bool
-    couples(const std::string &name)
+    couples_points(const std::string &name)
     {
       static const std::set<std::string> names{
         "RBE1", "RBE2",    "RBE3",    "RBAR",    "RSPLINE", "RROD",  "RTRPLT",
@@ -41,7 +41,7 @@ namespace squeal
     }
 
     Kind
-    kind_of(const std::string &name)
+    kind_of_entry(const std::string &name)
     {
       if (name == "CHEXA")
         return Kind::hexahedron;
@@ -184,7 +184,7 @@ namespace squeal
     else if (name.compare(0, 7, "INCLUDE") == 0)
       text.fail_at(entry.line,
                    "INCLUDE is not followed: put the files together");
-    else if (couples(name))
+    else if (couples_points(name))
       file.passed_over.insert(name);
   }
 
@@ -215,7 +215,7 @@ namespace squeal
               integer_or(entry, 1, number, "property"),
               {},
               entry.line};
-    const Kind        kind     = kind_of(entry.name);
+    const Kind        kind     = kind_of_entry(entry.name);
     const std::size_t n_points = kind == Kind::hexahedron      ? 20
                                  : kind == Kind::quadrilateral ? 4
                                                                : 0;

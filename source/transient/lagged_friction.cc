@@ -10,7 +10,7 @@ namespace squeal
   {
     constexpr double stuck = FrictionLaw::stuck;
     /** Slip below this share of the sliding speed is rounding at the start. */
-    constexpr double rounding = 1e-9;
+    constexpr double slip_rounding = 1e-9;
   } // namespace
 
 
@@ -40,7 +40,7 @@ namespace squeal
         const double slip =
           std::hypot(rate[3 * j + 1] + v * ratio[j], rate[3 * j + 2]);
         memory[j] = laws->of(j).remember(
-          stuck, slip > rounding * std::abs(v) ? slip : stuck, 0.);
+          stuck, slip > slip_rounding * std::abs(v) ? slip : stuck, 0.);
       }
   }
 

@@ -28,7 +28,8 @@ namespace squeal
     using Type = Table::Type;
 
     /** Names of what a finished point keeps. */
-    const std::string point_name = "cycle point", pairs_name = "cycle pairs";
+    const std::string point_record = "cycle point",
+                      pairs_record = "cycle pairs";
 
     /** All points with one set of bodies. */
     class PointGroup
@@ -139,9 +140,9 @@ namespace squeal
                     pairs = cycle_table({}, p.limit_cycle.harmonics);
               std::vector<Cell> row, rows;
               if (finished.find(
-                    run.fingerprint, point_name, point.columns().size(), row))
+                    run.fingerprint, point_record, point.columns().size(), row))
                 {
-                  finished.find(run.fingerprint, pairs_name, 0, rows);
+                  finished.find(run.fingerprint, pairs_record, 0, rows);
                   point = Table(point.columns());
                   add_rows(point, row);
                   add_rows(pairs, rows);
@@ -160,9 +161,9 @@ namespace squeal
                   if (context.is_root)
                     {
                       finished.add(
-                        run.fingerprint, pairs_name, all_cells(pairs));
+                        run.fingerprint, pairs_record, all_cells(pairs));
                       finished.add(
-                        run.fingerprint, point_name, all_cells(point));
+                        run.fingerprint, point_record, all_cells(point));
                     }
                 }
               put_place(point, run, p);
@@ -266,7 +267,7 @@ namespace squeal
     const auto                     groups   = campaign_groups(p);
     const std::vector<CampaignRun> runs     = all_runs(groups);
     FinishedRuns                   finished = finished_runs(
-      context, runs, point_name, outcome_without_sliding().columns().size());
+      context, runs, point_record, outcome_without_sliding().columns().size());
     const CampaignTables tables =
       tables_of(context, groups, finished, runs.size());
     context.write_table("campaign.csv", tables.points);

@@ -68,10 +68,10 @@ namespace squeal
       }
     };
 
-    using Column = ColumnOf<PointRow>;
+    using PointColumn = ColumnOf<PointRow>;
 
     /** Of one of the cycles, if there is one. */
-    Column
+    PointColumn
     of(const Table::Column &declaration,
        const CycleResult *(PointRow::*which)() const,
        const std::function<double(const CycleResult &)> &value)
@@ -82,7 +82,7 @@ namespace squeal
               }};
     }
 
-    std::vector<Column>
+    std::vector<PointColumn>
     count_columns()
     {
       const auto count = [](std::size_t CycleOutcome::*number) {
@@ -105,11 +105,11 @@ namespace squeal
          count(&CycleOutcome::n_stable)}};
     }
 
-    std::vector<Column>
+    std::vector<PointColumn>
     columns()
     {
-      std::vector<Column>       result = count_columns();
-      const std::vector<Column> more   = {
+      std::vector<PointColumn>       result = count_columns();
+      const std::vector<PointColumn> more   = {
           of({"fastest_pair_hz",
               Type::real,
               "Hz",

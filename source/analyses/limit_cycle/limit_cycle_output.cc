@@ -16,10 +16,10 @@ namespace squeal
     /** Multipliers below this size are gone after a period. */
     constexpr double smallest_multiplier = 1e-3;
 
-    using Column = ColumnOf<CycleResult>;
+    using CycleColumn = ColumnOf<CycleResult>;
 
     /** Of a cycle that has been found; else nothing. */
-    Column
+    CycleColumn
     found(const Table::Column                              &declaration,
           const std::function<double(const CycleResult &)> &value)
     {
@@ -28,7 +28,7 @@ namespace squeal
               }};
     }
 
-    std::vector<Column>
+    std::vector<CycleColumn>
     pair_columns()
     {
       return {
@@ -42,7 +42,7 @@ namespace squeal
          [](const CycleResult &c) { return Cell(c.status()); }}};
     }
 
-    std::vector<Column>
+    std::vector<CycleColumn>
     force_columns()
     {
       return {common<CycleResult>("stability"),
@@ -74,7 +74,7 @@ namespace squeal
                     [](const CycleResult &c) { return c.figures.max_normal; })};
     }
 
-    std::vector<Column>
+    std::vector<CycleColumn>
     step_columns(const unsigned int n_harmonics)
     {
       return {
@@ -99,7 +99,7 @@ namespace squeal
               })};
     }
 
-    std::vector<Column>
+    std::vector<CycleColumn>
     energy_columns()
     {
       const auto energy = [](double EnergyLedger::*work) {
@@ -153,8 +153,8 @@ namespace squeal
   cycle_table(const std::vector<CycleResult> &cycles,
               const unsigned int              n_harmonics)
   {
-    std::vector<Column> columns = pair_columns();
-    const auto          add     = [&](const std::vector<Column> &more) {
+    std::vector<CycleColumn> columns = pair_columns();
+    const auto               add = [&](const std::vector<CycleColumn> &more) {
       columns.insert(columns.end(), more.begin(), more.end());
     };
     add(force_columns());

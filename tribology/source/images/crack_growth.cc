@@ -12,19 +12,19 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double half_sector     = 0.5; // cosine
-    constexpr double least_strength  = 2.;
-    constexpr double crest_strength  = 2.;
-    constexpr double faint_strength  = 2.4;
-    constexpr double faint_coarse    = 2.;
-    constexpr double end_strength    = 2.8;  // contrast that adds up to
-    constexpr double end_sum         = 2.;   // at least this
-    constexpr double straight_within = 0.45; // pixels
-    constexpr double least_share     = 0.2;  // of the darkness of the crack
-    constexpr int    n_trials        = 400;
-    constexpr int    n_rounds        = 12;
-    constexpr double n_deviations    = 3.;
-    constexpr double one_below       = 0.1587; // quantile of a deviation below
+    constexpr double half_sector       = 0.5; // cosine
+    constexpr double least_strength    = 2.;
+    constexpr double crest_strength    = 2.;
+    constexpr double faint_strength    = 2.4;
+    constexpr double faint_mean_coarse = 2.;
+    constexpr double end_strength      = 2.8;  // contrast that adds up to
+    constexpr double end_sum           = 2.;   // at least this
+    constexpr double straight_within   = 0.45; // pixels
+    constexpr double least_share       = 0.2;  // of the darkness of the crack
+    constexpr int    n_trials          = 400;
+    constexpr int    n_rounds          = 12;
+    constexpr double n_deviations      = 3.;
+    constexpr double one_below = 0.1587; // quantile of a deviation below
     // Of the place of an end, in pixels.
     constexpr int shortest_behind = 10; // of the line that is looked at
     constexpr int farthest_in = 6, farthest_out = 4;
@@ -267,7 +267,7 @@ namespace squeal::tribology
           {
             const Extension e         = extend(end, before);
             const bool is_faint_crack = e.mean_strength >= faint_strength &&
-                                        e.mean_coarse >= faint_coarse;
+                                        e.mean_coarse >= faint_mean_coarse;
             if (e.way.empty() || is_straight(e.way) ||
                 mean_darkness(e.way) <
                   least_share * mean_darkness(end.behind) ||

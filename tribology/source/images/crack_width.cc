@@ -120,7 +120,7 @@ namespace squeal::tribology
     /** Distance at which the profile has climbed half way from the darkest
      * sample to its flank. */
     double
-    half_depth(const Profile &profile)
+    half_depth_of(const Profile &profile)
     {
       // The flank is the brightest mean of three samples; it lies outside.
       float flank = profile[0];
@@ -234,8 +234,8 @@ namespace squeal::tribology
           const double a = direction.at<float>(p);
           profiles.push_back(
             {profile_at(grey, p, a, -1), profile_at(grey, p, a, 1)});
-          halves.push_back(float(0.5 * (half_depth(profiles.back()[0]) +
-                                        half_depth(profiles.back()[1]))));
+          halves.push_back(float(0.5 * (half_depth_of(profiles.back()[0]) +
+                                        half_depth_of(profiles.back()[1]))));
         }
       const double     half_width = median(halves);
       std::vector<Dip> dips;

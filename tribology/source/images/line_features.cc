@@ -71,7 +71,7 @@ namespace squeal::tribology
 
     /** Mean over a line of taps about each pixel. */
     cv::Mat1f
-    averaged_along(const cv::Mat1f &values, const double angle)
+    averaged_in_direction(const cv::Mat1f &values, const double angle)
     {
       const double reach = 0.5 * (lay_taps - 1) * lay_step;
       const int    rim   = int(reach) + 1;
@@ -292,7 +292,8 @@ namespace squeal::tribology
     std::vector<float> sizes;
     for (int t = 0; t < n_lay; ++t)
       {
-        const cv::Mat1f mean = cv::abs(averaged_along(half, CV_PI * t / n_lay));
+        const cv::Mat1f mean =
+          cv::abs(averaged_in_direction(half, CV_PI * t / n_lay));
         sizes.push_back(std::max(least_lay, image_median(mean)));
       }
     const double usual = quantile(sizes, 0.5);

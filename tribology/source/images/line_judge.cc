@@ -12,12 +12,12 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double crest      = 2.; // contrast
-    constexpr double counts     = 2.; // contrast of a core
-    constexpr int    crest_spur = 4;  // pixels
+    constexpr double crest       = 2.; // contrast
+    constexpr double core_counts = 2.; // contrast of a core
+    constexpr int    crest_spur  = 4;  // pixels
     // Log odds of a place without a line, and what a direction or a place
     // beside the line costs.
-    constexpr double no_line = -1., beside = 0.3;
+    constexpr double no_line = -1., beside_cost = 0.3;
     constexpr double no_neighbour = -3., largest_odds = 3.;
 
     cv::Mat
@@ -46,7 +46,7 @@ namespace squeal::tribology
     core_of(const RidgeField &ridges, const PixelPath &axis)
     {
       const auto has_contrast = [&](const cv::Point &p) {
-        return ridges.local.at<float>(p) >= counts;
+        return ridges.local.at<float>(p) >= core_counts;
       };
       const auto first = std::find_if(axis.begin(), axis.end(), has_contrast);
       const auto last =
@@ -140,12 +140,12 @@ namespace squeal::tribology
           {
             const int       t = (ridges.direction.at<uchar>(p) + turn + n) % n;
             const cv::Point q(p.x / reduction, p.y / reduction);
-            raise(odds.planes[t], q, alone[i] - beside * std::abs(turn));
+            raise(odds.planes[t], q, alone[i] - beside_cost * std::abs(turn));
             for (int k = 0; k < 8; k += 2)
               if (inside.contains(q + neighbour_steps[k]))
                 raise(odds.planes[t],
                       q + neighbour_steps[k],
-                      alone[i] - beside * (1 + std::abs(turn)));
+                      alone[i] - beside_cost * (1 + std::abs(turn)));
           }
     const cv::Mat best = integrate_paths(odds).mean;
     for (std::size_t i = 0; i < alone.size(); ++i)

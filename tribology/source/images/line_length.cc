@@ -12,12 +12,13 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr double smoothing = 1.25; // pixels, deviation of the weights
-    constexpr int    reach     = 4;    // pixels, of the weights
+    constexpr double weight_smoothing =
+      1.25;                  // pixels, deviation of the weights
+    constexpr int reach = 4; // pixels, of the weights
 
     /** Variance of the steps of a smoothed line, pixels^2: rounding errors are
      * uniform, of variance 1/12, and those of different pixels independent;
-     * smoothed() weighs them with 2 g - g * g for weights g of the mean. */
+     * twiced() weighs them with 2 g - g * g for weights g of the mean. */
     double
     step_variance(const std::vector<double> &g)
     {
@@ -81,9 +82,9 @@ namespace squeal::tribology
      * added again. The bend loses the fourth power of (deviation over radius)
      * instead of the second. */
     Curve
-    smoothed(const Curve               &line,
-             const bool                 is_ring,
-             const std::vector<double> &weights)
+    twiced(const Curve               &line,
+           const bool                 is_ring,
+           const std::vector<double> &weights)
     {
       const Curve mean = averaged_along(line, is_ring, weights);
       Curve       rest = line;
@@ -103,7 +104,7 @@ namespace squeal::tribology
     public:
       explicit Measurement(const cv::Mat &skeleton)
         : links(skeleton)
-        , weights(mean_weights(smoothing, reach))
+        , weights(mean_weights(weight_smoothing, reach))
         , variance(step_variance(weights))
         , degree(cv::Mat1b::zeros(skeleton.size()))
         , lengths(cv::Mat1f::zeros(skeleton.size()))
@@ -166,7 +167,7 @@ namespace squeal::tribology
         Curve line;
         for (const cv::Point &p : path)
           line.push_back(nodes(p) > 0 ? centre(p) : cv::Point2d(p));
-        line = smoothed(line, is_ring, weights);
+        line = twiced(line, is_ring, weights);
         for (std::size_t i = 1; i < path.size(); ++i)
           {
             const float half = float(0.5 * step_length(line[i] - line[i - 1]));

@@ -17,19 +17,19 @@ namespace squeal::tribology
     constexpr double image_deviation = 1.2;
     constexpr double curve_deviation = 1.5; // along the line
     constexpr double step_across     = 0.5;
-    constexpr double flank           = 5.;
+    constexpr double flank_reach     = 5.;
     constexpr int    tangent         = 2; // to each side
     constexpr int    shortest_edge   = 6;
     // In steps across.
     constexpr int n_across      = 5; // to each side
     constexpr int largest_shift = 2; // from pixel to pixel
     // The second round goes across the line that the first one found.
-    constexpr int n_rounds = 2;
+    constexpr int n_position_rounds = 2;
     // In depths of the line, for a shift by a pixel.
     constexpr double shift_cost = 0.1;
 
     Curve
-    smoothed(const Curve &curve)
+    smoothed_axis(const Curve &curve)
     {
       const int reach = int(std::ceil(3. * curve_deviation));
       return averaged_along(curve, false, mean_weights(curve_deviation, reach));
@@ -88,7 +88,7 @@ namespace squeal::tribology
         offsets.push_back(k * step_across);
       const cv::Mat1f values = values_across(smooth, curve, normal, offsets);
       const cv::Mat1f flanks =
-        values_across(smooth, curve, normal, {-flank, flank});
+        values_across(smooth, curve, normal, {-flank_reach, flank_reach});
       cv::Mat1f darkest, beside;
       cv::reduce(values, darkest, 1, cv::REDUCE_MIN);
       cv::reduce(flanks, beside, 1, cv::REDUCE_MIN);
@@ -138,17 +138,17 @@ namespace squeal::tribology
     Curve
     moved(const cv::Mat &smooth, const PixelPath &axis)
     {
-      Curve curve = smoothed(Curve(axis.begin(), axis.end()));
+      Curve curve = smoothed_axis(Curve(axis.begin(), axis.end()));
       if (int(curve.size()) < shortest_edge)
         return curve;
-      for (int round = 0; round < n_rounds; ++round)
+      for (int round = 0; round < n_position_rounds; ++round)
         {
           const Curve            normal = normals(curve);
           const std::vector<int> way =
             cheapest_way(brightness_across(smooth, curve, normal));
           for (std::size_t i = 0; i < curve.size(); ++i)
             curve[i] += (way[i] - n_across) * step_across * normal[i];
-          curve = smoothed(curve);
+          curve = smoothed_axis(curve);
         }
       return curve;
     }

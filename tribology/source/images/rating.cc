@@ -10,8 +10,8 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int     longest_spur = 6; // pixels, of the skeleton of a mask
-    const char *const own_name     = "squeal";
+    constexpr int longest_mask_spur = 6; // pixels, of the skeleton of a mask
+    const char *const own_name      = "squeal";
     // Deviation of a drawn outline, pixels.
     constexpr double drawn_outline = 0.7;
 
@@ -55,7 +55,7 @@ namespace squeal::tribology
     for (const Marks &marks : cracks)
       {
         cv::Mat line = thin(marks.mask);
-        remove_spurs(line, longest_spur);
+        remove_spurs(line, longest_mask_spur);
         rating.raters.push_back(marks.rater);
         lines.push_back(line);
       }

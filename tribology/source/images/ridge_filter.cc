@@ -13,13 +13,13 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int    n_directions   = RidgeField::n_directions;
-    constexpr double half_length    = 3.;   // of a line, in its deviations
-    constexpr double flank_distance = 2.;   // in deviations
-    constexpr double second_width   = 1.5;  // of a level, over the first
-    constexpr float  mean_flank     = 0.2F; // weight beside the lesser flank
-    constexpr float  heaviest_tail  = 3.F;  // 90th percentile over median
-    constexpr double noise_block    = 64.;  // pixels of the finest level
+    constexpr int    n_ridge_directions = RidgeField::n_directions;
+    constexpr double half_length        = 3.;  // of a line, in its deviations
+    constexpr double flank_distance     = 2.;  // in deviations
+    constexpr double second_width       = 1.5; // of a level, over the first
+    constexpr float  mean_flank    = 0.2F;     // weight beside the lesser flank
+    constexpr float  heaviest_tail = 3.F;      // 90th percentile over median
+    constexpr double noise_block   = 64.;      // pixels of the finest level
     // Of the noise of the median block.
     constexpr float quietest_block = 0.3F, loudest_block = 3.F;
 
@@ -238,9 +238,9 @@ namespace squeal::tribology
       LineFilter narrow(level, narrowest, block),
         wide(level, second_width * narrowest, block);
       OrientedContrast contrast;
-      for (int t = 0; t < n_directions; ++t)
+      for (int t = 0; t < n_ridge_directions; ++t)
         {
-          const double angle = CV_PI * t / n_directions;
+          const double angle = CV_PI * t / n_ridge_directions;
           cv::max(narrow.contrast(angle, unlimited),
                   wide.contrast(angle, unlimited),
                   contrast.planes[t]);
@@ -254,7 +254,7 @@ namespace squeal::tribology
   double
   RidgeField::angle(const cv::Point &p) const
   {
-    return CV_PI * direction.at<uchar>(p) / n_directions;
+    return CV_PI * direction.at<uchar>(p) / n_ridge_directions;
   }
 
 
@@ -263,10 +263,10 @@ namespace squeal::tribology
   RidgeField::across(const cv::Point &p, const double distance) const
   {
     static const auto normals = [] {
-      std::array<cv::Point2d, n_directions> table;
-      for (int t = 0; t < n_directions; ++t)
-        table[t] = {-std::sin(CV_PI * t / n_directions),
-                    std::cos(CV_PI * t / n_directions)};
+      std::array<cv::Point2d, n_ridge_directions> table;
+      for (int t = 0; t < n_ridge_directions; ++t)
+        table[t] = {-std::sin(CV_PI * t / n_ridge_directions),
+                    std::cos(CV_PI * t / n_ridge_directions)};
       return table;
     }();
     const cv::Point2d &n = normals[direction.at<uchar>(p)];
@@ -305,7 +305,7 @@ namespace squeal::tribology
                             narrowest,
                             std::max(16., noise_block / factor),
                             found_unlimited);
-        for (int t = 0; t < n_directions; ++t)
+        for (int t = 0; t < n_ridge_directions; ++t)
           keep_larger(contrast.planes[t], found.planes[t]);
         keep_larger(unlimited, found_unlimited);
         if (octave == 1)

@@ -12,10 +12,10 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int   exfoliation_rim = 4;   // pixels
-    constexpr int   shortest_rest   = 15;  // pixels of a crack that was cut
-    constexpr int   longest_spur    = 6;   // pixels
-    constexpr float longest_shape   = 3.F; // length over thickness
+    constexpr int   exfoliation_rim   = 4;   // pixels
+    constexpr int   shortest_rest     = 15;  // pixels of a crack that was cut
+    constexpr int   longest_line_spur = 6;   // pixels
+    constexpr float longest_shape     = 3.F; // length over thickness
     // Share of an area beside no crack, and what counts as beside.
     constexpr double least_free = 0.3;
     constexpr double beside     = 4.5; // pixels
@@ -116,7 +116,7 @@ namespace squeal::tribology
         if (int(piece.pixels.size()) < shortest_rest)
           for (const cv::Point &p : piece.pixels)
             centre_line.at<uchar>(p) = 0;
-      remove_spurs(centre_line, longest_spur);
+      remove_spurs(centre_line, longest_line_spur);
       return taken;
     }
   } // namespace

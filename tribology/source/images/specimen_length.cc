@@ -7,7 +7,7 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int samples = 12; // per step of a centre line
+    constexpr int samples_a_step = 12; // per step of a centre line
 
     /** A crack with a box around it, for a quick no. */
     class Cover
@@ -65,16 +65,16 @@ namespace squeal::tribology
         for (std::size_t i = 0; i + 1 < crack.line.size(); ++i)
           {
             const cv::Point2d a = crack.line[i], d = crack.line[i + 1] - a;
-            for (int k = 0; k < samples; ++k)
+            for (int k = 0; k < samples_a_step; ++k)
               {
-                const cv::Point2d p = a + (k + 0.5) / samples * d;
+                const cv::Point2d p = a + (k + 0.5) / samples_a_step * d;
                 const bool        is_hidden =
                   std::any_of(before.begin(),
                               before.end(),
                               [&](const Cover &c) { return c.contains(p); });
                 if (p.x >= 0. && p.y >= 0. && p.x <= view.width &&
                     p.y <= view.height && !is_hidden)
-                  length += cv::norm(d) / samples;
+                  length += cv::norm(d) / samples_a_step;
               }
           }
         before.emplace_back(crack);

@@ -31,12 +31,12 @@ namespace squeal::tribology
     schema.add("Start time",
                h.start_time,
                Allowed::number(),
-               "Samples before are left out.",
+               "Samples before are left out; by default none.",
                "s");
     schema.add("End time",
                h.end_time,
                Allowed::number(),
-               "Samples after are left out.",
+               "Samples after are left out; by default none.",
                "s");
     schema.add("Chunk",
                h.chunk,

@@ -4,7 +4,6 @@
 
 #include <squeal/parameters/choices.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,8 @@ namespace squeal
       std::string file;        /**< the squealing run */
       std::string silent_file; /**< the run it is compared with; may be empty */
       std::string pair;        /**< of a history with several; empty: all */
-      double      start_time = std::numeric_limits<double>::lowest(); /**< s */
-      double      end_time   = std::numeric_limits<double>::max();    /**< s */
+      double      start_time = -1e9; /**< s */
+      double      end_time   = 1e9;  /**< s */
       unsigned int chunk     = 4096; /**< samples in memory at a time */
     };
 
