@@ -154,6 +154,7 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/complex_pairs.cc
     source/eigen/consistent_frequencies.cc
     source/eigen/dense_quadratic.cc
+    source/eigen/dense_scaling.cc
     source/eigen/direct_solver.cc
     source/eigen/frequency_dependence.cc
     source/eigen/mass_basis.cc

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/dense_scaling.h>
 #include <squeal/eigen/standard_pairs.h>
 
 #include <Eigen/LU>
@@ -99,35 +100,6 @@ namespace squeal
     }
 
 
-
-    /** Column scales that give M + K / kappa_0 a unit diagonal. Directions of
-     * a stiff contact have Rayleigh quotients many orders above those of the
-     * band: unscaled, their rounding errors would drown the wanted ones. */
-    Eigen::VectorXd
-    unit_diagonal_scales(const Eigen::MatrixXd &A)
-    {
-      return A.diagonal()
-        .cwiseAbs()
-        .cwiseMax(1e-300)
-        .cwiseSqrt()
-        .cwiseInverse();
-    }
-
-    /** A square frequency (rad/s)^2 low in the spectrum: most vectors of an
-     * enriched basis are far above the band. */
-    double
-    typical_kappa(const Eigen::MatrixXd &K, const Eigen::MatrixXd &M)
-    {
-      std::vector<double> quotients;
-      for (Eigen::Index i = 0; i < K.rows(); ++i)
-        if (const double q = K(i, i) / M(i, i); q > 0. && std::isfinite(q))
-          quotients.push_back(q);
-      if (quotients.empty())
-        return 1.;
-      const auto low = quotients.begin() + quotients.size() / 20;
-      std::nth_element(quotients.begin(), low, quotients.end());
-      return *low;
-    }
 
     /** (K + kappa_0 M)^-1 M with eigenvalues nu = 1 / (kappa + kappa_0): the
      * wanted kappa are the largest nu. */

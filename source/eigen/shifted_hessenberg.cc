@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/eigen/dense_scaling.h>
 #include <squeal/eigen/shifted_hessenberg.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +28,20 @@ namespace squeal
     // Eigen's decompositions ask for one unknown at least.
     if (M.rows() == 0)
       return;
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(M);
-    if (cholesky.info() != Eigen::Success)
+    if (Eigen::LLT<Eigen::MatrixXd>(M).info() != Eigen::Success)
       throw ComputationError("the mass matrix of a reduced model is not "
                              "positive definite");
-    const Eigen::MatrixXd B = cholesky.matrixL().solve(K);
+    kappa_0                                      = typical_kappa(K, M);
+    const Eigen::MatrixXd                      A = K + kappa_0 * M;
+    const Eigen::VectorXd                      D = unit_diagonal_scales(A);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> inverse(D.asDiagonal() * A *
+                                                       D.asDiagonal());
     const Eigen::HessenbergDecomposition<Eigen::MatrixXd> hessenberg(
-      cholesky.matrixL().solve(B.transpose()).transpose());
-    H = hessenberg.matrixH();
-    // Q^T L^-1, the transposed of L^-T Q.
-    transform = cholesky.matrixU()
-                  .solve(Eigen::MatrixXd(hessenberg.matrixQ()))
-                  .transpose();
+      inverse.solve(Eigen::MatrixXd(D.asDiagonal() * M * D.asDiagonal())));
+    const Eigen::MatrixXd Q = hessenberg.matrixQ();
+    H                       = hessenberg.matrixH();
+    after                   = D.asDiagonal() * Q;
+    before = Q.transpose() * inverse.solve(Eigen::MatrixXd(D.asDiagonal()));
   }
 
   ShiftedHessenberg::Factor
@@ -48,11 +52,11 @@ namespace squeal
 
   ShiftedHessenberg::Factor::Factor(const ShiftedHessenberg &o, const Complex s)
     : owner(o)
-    , U(o.H.cast<Complex>())
+    , U((s - o.kappa_0) * o.H.cast<Complex>())
     , factors(Eigen::VectorXcd::Zero(o.H.rows()))
     , exchanged(o.H.rows(), false)
   {
-    U.diagonal().array() += s;
+    U.diagonal().array() += 1.;
     if (U.rows() == 0)
       return;
     // Squares throughout: moduli would cost as much as the elimination. A
@@ -81,7 +85,7 @@ namespace squeal
   Eigen::MatrixXcd
   ShiftedHessenberg::Factor::solve(const Eigen::MatrixXcd &B) const
   {
-    Eigen::MatrixXcd X = times(owner.transform, B);
+    Eigen::MatrixXcd X = times(owner.before, B);
     for (Eigen::Index k = 0; k + 1 < U.rows(); ++k)
       {
         if (exchanged[k])
@@ -89,13 +93,13 @@ namespace squeal
         X.row(k + 1) -= factors[k] * X.row(k);
       }
     U.triangularView<Eigen::Upper>().solveInPlace(X);
-    return times(owner.transform.transpose(), X);
+    return times(owner.after, X);
   }
 
   Eigen::MatrixXcd
   ShiftedHessenberg::Factor::solve_transposed(const Eigen::MatrixXcd &B) const
   {
-    Eigen::MatrixXcd X = times(owner.transform, B);
+    Eigen::MatrixXcd X = transpose_times(owner.after, B);
     U.transpose().triangularView<Eigen::Lower>().solveInPlace(X);
     for (Eigen::Index k = U.rows() - 2; k >= 0; --k)
       {
@@ -103,6 +107,6 @@ namespace squeal
         if (exchanged[k])
           X.row(k).swap(X.row(k + 1));
       }
-    return times(owner.transform.transpose(), X);
+    return transpose_times(owner.before, X);
   }
 } // namespace squeal

@@ -79,6 +79,49 @@ namespace
           "finite where the matrix is zero");
   }
 
+  /** Directions of a stiff contact, 1e18 above the others and coupled with
+   * them, against Gaussian elimination with more digits. */
+  void
+  test_stiff_directions()
+  {
+    using Long       = std::complex<long double>;
+    using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
+    const Eigen::Index    n = 12, n_stiff = 4;
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n);
+    Eigen::VectorXd       size(n);
+    size << Eigen::VectorXd::Ones(n - n_stiff),
+      Eigen::VectorXd::Constant(n_stiff, 1e9);
+    const Eigen::MatrixXd K = size.asDiagonal() *
+                              (A + 4. * Eigen::MatrixXd::Identity(n, n)) *
+                              size.asDiagonal(),
+                          M = some_mass(n);
+    const ShiftedHessenberg solver(K, M);
+    const Eigen::MatrixXcd  B = Eigen::MatrixXcd::Random(n, 3);
+    Worst                   worst;
+    for (const Complex s :
+         {Complex(-.5, .2), Complex(-2., 0.), Complex(3., 1.)})
+      {
+        const LongMatrix Q    = K.cast<Long>() + Long(s) * M.cast<Long>();
+        const auto       soft = [&](const LongMatrix &Z) {
+          return Eigen::MatrixXcd(Z.cast<Complex>().topRows(n - n_stiff));
+        };
+        const auto factor = solver.factor(s);
+        for (const bool transposed : {false, true})
+          {
+            const LongMatrix exact =
+              Eigen::PartialPivLU<LongMatrix>(
+                transposed ? LongMatrix(Q.transpose()) : Q)
+                .solve(B.cast<Long>());
+            const Eigen::MatrixXcd x =
+              transposed ? factor.solve_transposed(B) : factor.solve(B);
+            worst.add((soft(x.cast<Long>()) - soft(exact)).norm() /
+                        soft(exact).norm(),
+                      transposed ? "transposed" : "solve");
+          }
+      }
+    check_within(worst, 1e-11, "beside directions 1e18 times as stiff");
+  }
+
   void
   test_refusals()
   {
@@ -103,5 +146,6 @@ main()
   for (const Eigen::Index n : {1, 2, 3, 20})
     test_shifts(n);
   test_singular();
+  test_stiff_directions();
   test_refusals();
 }

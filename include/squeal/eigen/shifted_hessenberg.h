@@ -12,7 +12,8 @@ namespace squeal
   /**
    * Solves (K + s M) Z = B for one pair of small dense matrices and many shifts
    * s: after one reduction to Hessenberg form, n^3 real operations, each shift
-   * takes n^2.
+   * takes n^2. The inverse is reduced, not K: directions of a stiff contact,
+   * many orders above the band, are small there and drown nothing.
    */
   class ShiftedHessenberg
   {
@@ -48,9 +49,13 @@ namespace squeal
     Factor factor(const std::complex<double> s) const;
 
   private:
-    /** M = L L^T, L^-1 K L^-T = Q H Q^T. */
+    /** With D the scales of the unknowns and A = D (K + kappa_0 M) D:
+     * A^-1 D M D = Q H Q^T, and K + s M = D^-1 A Q (1 + (s - kappa_0) H) Q^T
+     * D^-1. */
+    double          kappa_0 = 0.;
     Eigen::MatrixXd H;
-    Eigen::MatrixXd transform; /**< Q^T L^-1 */
+    Eigen::MatrixXd before; /**< Q^T A^-1 D */
+    Eigen::MatrixXd after;  /**< D Q */
   };
 } // namespace squeal
 
