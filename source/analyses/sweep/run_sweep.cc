@@ -132,10 +132,15 @@ namespace squeal
              (totals.n_lines == 1 ? " line" : " lines");
     }
 
-    /** Of the edges between points; ends of the sweep have no error. */
+    /** Of the edges between points, in the coordinate of the axis; ends of the
+     * sweep have no error. */
     std::string
-    error_of_edges(const Table &ranges, const std::string &unit = "")
+    error_of_edges(const Table &ranges, const SweepAxisParameters &axis)
     {
+      const std::string unit =
+        axis.scale == SweepAxisParameters::Scale::logarithmic
+          ? " decades"
+          : " in " + axis.name;
       std::vector<ErrorSource> sources;
       for (const char *column :
            {"lower_error_reduction", "upper_error_reduction"})
@@ -189,10 +194,8 @@ namespace squeal
       if (all.ranges.n_rows() == 0)
         return where + "; largest error of a frequency, relative: " +
                error_of_frequencies(all, totals);
-      const bool is_logarithmic =
-        sweep.axes[0].scale == SweepAxisParameters::Scale::logarithmic;
       return where + "; " + ranges + "; largest error of an edge: " +
-             error_of_edges(all.ranges, is_logarithmic ? " decades" : "");
+             error_of_edges(all.ranges, sweep.axes[0]);
     }
 
     void
@@ -208,11 +211,12 @@ namespace squeal
     }
 
     void
-    enter_figures(RunContext        &context,
-                  const SweepTables &tables,
-                  const Totals      &totals,
-                  const std::size_t  n_scenes)
+    enter_figures(RunContext                    &context,
+                  const std::vector<SweepScene> &scenes,
+                  const SweepTables             &tables,
+                  const Totals                  &totals)
     {
+      const SweepParameters sweep = all_axes(scenes, context.parameters);
       context.record.figures.insert(
         context.record.figures.begin(),
         {{"unstable ranges", std::to_string(tables.ranges.n_rows())},
@@ -221,8 +225,8 @@ namespace squeal
           std::to_string(totals.n_solved)},
          {"largest error of a frequency, relative",
           error_of_frequencies(tables, totals)},
-         {"largest error of an edge, in its coordinate",
-          error_of_edges(tables.ranges)},
+         {"largest error of an edge",
+          error_of_edges(tables.ranges, sweep.axes[0])},
          {"worst estimated frequency error of the reduction, relative",
           rounded_text(totals.worst.frequency, 2)},
          {"worst estimated sigma error of the reduction",
@@ -231,14 +235,15 @@ namespace squeal
          {"common basis", std::to_string(totals.n_vectors)},
          {"largest basis of a cell", std::to_string(totals.largest_basis)},
          {"basis",
-          totals.n_reused == n_scenes ? "of an earlier run"
-          : totals.n_reused == 0      ? "built in this run"
-                                      : "of an earlier run in part"},
+          totals.n_reused == scenes.size() ? "of an earlier run"
+          : totals.n_reused == 0           ? "built in this run"
+                                           : "of an earlier run in part"},
          {"CPU seconds until here",
           rounded_text(context.timers.total_cpu(), 3)}});
-      if (n_scenes > 1)
-        context.record.figures.insert(context.record.figures.begin(),
-                                      {"scenes", std::to_string(n_scenes)});
+      if (scenes.size() > 1)
+        context.record.figures.insert(
+          context.record.figures.begin(),
+          {"scenes", std::to_string(scenes.size())});
     }
 
     void
@@ -339,7 +344,7 @@ namespace squeal
       print(
         context, "Probability of squeal", {&all.probabilities, &all.drivers});
     print(context, "Unstable ranges (sigma > 0)", {&all.ranges});
-    enter_figures(context, all, totals, scenes.size());
+    enter_figures(context, scenes, all, totals);
     report.set_verdict(all.ranges.n_rows() ? HtmlReport::Verdict::bad
                                            : HtmlReport::Verdict::good,
                        headline(scenes, all, totals, p),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/base/packing.h>
+#include <squeal/base/worst_of.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -132,8 +133,9 @@ namespace squeal
     }
 
     /** An error of the difference of the two partners' frequencies moves the
-     * edge: the squared split is (detuning^2 - coupling^2) / 4 and the coupling
-     * is twice the peak sigma. */
+     * edge: the squared split is (detuning^2 - coupling^2) / 4, and both are
+     * equal there. The coupling is at most twice the peak sigma, less where it
+     * grows along the axis, as it does with friction. */
     double
     mesh_error_of_edges(const SweepModel    &model,
                         const SweepLine     &line,
@@ -176,25 +178,31 @@ namespace squeal
       const auto   modes = model.undamped(at);
       const double omega = 2. * M_PI * nearest->frequency;
       // The two modes nearest in frequency are the partners.
-      double errors[2] = {std::nan(""), std::nan("")}, gaps[2] = {1e300, 1e300};
+      double errors[2] = {std::nan(""), std::nan("")}, gaps[2] = {1e300, 1e300},
+             partners[2] = {0., 0.};
       for (Eigen::Index m = 0; m < modes.modes.omega_squared.size(); ++m)
         {
-          const double gap = std::abs(
-            std::sqrt(std::max(modes.modes.omega_squared[m], 0.)) - omega);
-          const int slot = gap < gaps[0] ? 0 : gap < gaps[1] ? 1 : 2;
+          const double mode =
+            std::sqrt(std::max(modes.modes.omega_squared[m], 0.));
+          const double gap  = std::abs(mode - omega);
+          const int    slot = gap < gaps[0] ? 0 : gap < gaps[1] ? 1 : 2;
           if (slot == 0)
             {
-              gaps[1]   = gaps[0];
-              errors[1] = errors[0];
+              gaps[1]     = gaps[0];
+              errors[1]   = errors[0];
+              partners[1] = partners[0];
             }
           if (slot < 2)
             {
-              gaps[slot]   = gap;
-              errors[slot] = modes.mesh_errors[m];
+              gaps[slot]     = gap;
+              errors[slot]   = modes.mesh_errors[m];
+              partners[slot] = mode;
             }
         }
-      const double detuning = omega * std::max(errors[0], errors[1]);
-      return slope > 0. ? range.peak_sigma * detuning / slope : std::nan("");
+      const double error = omega * worst_of(errors[0], errors[1]);
+      const double coupling =
+        std::min(2. * range.peak_sigma, std::abs(partners[1] - partners[0]));
+      return slope > 0. ? 0.5 * coupling * error / slope : std::nan("");
     }
   } // namespace
 
