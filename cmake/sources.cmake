@@ -330,6 +330,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/modes/run_modes.cc
     source/analyses/operating_matrix/operating_chart.cc
     source/analyses/operating_matrix/run_operating_matrix.cc
+    source/analyses/preload/preload_mesh_error.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
     source/analyses/sweep/run_sweep.cc

@@ -16,9 +16,6 @@ namespace squeal
   {
     using State = ContactParameters::State;
 
-    /** Statics do not depend on it; modes below are taken out of them. */
-    constexpr double cut_off_of_statics = 1000.; // Hz
-
     /** Points that differ in the size of the friction coefficient alone have
      * one flexibility of the contact. */
     std::map<std::vector<double>, std::vector<std::size_t>>
@@ -54,10 +51,10 @@ namespace squeal
         context.log, "contact of steady sliding", groups.size());
       for (const auto &[key, points] : groups)
         {
-          const Parameters   here = without_damping(with_values(
+          const Parameters   here    = without_damping(with_values(
             parameters, grid.entries(), grid.values(grid.point(points[0]))));
-          const PressedModel pressed =
-            pressed_model(here, model, cut_off_of_statics, context.timers);
+          const PressedModel pressed = pressed_model(
+            here, model, cut_off_of_statics(here), context.timers);
           for (const std::size_t i : points)
             {
               const SweepPoint point = grid.point(i);

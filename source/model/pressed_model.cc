@@ -5,6 +5,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/transient/run_in.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -43,6 +44,14 @@ namespace squeal
       if (part.role == MatrixPartParameters::Role::damping)
         part.factor = 0.;
     return parameters;
+  }
+
+
+
+  double
+  cut_off_of_statics(const Parameters &parameters)
+  {
+    return std::min(2000., parameters.eigen.highest_frequency);
   }
 
 
@@ -373,11 +382,9 @@ namespace squeal
                  const std::vector<BodyMatrices> &bodies,
                  Timers                          &timers)
   {
-    // Statics do not depend on the cut-off.
     const Parameters p = without_damping(parameters);
     return states_where_asked(
-      PressedModel(
-        p, discretization, bodies, p.eigen.highest_frequency, timers),
+      PressedModel(p, discretization, bodies, cut_off_of_statics(p), timers),
       parameters,
       timers);
   }
@@ -391,7 +398,7 @@ namespace squeal
     return states_where_asked(
       PressedModel(p,
                    timed(timers, [&]() { return open_scene(p.scene, model); }),
-                   p.eigen.highest_frequency,
+                   cut_off_of_statics(p),
                    timers),
       parameters,
       timers);

@@ -155,6 +155,10 @@ namespace squeal
    * of a kind that motions in time cannot have. */
   Parameters without_damping(Parameters parameters);
 
+  /** Cut-off in Hz that is enough where statics alone are asked for: they are
+   * exact for any, and modes above take time. */
+  double cut_off_of_statics(const Parameters &parameters);
+
   /** Whether some support is `held`. */
   bool has_held_support(const SceneParameters &scene);
 } // namespace squeal

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/analyses.h>
+#include <squeal/analyses/preload/preload_mesh_error.h>
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/model/pressed_model.h>
@@ -331,6 +332,9 @@ namespace squeal
     context.write_table("preload.csv", steps.table());
     context.write_table("contact.csv",
                         contact_nodes_table(pressed, full.sliding));
+    const auto mesh_error = preload_mesh_error(p, model, steps, context.timers);
+    if (mesh_error)
+      context.write_table("preload_mesh_error.csv", *mesh_error);
 
     const bool is_at_rest = pressed.speed() == 0.;
     log_steps(context, steps, is_at_rest);
@@ -343,8 +347,8 @@ namespace squeal
         p.scene.name,
       "pressure under the loads, compression positive");
     report.set_verdict(HtmlReport::Verdict::neutral,
-                       full_load_text(steps, pressed.nodes().n_nodes()) +
-                         "; mesh error not estimated",
+                       full_load_text(steps, pressed.nodes().n_nodes()) + "; " +
+                         mesh_error_text(mesh_error),
                        context.record.figures);
     std::string open_this;
     if (context.is_root)
@@ -354,6 +358,11 @@ namespace squeal
       }
     report.section("Load steps");
     report.table(steps.table(), "Contact over the load");
+    if (mesh_error)
+      {
+        report.section("Error by the mesh");
+        report.table(*mesh_error, "Full load, and with one degree less");
+      }
     if (!p.preload.stiffness_entry.empty())
       report_stiffness(context, report);
     context.finish(p.output.report ? &report : nullptr, open_this);
