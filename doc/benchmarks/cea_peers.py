@@ -5,6 +5,7 @@ and SciPy's on the very same matrices. README.md says what is compared.
 
 usage: /usr/bin/python3 doc/benchmarks/cea_peers.py [--reuse] [--sizes 13 50]
            [--codes slepc_kappa ...] [--time-limit S] [--memory-limit GB]
+           [--neighbour]
 """
 import argparse
 import csv
@@ -464,11 +465,22 @@ def main():
                         help="CPU seconds for one code and size (900)")
     parser.add_argument("--memory-limit", type=float, default=16.,
                         help="address space of one code in GB (16)")
+    parser.add_argument("--neighbour", action="store_true",
+                        help="all beside a stream benchmark on another core")
     parser.add_argument("--measure", nargs=2, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.measure:
         measure(options.measure[0], pathlib.Path(options.measure[1]),
                 options.time_limit, options.memory_limit)
+    elif options.neighbour:
+        if options.reuse:
+            parser.error("--reuse takes squeal's times of another run")
+        with subprocess.Popen([sys.executable,
+                               pathlib.Path(__file__).with_name("neighbour.py")]) as busy:
+            try:
+                compare(options)
+            finally:
+                busy.terminate()
     else:
         compare(options)
 
