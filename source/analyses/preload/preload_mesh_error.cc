@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/preload/preload_mesh_error.h>
+#include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
 
@@ -58,6 +60,7 @@ namespace squeal
   preload_mesh_error(const Parameters &p,
                      const Model      &model,
                      const LoadSteps  &steps,
+                     RunLog           &log,
                      Timers           &timers)
   {
     const Discretization *space = model.discretization();
@@ -65,15 +68,29 @@ namespace squeal
         space->degree() < 2)
       return {};
     Timers::Section section(timers, "Solve: mesh error of the contact");
-    const LoadSteps lower =
-      full_load_of_degree(p, model, space->degree() - 1, timers);
-    Table table(
+    std::optional<LoadSteps> found;
+    try
+      {
+        found.emplace(
+          full_load_of_degree(p, model, space->degree() - 1, timers));
+      }
+    catch (const ComputationError &error)
+      {
+        // The state that was asked for is there all the same.
+        log.warning(
+          std::string("no steady sliding with one degree less, so that "
+                      "the error by the mesh is not known: ") +
+          error.what());
+        return {};
+      }
+    const LoadSteps &lower = *found;
+    Table            table(
       {{"contact", Type::text, "", "pair"},
-       {"quantity", Type::text, "", "column of preload.csv, full load"},
-       {"unit", Type::text, "", "of both values"},
-       {"value", Type::real, "", "with the elements of the run", 7},
-       {"value_lower_degree", Type::real, "", "with one degree less", 7},
-       {"change_rel", Type::real, "", "over the larger of both", 3}});
+                  {"quantity", Type::text, "", "column of preload.csv, full load"},
+                  {"unit", Type::text, "", "of both values"},
+                  {"value", Type::real, "", "with the elements of the run", 7},
+                  {"value_lower_degree", Type::real, "", "with one degree less", 7},
+                  {"change_rel", Type::real, "", "over the larger of both", 3}});
     const std::size_t last = steps.table().n_rows() - 1;
     for (unsigned int i = 0; i < p.scene.contacts.size(); ++i)
       for (const Quantity &q : quantities)

@@ -332,7 +332,8 @@ namespace squeal
     context.write_table("preload.csv", steps.table());
     context.write_table("contact.csv",
                         contact_nodes_table(pressed, full.sliding));
-    const auto mesh_error = preload_mesh_error(p, model, steps, context.timers);
+    const auto mesh_error =
+      preload_mesh_error(p, model, steps, context.log, context.timers);
     if (mesh_error)
       context.write_table("preload_mesh_error.csv", *mesh_error);
 

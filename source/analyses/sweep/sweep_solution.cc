@@ -135,7 +135,9 @@ namespace squeal
     /** An error of the difference of the two partners' frequencies moves the
      * edge: the squared split is (detuning^2 - coupling^2) / 4, and both are
      * equal there. The coupling is at most twice the peak sigma, less where it
-     * grows along the axis, as it does with friction. */
+     * grows along the axis, as it does with friction. The square of the error
+     * counts, too: partners may be nearer to each other than their errors, and
+     * a doublet that passes for them has no detuning. */
     double
     mesh_error_of_edges(const SweepModel    &model,
                         const SweepLine     &line,
@@ -202,7 +204,8 @@ namespace squeal
       const double error = omega * worst_of(errors[0], errors[1]);
       const double coupling =
         std::min(2. * range.peak_sigma, std::abs(partners[1] - partners[0]));
-      return slope > 0. ? 0.5 * coupling * error / slope : std::nan("");
+      return slope > 0. ? (0.5 * coupling + 0.25 * error) * error / slope
+                        : std::nan("");
     }
   } // namespace
 

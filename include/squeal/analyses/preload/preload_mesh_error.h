@@ -10,17 +10,21 @@
 
 namespace squeal
 {
+  class RunLog;
+
   /**
    * preload_mesh_error.csv: forces, stiffness and pressures of every pair under
    * the full load, the last of @p steps, beside those of the same mesh with one
    * degree less. The change bounds the error where elements converge; peaks at
    * an edge where the pressure is singular have no limit. Nothing where
    * `Discretization/Estimate error` is off, with elements of first degree, and
-   * for imported matrices.
+   * for imported matrices; where the lower degree has no steady sliding @p log
+   * warns of it.
    */
   std::optional<Table> preload_mesh_error(const Parameters &p,
                                           const Model      &model,
                                           const LoadSteps  &steps,
+                                          RunLog           &log,
                                           Timers           &timers);
 
   /** The largest changes in words; "mesh error not estimated" without. */
