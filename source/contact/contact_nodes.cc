@@ -158,6 +158,19 @@ namespace squeal
     return squeal::relative_motion(geometries);
   }
 
+  std::vector<bool>
+  ContactNodes::turned_back_from(const ContactNodes &other) const
+  {
+    AssertDimension(n_nodes(), other.n_nodes());
+    std::vector<bool> result;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < all[i].geometry.frames.size(); ++j)
+        result.push_back(all[i].geometry.frames[j].sliding *
+                           other.all[i].geometry.frames[j].sliding <
+                         0.);
+    return result;
+  }
+
 
 
   FrictionLaws

@@ -51,10 +51,10 @@ namespace squeal
         context.log, "contact of steady sliding", groups.size());
       for (const auto &[key, points] : groups)
         {
-          const Parameters   here    = without_damping(with_values(
+          const Parameters   here = without_damping(with_values(
             parameters, grid.entries(), grid.values(grid.point(points[0]))));
-          const PressedModel pressed = pressed_model(
-            here, model, cut_off_of_statics(here), context.timers);
+          const PressedModel pressed =
+            pressed_for_states(here, model, context.timers);
           for (const std::size_t i : points)
             {
               const SweepPoint point = grid.point(i);
@@ -93,15 +93,6 @@ namespace squeal
     {
       return status.size() -
              std::count(status.begin(), status.end(), ContactStatus::open);
-    }
-
-    bool
-    has_preload_state(const SceneParameters &scene)
-    {
-      return std::any_of(
-        scene.contacts.begin(), scene.contacts.end(), [](const auto &c) {
-          return c.state == State::preload;
-        });
     }
   } // namespace
 

@@ -57,6 +57,15 @@ namespace squeal
 
 
   bool
+  has_preload_state(const SceneParameters &scene)
+  {
+    return std::any_of(
+      scene.contacts.begin(), scene.contacts.end(), [](const auto &contact) {
+        return contact.state == ContactParameters::State::preload;
+      });
+  }
+
+  bool
   has_held_support(const SceneParameters &scene)
   {
     for (const auto &support : scene.supports)
@@ -78,8 +87,13 @@ namespace squeal
               MPI_COMM_WORLD)
       , bodies(assemble_bodies(space))
     {
-      pressed = std::make_unique<const PressedModel>(
-        scene, space, bodies, held.cut_off, timers, held.interface_cut_off);
+      pressed = std::make_unique<const PressedModel>(scene,
+                                                     space,
+                                                     bodies,
+                                                     held.cut_off,
+                                                     timers,
+                                                     held.interface_cut_off,
+                                                     held.flexibility);
     }
 
     static Parameters
@@ -104,13 +118,15 @@ namespace squeal
                              const std::vector<BodyMatrices> &bodies,
                              const double                     highest,
                              Timers                          &timers,
-                             const double                     interface)
+                             const double                     interface,
+                             const Flexibility                what)
     : PressedModel(
         p,
         timed(timers, [&]() { return open_scene(p.scene, d, bodies); }),
         highest,
         timers,
-        interface)
+        interface,
+        what)
   {
   }
 
@@ -118,7 +134,8 @@ namespace squeal
                              OpenScene         open,
                              const double      highest,
                              Timers           &timers,
-                             const double      interface)
+                             const double      interface,
+                             const Flexibility what)
     : parameters(p)
     , scene(p.scene)
     , discretization(open.discretization)
@@ -129,6 +146,7 @@ namespace squeal
     , force_of(std::move(open.force_of))
     , cut_off(highest)
     , interface_cut_off(interface)
+    , flexibility(what)
   {
     pencil = std::make_shared<const Pencil>(separated.system, scene);
     {
@@ -145,7 +163,7 @@ namespace squeal
         inner_products(*pencil->space(), basis->shapes, open.struck).col(0);
       struck.normalize();
       reduced = reduce_contact_model(
-        *pencil, *basis, cut_off, contact_nodes, load, observed);
+        *pencil, *basis, cut_off, contact_nodes, load, observed, flexibility);
       add_cut_off_damping(reduced, p.transient.cut_off_damping);
     }
     if (has_held_support(scene))
@@ -154,6 +172,36 @@ namespace squeal
 
 
 
+  namespace
+  {
+    PressedModel
+    pressed_model_of(const Parameters &parameters,
+                     const Model      &model,
+                     const double      cut_off,
+                     Timers           &timers,
+                     const double      interface_cut_off,
+                     const Flexibility flexibility)
+    {
+      if (model.imported() == nullptr)
+        return {parameters,
+                *model.discretization(),
+                model.body_matrices(),
+                cut_off,
+                timers,
+                interface_cut_off,
+                flexibility};
+      return {parameters,
+              timed(timers,
+                    [&]() {
+                      return open_scene(parameters.scene, *model.imported());
+                    }),
+              cut_off,
+              timers,
+              interface_cut_off,
+              flexibility};
+    }
+  } // namespace
+
   PressedModel
   pressed_model(const Parameters &parameters,
                 const Model      &model,
@@ -161,20 +209,25 @@ namespace squeal
                 Timers           &timers,
                 const double      interface_cut_off)
   {
-    if (model.imported() == nullptr)
-      return {parameters,
-              *model.discretization(),
-              model.body_matrices(),
-              cut_off,
-              timers,
-              interface_cut_off};
-    return {
-      parameters,
-      timed(timers,
-            [&]() { return open_scene(parameters.scene, *model.imported()); }),
-      cut_off,
-      timers,
-      interface_cut_off};
+    return pressed_model_of(parameters,
+                            model,
+                            cut_off,
+                            timers,
+                            interface_cut_off,
+                            Flexibility::complete);
+  }
+
+  PressedModel
+  pressed_for_states(const Parameters &parameters,
+                     const Model      &model,
+                     Timers           &timers)
+  {
+    return pressed_model_of(parameters,
+                            model,
+                            cut_off_of_statics(parameters),
+                            timers,
+                            0.,
+                            Flexibility::of_sliding);
   }
 
 
@@ -202,6 +255,36 @@ namespace squeal
   {
     PressedModel result = *this;
     result.contact_nodes.set_coefficients(of_pairs);
+    return result;
+  }
+
+  PressedModel::PressedModel(const PressedModel &other, const Parameters &p)
+    : parameters(p)
+    , scene(p.scene)
+    , discretization(other.discretization)
+    , separated(other.separated)
+    , contact_nodes(p.scene.contacts, other.separated.contacts)
+    , pencil(other.pencil)
+    , basis(other.basis)
+    , load(other.load)
+    , observed(other.observed)
+    , force_of(other.force_of)
+    , struck(other.struck)
+    , reduced(other.reduced)
+    , cut_off(other.cut_off)
+    , interface_cut_off(other.interface_cut_off)
+    , flexibility(other.flexibility)
+  {
+    reduced.turn_back(contact_nodes.turned_back_from(other.contact_nodes));
+    reduced.speed_ratio = contact_nodes.speed_ratio();
+  }
+
+  PressedModel
+  PressedModel::with_sliding(const Parameters &p, Timers &timers) const
+  {
+    PressedModel result(*this, p);
+    if (moving)
+      result.moving = std::make_shared<const MovingScene>(result, timers);
     return result;
   }
 
@@ -299,6 +382,7 @@ namespace squeal
   FullContactModel
   PressedModel::full_model(const SteadySliding &steady) const
   {
+    Assert(flexibility == Flexibility::complete, dealii::ExcInternalError());
     FullContactModel full;
     full.pencil = pencil;
     full.basis  = basis;
@@ -357,24 +441,19 @@ namespace squeal
 
 
 
-  namespace
+  std::vector<ContactStates>
+  preload_states(const PressedModel &pressed,
+                 const Parameters   &parameters,
+                 Timers             &timers)
   {
-    std::vector<ContactStates>
-    states_where_asked(const PressedModel &pressed,
-                       const Parameters   &parameters,
-                       Timers             &timers)
-    {
-      auto states = pressed.states_of(
-        pressed.steady(parameters.preload.tolerance, timers).sliding);
-      for (std::size_t i = 0; i < states.size(); ++i)
-        if (parameters.scene.contacts[i].state !=
-            ContactParameters::State::preload)
-          states[i].clear();
-      return states;
-    }
-  } // namespace
-
-
+    auto states = pressed.states_of(
+      pressed.steady(parameters.preload.tolerance, timers).sliding);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      if (parameters.scene.contacts[i].state !=
+          ContactParameters::State::preload)
+        states[i].clear();
+    return states;
+  }
 
   std::vector<ContactStates>
   preload_states(const Parameters                &parameters,
@@ -383,10 +462,15 @@ namespace squeal
                  Timers                          &timers)
   {
     const Parameters p = without_damping(parameters);
-    return states_where_asked(
-      PressedModel(p, discretization, bodies, cut_off_of_statics(p), timers),
-      parameters,
-      timers);
+    return preload_states(PressedModel(p,
+                                       discretization,
+                                       bodies,
+                                       cut_off_of_statics(p),
+                                       timers,
+                                       0.,
+                                       Flexibility::of_sliding),
+                          parameters,
+                          timers);
   }
 
   std::vector<ContactStates>
@@ -395,11 +479,13 @@ namespace squeal
                  Timers              &timers)
   {
     const Parameters p = without_damping(parameters);
-    return states_where_asked(
+    return preload_states(
       PressedModel(p,
                    timed(timers, [&]() { return open_scene(p.scene, model); }),
                    cut_off_of_statics(p),
-                   timers),
+                   timers,
+                   0.,
+                   Flexibility::of_sliding),
       parameters,
       timers);
   }

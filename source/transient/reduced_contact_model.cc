@@ -3,6 +3,8 @@
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/transient/reduced_contact_model.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace squeal
 {
   Eigen::VectorXd
@@ -16,13 +18,72 @@ namespace squeal
 
 
 
+  void
+  ReducedContactModel::turn_back(const std::vector<bool> &of_nodes)
+  {
+    AssertDimension(of_nodes.size(), n_nodes());
+    Eigen::VectorXd sign = Eigen::VectorXd::Ones(3 * n_nodes());
+    for (unsigned int j = 0; j < n_nodes(); ++j)
+      if (of_nodes[j])
+        sign.segment(3 * j + 1, 2).setConstant(-1.);
+    participation = (sign.asDiagonal() * participation).eval();
+    flexibility = (sign.asDiagonal() * flexibility * sign.asDiagonal()).eval();
+    load_motion = sign.cwiseProduct(load_motion).eval();
+    if (observed.contact.size() > 0)
+      observed.contact = (observed.contact * sign.asDiagonal()).eval();
+  }
+
+
+
+  namespace
+  {
+    /** B A B^T with forces along and across the sliding only at nodes that are
+     * at rest, three rows a node; see Flexibility::of_sliding. */
+    Eigen::MatrixXd
+    flexibility_of_sliding(const ResidualResponse &residual_response,
+                           const Functionals      &B,
+                           const ContactNodes     &nodes)
+    {
+      std::vector<unsigned int> solved, sliding;
+      for (const ContactPair &pair : nodes.pairs())
+        for (unsigned int j = pair.first; j < pair.first + pair.n_nodes(); ++j)
+          {
+            solved.push_back(3 * j);
+            if (pair.slides())
+              sliding.push_back(j);
+            else
+              solved.insert(solved.end(), {3 * j + 1, 3 * j + 2});
+          }
+      const Eigen::Index n = B.n_rows(), n_solved = solved.size();
+      Eigen::MatrixXd    unit = Eigen::MatrixXd::Zero(n, n_solved);
+      for (Eigen::Index k = 0; k < n_solved; ++k)
+        unit(solved[k], k) = 1.;
+      const Eigen::MatrixXd columns =
+        B.apply(residual_response(B.apply_transposed(unit)));
+
+      Eigen::MatrixXd G          = Eigen::MatrixXd::Zero(n, n);
+      G(Eigen::all, solved)      = columns;
+      G(solved, Eigen::all)      = columns.transpose();
+      const Eigen::MatrixXd both = columns(solved, Eigen::all);
+      G(solved, solved)          = 0.5 * (both + both.transpose());
+      for (const unsigned int i : sliding)
+        for (const unsigned int j : sliding)
+          for (const unsigned int along : {1, 2})
+            G(3 * i + along, 3 * j + along) = G(3 * i, 3 * j);
+      return G;
+    }
+  } // namespace
+
+
+
   ReducedContactModel
   reduce_contact_model(const Pencil         &pencil,
                        const ReductionBasis &basis,
                        const double          cut_off,
                        const ContactNodes   &nodes,
                        const Block          &load,
-                       const Block          &observers)
+                       const Block          &observers,
+                       const Flexibility     flexibility)
   {
     ReducedContactModel model;
     double              alpha, beta;
@@ -40,11 +101,9 @@ namespace squeal
     model.load          = inner_products(space, basis.shapes, load);
 
     const ResidualResponse residual_response(pencil, basis);
-    const Eigen::Index     n         = B.n_rows();
-    const Block            responses = residual_response(
-      B.apply_transposed(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))));
-    const Eigen::MatrixXd G = B.apply(responses);
-    model.flexibility       = 0.5 * (G + G.transpose());
+    model.flexibility = flexibility == Flexibility::complete
+                          ? residual_response.flexibility(B)
+                          : flexibility_of_sliding(residual_response, B, nodes);
     // Springs give way: their compliance adds to that of the bodies.
     model.flexibility.diagonal() += nodes.compliance();
     model.load_motion = B.apply(residual_response(load));

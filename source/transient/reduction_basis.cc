@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -15,6 +16,9 @@ namespace squeal
 
     /** Directions that shrink below this share of their size are dropped. */
     constexpr double krylov_drop = 1e-7;
+
+    /** Right-hand sides of one solve. */
+    constexpr Eigen::Index columns_at_once = 128;
 
     /** Appends the Ritz vectors up to @p cut_off to a basis of modes. */
     void
@@ -89,23 +93,24 @@ namespace squeal
 
 
   Block
-  ResidualResponse::operator()(const Block &forces) const
+  ResidualResponse::without_modes(const Block &forces) const
   {
     const auto phi   = basis.shapes.leftCols(basis.n_modes),
                M_phi = basis.mass_shapes.leftCols(basis.n_modes);
-    Block x          = Block::Zero(forces.rows(), forces.cols());
     Block rest       = forces;
+    rest -= M_phi * inner_products(space, phi, rest);
+    Block x = inverse.solve(rest);
+    x -= phi * inner_products(space, M_phi, x);
+    return x;
+  }
+
+  Block
+  ResidualResponse::operator()(const Block &forces) const
+  {
     // The factor stands beside zero, which is an error of shift / omega^2 in
     // every mode that is left: a second round squares it.
-    for (unsigned int round = 0; round < 2; ++round)
-      {
-        rest -= M_phi * inner_products(space, phi, rest);
-        Block more = inverse.solve(rest);
-        more -= phi * inner_products(space, M_phi, more);
-        x += more;
-        if (round == 0)
-          rest = forces - pencil.multiply_undamped_stiffness(x);
-      }
+    Block x = without_modes(forces);
+    x += without_modes(forces - pencil.multiply_undamped_stiffness(x));
     const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
     if (n_ritz > 0)
       {
@@ -115,5 +120,46 @@ namespace squeal
              inner_products(space, ritz, forces);
       }
     return x;
+  }
+
+
+  Eigen::MatrixXd
+  ResidualResponse::flexibility(const Functionals &B) const
+  {
+    const Eigen::Index n = B.n_rows();
+    Block              x(space.n_owned(), n);
+    Eigen::MatrixXd    G(n, n);
+    // Columns in groups: whole blocks of forces and products beside the
+    // responses would take four times the memory.
+    for (Eigen::Index first = 0; first < n; first += columns_at_once)
+      {
+        const Eigen::Index m    = std::min(columns_at_once, n - first);
+        Eigen::MatrixXd    unit = Eigen::MatrixXd::Zero(n, m);
+        unit.middleRows(first, m).setIdentity();
+        const Block moved      = without_modes(B.apply_transposed(unit));
+        x.middleCols(first, m) = moved;
+        G.middleCols(first, m) = B.apply(moved);
+      }
+    // The second round of the operator answers to -shift M x. As both sides are
+    // the same functionals, its products with these are those of x with it: no
+    // solve. Those of one half are enough.
+    for (Eigen::Index first = 0; first < n; first += columns_at_once)
+      {
+        const Eigen::Index m = std::min(columns_at_once, n - first);
+        const Block M_x = pencil.multiply_mass(Block(x.middleCols(first, m)));
+        G.block(first, first, n - first, m) -=
+          inverse.shift() * inner_products(space, x.rightCols(n - first), M_x);
+      }
+    G = Eigen::MatrixXd(G.selfadjointView<Eigen::Lower>());
+    const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
+    if (n_ritz > 0)
+      {
+        const Eigen::MatrixXd ritz =
+          B.apply(Block(basis.shapes.rightCols(n_ritz)));
+        G -= ritz *
+             basis.omega_squared.tail(n_ritz).cwiseInverse().asDiagonal() *
+             ritz.transpose();
+      }
+    return G;
   }
 } // namespace squeal

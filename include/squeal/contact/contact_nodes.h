@@ -63,6 +63,10 @@ namespace squeal
     Eigen::VectorXd compliance() const;
     /** B: three rows a node. */
     Functionals relative_motion() const;
+    /** Whether a node slides against the direction that it has in @p other,
+     * whose pairs have the same faces: then its rows of B along and across the
+     * sliding have the other sign. */
+    std::vector<bool> turned_back_from(const ContactNodes &other) const;
 
     /** @name Friction, by pairs */
     //@{

@@ -48,26 +48,33 @@ namespace squeal
     static unsigned int observer(const unsigned int pair, const Observer what);
 
     /** References are kept. Motions of the contact itself have mass up to
-     * @p interface_cut_off, Hz; 0: none. */
+     * @p interface_cut_off, Hz; 0: none. With the flexibility of sliding alone
+     * the model is good for steady sliding, not for motions. */
     PressedModel(const Parameters                &parameters,
                  const Discretization            &discretization,
                  const std::vector<BodyMatrices> &bodies,
                  const double                     cut_off,
                  Timers                          &timers,
-                 const double                     interface_cut_off = 0.);
+                 const double                     interface_cut_off = 0.,
+                 const Flexibility flexibility = Flexibility::complete);
 
     /** Of an open scene, whatever it comes from. @p parameters are kept. */
     PressedModel(const Parameters &parameters,
                  OpenScene         open,
                  const double      cut_off,
                  Timers           &timers,
-                 const double      interface_cut_off = 0.);
+                 const double      interface_cut_off = 0.,
+                 const Flexibility flexibility       = Flexibility::complete);
 
     const ContactNodes        &nodes() const;
     const ReducedContactModel &model() const;
     /** The same with other coefficients of friction >= 0 of the pairs for the
      * same directions of sliding; as ContactNodes::set_coefficients(). */
-    PressedModel  with_friction(const std::vector<double> &of_pairs) const;
+    PressedModel with_friction(const std::vector<double> &of_pairs) const;
+    /** The same bodies under the same loads, which slide at the speeds, in the
+     * directions and with the friction of @p parameters; they are kept. */
+    PressedModel  with_sliding(const Parameters &parameters,
+                               Timers           &timers) const;
     NodalFriction sliding_friction() const; /**< in steady sliding */
     /** The largest sliding speed of a pair, m/s, that the speeds of nodes are
      * measured by. */
@@ -106,6 +113,7 @@ namespace squeal
     std::vector<ContactStates> states_of(const SteadySliding &steady) const;
 
   private:
+    PressedModel(const PressedModel &other, const Parameters &parameters);
     SteadySliding                 steady_of_this(const double tolerance) const;
     const Parameters             &parameters;
     const SceneParameters        &scene;
@@ -119,6 +127,7 @@ namespace squeal
     Eigen::VectorXd struck; /**< velocities of a disturbance, of unit size */
     ReducedContactModel reduced;
     double              cut_off, interface_cut_off;
+    Flexibility         flexibility;
     struct MovingScene;
     std::shared_ptr<const MovingScene> moving; /**< of held supports */
   };
@@ -133,6 +142,10 @@ namespace squeal
 
   /** The contact states of a scene's steady sliding, one list a pair; empty
    * for pairs whose state is that of the parameters. */
+  std::vector<ContactStates> preload_states(const PressedModel &pressed,
+                                            const Parameters   &parameters,
+                                            Timers             &timers);
+
   std::vector<ContactStates> preload_states(
     const Parameters                &parameters,
     const Discretization            &discretization,
@@ -151,8 +164,13 @@ namespace squeal
                              Timers           &timers,
                              const double      interface_cut_off = 0.);
 
-  /** The same without damping, which steady sliding does not feel: it may be
-   * of a kind that motions in time cannot have. */
+  /** The same for the states of steady sliding alone. */
+  PressedModel pressed_for_states(const Parameters &parameters,
+                                  const Model      &model,
+                                  Timers           &timers);
+
+  /** The parameters without damping, which steady sliding does not feel: it may
+   * be of a kind that motions in time cannot have. */
   Parameters without_damping(Parameters parameters);
 
   /** Cut-off in Hz that is enough where statics alone are asked for: they are
@@ -161,6 +179,9 @@ namespace squeal
 
   /** Whether some support is `held`. */
   bool has_held_support(const SceneParameters &scene);
+
+  /** Whether some pair is in the state of steady sliding. */
+  bool has_preload_state(const SceneParameters &scene);
 } // namespace squeal
 
 #endif

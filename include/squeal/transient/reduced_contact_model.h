@@ -51,6 +51,10 @@ namespace squeal
     Eigen::VectorXd speed_ratio;
     double          cut_off; /**< Hz: all modes below it are there */
 
+    /** Turns the directions along and across the sliding back at the nodes
+     * where @p of_nodes is true. */
+    void turn_back(const std::vector<bool> &of_nodes);
+
     unsigned int
     n_modes() const
     {
@@ -61,6 +65,17 @@ namespace squeal
     {
       return initial_gap.size();
     }
+  };
+
+  /** What of the flexibility G is computed. */
+  enum class Flexibility
+  {
+    complete,
+    /** All that the contact states of steady sliding depend on, with a third of
+     * the work. Where a target slides friction has the direction of the
+     * sliding, whatever the faces move along themselves: what forces along the
+     * faces move there is taken from the normals, which keeps G positive. */
+    of_sliding
   };
 
   /**
@@ -74,12 +89,14 @@ namespace squeal
    * @param observers  columns l of motions l^T u to be observed
    * Throws InputError where the damping is not alpha M + beta K.
    */
-  ReducedContactModel reduce_contact_model(const Pencil         &pencil,
-                                           const ReductionBasis &basis,
-                                           const double          cut_off,
-                                           const ContactNodes   &nodes,
-                                           const Block          &load,
-                                           const Block &observers = {});
+  ReducedContactModel reduce_contact_model(
+    const Pencil         &pencil,
+    const ReductionBasis &basis,
+    const double          cut_off,
+    const ContactNodes   &nodes,
+    const Block          &load,
+    const Block          &observers   = {},
+    const Flexibility     flexibility = Flexibility::complete);
 
   /** The damping ratio @p ratio (f/cut_off)^8 at frequency @p f, both in Hz
    * (theory.md, "Ringing at the cut-off"). */

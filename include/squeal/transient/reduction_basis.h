@@ -41,7 +41,14 @@ namespace squeal
     ResidualResponse(const Pencil &pencil, const ReductionBasis &basis);
     Block operator()(const Block &forces) const;
 
+    /** B A B^T, symmetric: what forces on @p functionals move there, A being
+     * the operator above. A solve a column, where the operator takes two. */
+    Eigen::MatrixXd flexibility(const Functionals &functionals) const;
+
   private:
+    /** Without the share of the modes. */
+    Block without_modes(const Block &forces) const;
+
     const RowSpace       &space;
     const ReductionBasis &basis;
     const Pencil         &pencil;

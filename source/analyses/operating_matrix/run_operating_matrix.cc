@@ -5,12 +5,14 @@
 #include <squeal/base/number_text.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/model/frequency_pencil.h>
+#include <squeal/model/pressed_model.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
 #include <squeal/scene/modulus_table.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -100,35 +102,6 @@ namespace squeal
       return result;
     }
 
-    /** Rows of all unstable pairs, the loudest last; of the loudest alone where
-     * none is unstable. */
-    void
-    add_pairs(const Model        &model,
-              const ModeSolution &modes,
-              const ComplexPairs &pairs,
-              const Condition    &c,
-              Table              &all,
-              Table              &loudest)
-    {
-      const PairQuantities quantities = pair_quantities(model, modes, pairs);
-      const LoudestPairs   listed     = loudest_pairs(pairs);
-      const auto           given      = [](const std::optional<double> &value) {
-        return value ? Cell(*value) : Cell();
-      };
-      for (const unsigned int i : listed.numbers)
-        {
-          std::vector<Cell> row = {given(c.pressure),
-                                   given(c.temperature),
-                                   given(c.speed),
-                                   c.backward ? "backward" : "forward"};
-          append_pair_cells(row, pairs, quantities, i);
-          row.push_back(listed.n_unstable);
-          all.add_row(row);
-          if (i == listed.numbers.back())
-            loudest.add_row(row);
-        }
-    }
-
     std::string
     text_of(const Condition &c)
     {
@@ -140,6 +113,122 @@ namespace squeal
       if (c.temperature)
         text += ", " + rounded_text(*c.temperature, 4) + " degrees Celsius";
       return text;
+    }
+
+    /** Rows of all unstable pairs, the loudest last; of the loudest alone where
+     * none is unstable. */
+    std::vector<std::vector<Cell>>
+    rows_of(const Model        &model,
+            const ModeSolution &modes,
+            const ComplexPairs &pairs,
+            const Condition    &c)
+    {
+      const PairQuantities quantities = pair_quantities(model, modes, pairs);
+      const LoudestPairs   listed     = loudest_pairs(pairs);
+      const auto           given      = [](const std::optional<double> &value) {
+        return value ? Cell(*value) : Cell();
+      };
+      std::vector<std::vector<Cell>> result;
+      for (const unsigned int i : listed.numbers)
+        {
+          std::vector<Cell> row = {given(c.pressure),
+                                   given(c.temperature),
+                                   given(c.speed),
+                                   c.backward ? "backward" : "forward"};
+          append_pair_cells(row, pairs, quantities, i);
+          row.push_back(listed.n_unstable);
+          result.push_back(std::move(row));
+        }
+      return result;
+    }
+
+    /** A condition's scene, at its moduli: the contact of steady sliding
+     * depends on them, too. */
+    Parameters
+    parameters_of(const Parameters &p, const Condition &c)
+    {
+      Parameters here = at_condition(p, c);
+      here.scene      = with_moduli(here, c);
+      return here;
+    }
+
+    /** Conditions of one pressure and one temperature: bodies and loads are the
+     * same, which speed and direction do not change. */
+    std::map<std::pair<std::optional<double>, std::optional<double>>,
+             std::vector<std::size_t>>
+    with_same_bodies(const std::vector<Condition> &all)
+    {
+      std::map<std::pair<std::optional<double>, std::optional<double>>,
+               std::vector<std::size_t>>
+        result;
+      for (std::size_t k = 0; k < all.size(); ++k)
+        result[{all[k].pressure, all[k].temperature}].push_back(k);
+      return result;
+    }
+
+    /** The scene of a condition cut open and pressed on. */
+    struct PressedCondition
+    {
+      PressedCondition(const Parameters &p, Timers &timers)
+        : parameters(without_damping(p))
+        , open(parameters, timers, {}, Model::Contacts::open)
+        , pressed(pressed_for_states(parameters, open, timers))
+      {
+      }
+      const Parameters   parameters;
+      const Model        open;
+      const PressedModel pressed;
+    };
+
+    /** The pairs under one condition, as rows; @p pressed: of its bodies, none
+     * where no contact asks for it. */
+    std::vector<std::vector<Cell>>
+    solve_condition(const Parameters       &here,
+                    const Condition        &c,
+                    const PressedCondition *pressed,
+                    RunContext             &context)
+    {
+      std::vector<ContactStates> states;
+      if (pressed)
+        {
+          const Parameters undamped = without_damping(here);
+          states                    = preload_states(
+            pressed->pressed.with_sliding(undamped, context.timers),
+            undamped,
+            context.timers);
+        }
+      Model             model(here, context.timers, states);
+      ModeSolution      modes = solve_modes(model, context.log, context.timers);
+      const CeaSolution solution =
+        solve_cea(model, modes, context.log, context.timers);
+      context.record.n_dofs = model.n_unknowns();
+      if (solution.pairs.size() == 0)
+        refuse_empty_band(here, modes);
+      return rows_of(model, modes, solution.pairs, c);
+    }
+
+    /** Rows of the pairs under every condition, in their order. */
+    std::vector<std::vector<std::vector<Cell>>>
+    solve_conditions(const std::vector<Condition> &all, RunContext &context)
+    {
+      std::vector<std::vector<std::vector<Cell>>> result(all.size());
+      std::size_t                                 n_done = 0;
+      for (const auto &[key, members] : with_same_bodies(all))
+        {
+          std::optional<PressedCondition> pressed;
+          for (const std::size_t k : members)
+            {
+              context.log.heading(text_of(all[k]) + ", " +
+                                  std::to_string(++n_done) + " of " +
+                                  std::to_string(all.size()));
+              const Parameters here = parameters_of(context.parameters, all[k]);
+              if (!pressed && has_preload_state(here.scene))
+                pressed.emplace(here, context.timers);
+              result[k] = solve_condition(
+                here, all[k], pressed ? &*pressed : nullptr, context);
+            }
+        }
+      return result;
     }
 
     /** Where it squeals, in a sentence. */
@@ -189,24 +278,13 @@ namespace squeal
     const auto  all_conditions = conditions(p.operating_matrix);
     // What some table does not cover ends the run before any work.
     for (const Condition &c : all_conditions)
-      with_moduli(at_condition(p, c), c);
+      parameters_of(p, c);
     Table all(columns()), loudest(columns());
-    for (std::size_t k = 0; k < all_conditions.size(); ++k)
+    for (const auto &rows : solve_conditions(all_conditions, context))
       {
-        const Condition &c = all_conditions[k];
-        context.log.heading(text_of(c) + ", " + std::to_string(k + 1) + " of " +
-                            std::to_string(all_conditions.size()));
-        Parameters here = at_condition(p, c);
-        // The contact of steady sliding depends on the moduli, too.
-        here.scene = with_moduli(here, c);
-        Model        model(here, context.timers);
-        ModeSolution modes    = solve_modes(model, context.log, context.timers);
-        context.record.n_dofs = model.n_unknowns();
-        const CeaSolution solution =
-          solve_cea(model, modes, context.log, context.timers);
-        if (solution.pairs.size() == 0)
-          refuse_empty_band(here, modes);
-        add_pairs(model, modes, solution.pairs, c, all, loudest);
+        for (const auto &row : rows)
+          all.add_row(row);
+        loudest.add_row(rows.back());
       }
     context.write_table("operating_matrix.csv", loudest);
     context.write_table("operating_pairs.csv", all);
