@@ -329,6 +329,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc
     source/analyses/operating_matrix/operating_chart.cc
+    source/analyses/operating_matrix/operating_condition.cc
     source/analyses/operating_matrix/run_operating_matrix.cc
     source/analyses/preload/preload_mesh_error.cc
     source/analyses/preload/preload_tables.cc

@@ -164,6 +164,28 @@ namespace squeal
 
 
 
+  namespace
+  {
+    std::vector<ModeName>
+    names_of(const Model           &model,
+             const ComplexPairs    &pairs,
+             const Eigen::MatrixXd &energy_shares)
+    {
+      const Block re = model.linearized().expand(Block(pairs.right.real())),
+                  im = model.linearized().expand(Block(pairs.right.imag()));
+      ComplexBlock full(re.rows(), re.cols());
+      full.real() = re;
+      full.imag() = im;
+      return model.namer().name(full, energy_shares, pairs.lambda);
+    }
+  } // namespace
+
+  std::vector<ModeName>
+  pair_names(const Model &model, const ComplexPairs &pairs)
+  {
+    return names_of(model, pairs, model.energy_shares(pairs.right));
+  }
+
   PairQuantities
   pair_quantities(const Model        &model,
                   const ModeSolution &modes,
@@ -171,15 +193,10 @@ namespace squeal
   {
     PairQuantities  q;
     ComplexBlock    MX;
-    const auto      masses = modal_masses(*modes.pencil, pairs.right, MX);
-    const RowSpace &space  = *modes.pencil->space();
-    q.energy_shares        = model.energy_shares(pairs.right);
-    ComplexBlock full(
-      model.linearized().expand(Block(pairs.right.real())).rows(),
-      pairs.right.cols());
-    full.real() = model.linearized().expand(Block(pairs.right.real()));
-    full.imag() = model.linearized().expand(Block(pairs.right.imag()));
-    q.names     = model.namer().name(full, q.energy_shares, pairs.lambda);
+    const auto      masses  = modal_masses(*modes.pencil, pairs.right, MX);
+    const RowSpace &space   = *modes.pencil->space();
+    q.energy_shares         = model.energy_shares(pairs.right);
+    q.names                 = names_of(model, pairs, q.energy_shares);
     q.energy_per_cycle      = friction_energies(*modes.pencil, pairs, masses);
     q.contact_participation = contact_participations(model, pairs, masses);
 

@@ -52,15 +52,15 @@ namespace squeal
 
 
   void
-  append_pair_cells(std::vector<Cell>    &cells,
-                    const ComplexPairs   &pairs,
-                    const PairQuantities &quantities,
-                    const unsigned int    i)
+  append_pair_cells(std::vector<Cell>           &cells,
+                    const ComplexPairs          &pairs,
+                    const std::vector<ModeName> &names,
+                    const unsigned int           i)
   {
     cells.insert(cells.end(),
                  {pairs.frequency(i),
                   pairs.sigma(i),
-                  quantities.names[i].text,
+                  names[i].text,
                   pairs.error_estimate[i]});
   }
 } // namespace squeal

@@ -44,6 +44,10 @@ namespace squeal
    * which fewest unknowns are held. */
   double total_mass(const Model &model);
 
+  /** Names of all pairs. */
+  std::vector<ModeName> pair_names(const Model        &model,
+                                   const ComplexPairs &pairs);
+
   PairQuantities pair_quantities(const Model        &model,
                                  const ModeSolution &modes,
                                  const ComplexPairs &pairs);

@@ -26,10 +26,10 @@ namespace squeal
   void append_pair_columns(std::vector<Table::Column> &columns);
 
   /** Appends the cells of these columns for pair @p i. */
-  void append_pair_cells(std::vector<Cell>    &cells,
-                         const ComplexPairs   &pairs,
-                         const PairQuantities &quantities,
-                         const unsigned int    i);
+  void append_pair_cells(std::vector<Cell>           &cells,
+                         const ComplexPairs          &pairs,
+                         const std::vector<ModeName> &names,
+                         const unsigned int           i);
 } // namespace squeal
 
 #endif

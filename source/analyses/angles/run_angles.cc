@@ -69,7 +69,7 @@ namespace squeal
       for (const unsigned int i : listed.numbers)
         {
           std::vector<Cell> row = {angle};
-          append_pair_cells(row, pairs, quantities, i);
+          append_pair_cells(row, pairs, quantities.names, i);
           row.insert(row.end(),
                      {or_missing(quantities.discretisation_error[i]),
                       listed.n_unstable,

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/analyses.h>
 #include <squeal/analyses/operating_matrix/operating_chart.h>
+#include <squeal/analyses/operating_matrix/operating_condition.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/cea_solution.h>
-#include <squeal/model/frequency_pencil.h>
+#include <squeal/model/growth_errors.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
-#include <squeal/scene/modulus_table.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,70 +23,6 @@ namespace squeal
 {
   namespace
   {
-    /** What one model is solved at, about a steady sliding of its own. */
-    struct Condition
-    {
-      std::optional<double> pressure, speed, temperature;
-      bool                  backward = false;
-    };
-
-    /** @p values or, where there are none, the one of the scene. */
-    std::vector<std::optional<double>>
-    or_of_scene(const std::vector<double> &values)
-    {
-      if (values.empty())
-        return {std::nullopt};
-      return {values.begin(), values.end()};
-    }
-
-    std::vector<Condition>
-    conditions(const OperatingMatrixParameters &m)
-    {
-      std::vector<Condition> result;
-      for (const bool backward : {false, true})
-        if (!backward || m.both_directions)
-          for (const auto &speed : or_of_scene(m.speeds))
-            for (const auto &pressure : or_of_scene(m.pressures))
-              for (const auto &temperature : or_of_scene(m.temperatures))
-                result.push_back({pressure, speed, temperature, backward});
-      return result;
-    }
-
-    Parameters
-    at_condition(Parameters p, const Condition &c)
-    {
-      for (auto &load : p.scene.loads)
-        if (c.pressure && load.pressure != 0.)
-          load.pressure = *c.pressure;
-      for (auto &contact : p.scene.contacts)
-        {
-          if (c.speed && contact.sliding_speed > 0.)
-            contact.sliding_speed = *c.speed;
-          if (c.backward)
-            contact.friction_coefficient *= -1.;
-        }
-      return p;
-    }
-
-    /** The scene with all tables at the temperature and the pressure of a
-     * condition and their moduli of the reference frequency. */
-    SceneParameters
-    with_moduli(const Parameters &p, const Condition &c)
-    {
-      SceneParameters     scene = p.scene;
-      const ModulusTables tables(scene);
-      for (auto &body : scene.bodies)
-        {
-          if (c.temperature && body.has_modulus_table())
-            body.temperature = *c.temperature;
-          if (c.pressure && tables.depend_on_pressure(body))
-            body.pressure = *c.pressure;
-        }
-      tables.require_band(
-        scene, p.eigen.lowest_frequency, p.eigen.highest_frequency);
-      return tables.at(scene, reference_frequency(p.eigen));
-    }
-
     std::vector<Table::Column>
     columns()
     {
@@ -99,70 +37,51 @@ namespace squeal
                         Type::integer,
                         "",
                         "unstable pairs in the band under these conditions"});
+      result.push_back({"frequency_error_mesh_hz",
+                        Type::real,
+                        "Hz",
+                        "estimated, of the loudest pair: frequency on an "
+                        "infinitely fine mesh less this one",
+                        2});
       return result;
     }
 
-    std::string
-    text_of(const Condition &c)
+    /** The pairs under one condition. */
+    struct ConditionPairs
     {
-      std::string text = c.backward ? "backward" : "forward";
-      if (c.pressure)
-        text += ", " + rounded_text(*c.pressure, 4) + " Pa";
-      if (c.speed)
-        text += ", " + rounded_text(*c.speed, 4) + " m/s";
-      if (c.temperature)
-        text += ", " + rounded_text(*c.temperature, 4) + " degrees Celsius";
-      return text;
-    }
+      /** Of all unstable pairs, the loudest last; of the loudest alone where
+       * none is unstable. */
+      std::vector<std::vector<Cell>> rows;
+      double                         largest_growth; /**< 1/s */
+      /** By the mesh, 1/s; NaN: not estimated. */
+      double growth_error = std::numeric_limits<double>::quiet_NaN();
+    };
 
-    /** Rows of all unstable pairs, the loudest last; of the loudest alone where
-     * none is unstable. */
-    std::vector<std::vector<Cell>>
-    rows_of(const Model        &model,
-            const ModeSolution &modes,
-            const ComplexPairs &pairs,
-            const Condition    &c)
+    ConditionPairs
+    condition_pairs(const Model              &model,
+                    const ComplexPairs       &pairs,
+                    const OperatingCondition &c,
+                    const double              frequency_error)
     {
-      const PairQuantities quantities = pair_quantities(model, modes, pairs);
-      const LoudestPairs   listed     = loudest_pairs(pairs);
-      const auto           given      = [](const std::optional<double> &value) {
+      const std::vector<ModeName> names  = pair_names(model, pairs);
+      const LoudestPairs          listed = loudest_pairs(pairs);
+      const auto given = [](const std::optional<double> &value) {
         return value ? Cell(*value) : Cell();
       };
-      std::vector<std::vector<Cell>> result;
+      ConditionPairs result;
+      result.largest_growth = pairs.sigma(listed.numbers.back());
       for (const unsigned int i : listed.numbers)
         {
           std::vector<Cell> row = {given(c.pressure),
                                    given(c.temperature),
                                    given(c.speed),
                                    c.backward ? "backward" : "forward"};
-          append_pair_cells(row, pairs, quantities, i);
+          append_pair_cells(row, pairs, names, i);
           row.push_back(listed.n_unstable);
-          result.push_back(std::move(row));
+          row.push_back(i == listed.numbers.back() ? or_missing(frequency_error)
+                                                   : Cell());
+          result.rows.push_back(std::move(row));
         }
-      return result;
-    }
-
-    /** A condition's scene, at its moduli: the contact of steady sliding
-     * depends on them, too. */
-    Parameters
-    parameters_of(const Parameters &p, const Condition &c)
-    {
-      Parameters here = at_condition(p, c);
-      here.scene      = with_moduli(here, c);
-      return here;
-    }
-
-    /** Conditions of one pressure and one temperature: bodies and loads are the
-     * same, which speed and direction do not change. */
-    std::map<std::pair<std::optional<double>, std::optional<double>>,
-             std::vector<std::size_t>>
-    with_same_bodies(const std::vector<Condition> &all)
-    {
-      std::map<std::pair<std::optional<double>, std::optional<double>>,
-               std::vector<std::size_t>>
-        result;
-      for (std::size_t k = 0; k < all.size(); ++k)
-        result[{all[k].pressure, all[k].temperature}].push_back(k);
       return result;
     }
 
@@ -180,39 +99,83 @@ namespace squeal
       const PressedModel pressed;
     };
 
-    /** The pairs under one condition, as rows; @p pressed: of its bodies, none
-     * where no contact asks for it. */
-    std::vector<std::vector<Cell>>
-    solve_condition(const Parameters       &here,
-                    const Condition        &c,
-                    const PressedCondition *pressed,
-                    RunContext             &context)
+    std::vector<ContactStates>
+    states_of(const Parameters       &here,
+              const PressedCondition &pressed,
+              Timers                 &timers)
     {
-      std::vector<ContactStates> states;
-      if (pressed)
-        {
-          const Parameters undamped = without_damping(here);
-          states                    = preload_states(
-            pressed->pressed.with_sliding(undamped, context.timers),
-            undamped,
-            context.timers);
-        }
-      Model             model(here, context.timers, states);
-      ModeSolution      modes = solve_modes(model, context.log, context.timers);
-      const CeaSolution solution =
-        solve_cea(model, modes, context.log, context.timers);
-      context.record.n_dofs = model.n_unknowns();
-      if (solution.pairs.size() == 0)
-        refuse_empty_band(here, modes);
-      return rows_of(model, modes, solution.pairs, c);
+      const Parameters undamped = without_damping(here);
+      return preload_states(
+        pressed.pressed.with_sliding(undamped, timers), undamped, timers);
     }
 
-    /** Rows of the pairs under every condition, in their order. */
-    std::vector<std::vector<std::vector<Cell>>>
-    solve_conditions(const std::vector<Condition> &all, RunContext &context)
+    PairErrors
+    mesh_errors(const Model        &model,
+                const ModeSolution &modes,
+                const ComplexPairs &pairs,
+                Timers             &timers)
     {
-      std::vector<std::vector<std::vector<Cell>>> result(all.size());
-      std::size_t                                 n_done = 0;
+      Timers::Section section(timers, "Solve: mesh error of the pairs");
+      return pair_mesh_errors(model, *modes.pencil, pairs);
+    }
+
+    double
+    growth_error_by_lower_degree(const Model        &model,
+                                 const ComplexPairs &pair,
+                                 const PairErrors   &errors,
+                                 Timers             &timers)
+    {
+      Timers::Section section(timers, "Solve: mesh error of the pairs");
+      return growth_errors_by_lower_degree(model, pair, errors, timers)[0];
+    }
+
+    /** @p pressed: of the condition's bodies, none where no contact asks for
+     * it. The error of the growth rate takes a solution of one degree less,
+     * which only a pair louder than @p loudest_before, 1/s, is worth. */
+    ConditionPairs
+    solve_condition(const Parameters         &here,
+                    const OperatingCondition &c,
+                    const PressedCondition   *pressed,
+                    const double              loudest_before,
+                    RunContext               &context)
+    {
+      Timers           &timers = context.timers;
+      Model             model(here,
+                  timers,
+                  pressed ? states_of(here, *pressed, timers)
+                                      : std::vector<ContactStates>());
+      ModeSolution      modes    = solve_modes(model, context.log, timers);
+      const CeaSolution solution = solve_cea(model, modes, context.log, timers);
+      context.record.n_dofs      = model.n_unknowns();
+      if (solution.pairs.size() == 0)
+        refuse_empty_band(here, modes);
+      const ComplexPairs loudest = select_pairs(
+        solution.pairs,
+        {static_cast<int>(loudest_pairs(solution.pairs).numbers.back())});
+      PairErrors errors;
+      if (here.discretization.estimate_error)
+        errors = mesh_errors(model, modes, loudest, timers);
+      ConditionPairs result = condition_pairs(
+        model,
+        solution.pairs,
+        c,
+        errors.lambda.size() > 0 ? errors.lambda[0].imag() / (2. * M_PI)
+                                 : std::nan(""));
+      if (errors.lambda.size() > 0 &&
+          result.largest_growth > std::max(loudest_before, 0.))
+        result.growth_error =
+          growth_error_by_lower_degree(model, loudest, errors, timers);
+      return result;
+    }
+
+    /** Of all conditions, in their order. */
+    std::vector<ConditionPairs>
+    solve_conditions(const std::vector<OperatingCondition> &all,
+                     RunContext                            &context)
+    {
+      std::vector<ConditionPairs> result(all.size());
+      std::size_t                 n_done = 0;
+      double loudest = std::numeric_limits<double>::lowest();
       for (const auto &[key, members] : with_same_bodies(all))
         {
           std::optional<PressedCondition> pressed;
@@ -225,10 +188,24 @@ namespace squeal
               if (!pressed && has_preload_state(here.scene))
                 pressed.emplace(here, context.timers);
               result[k] = solve_condition(
-                here, all[k], pressed ? &*pressed : nullptr, context);
+                here, all[k], pressed ? &*pressed : nullptr, loudest, context);
+              loudest = std::max(loudest, result[k].largest_growth);
             }
         }
       return result;
+    }
+
+    /** Absolute, 1/s; NaN: not estimated. */
+    double
+    growth_error_of_loudest(const std::vector<ConditionPairs> &all)
+    {
+      return std::abs(std::max_element(all.begin(),
+                                       all.end(),
+                                       [](const auto &a, const auto &b) {
+                                         return a.largest_growth <
+                                                b.largest_growth;
+                                       })
+                        ->growth_error);
     }
 
     /** Where it squeals, in a sentence. */
@@ -275,16 +252,17 @@ namespace squeal
   run_operating_matrix(RunContext &context)
   {
     const auto &p              = context.parameters;
-    const auto  all_conditions = conditions(p.operating_matrix);
+    const auto  all_conditions = operating_conditions(p.operating_matrix);
     // What some table does not cover ends the run before any work.
-    for (const Condition &c : all_conditions)
+    for (const OperatingCondition &c : all_conditions)
       parameters_of(p, c);
-    Table all(columns()), loudest(columns());
-    for (const auto &rows : solve_conditions(all_conditions, context))
+    Table      all(columns()), loudest(columns());
+    const auto solved = solve_conditions(all_conditions, context);
+    for (const ConditionPairs &condition : solved)
       {
-        for (const auto &row : rows)
+        for (const auto &row : condition.rows)
           all.add_row(row);
-        loudest.add_row(rows.back());
+        loudest.add_row(condition.rows.back());
       }
     context.write_table("operating_matrix.csv", loudest);
     context.write_table("operating_pairs.csv", all);
@@ -299,7 +277,11 @@ namespace squeal
          {"largest error of a pair by the basis, relative",
           headline_error(
          {error_of_column("reduction", all, "error_estimate_rel")})},
-         {"error by the mesh", "not estimated here; Analysis = cea states it"},
+         {"error of the largest growth rate, 1/s",
+          headline_error({{"mesh", growth_error_of_loudest(solved)}}, " 1/s")},
+         {"largest error of a frequency, Hz",
+          headline_error(
+         {error_of_column("mesh", loudest, "frequency_error_mesh_hz")}, " Hz")},
          {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Operating matrix of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
