@@ -204,8 +204,11 @@ def distance(options):
             return score(list(csv.DictReader(file)))
     settings = {"Analysis": "cea"} | GEOMETRIES[options.geometry]
     cells = ""
+    if options.degree != 2:
+        cells = f"_degree_{options.degree}"
+        settings |= {"Discretization/Degree": options.degree}
     if options.cells == "fine":
-        cells = "_fine"
+        cells += "_fine"
         settings |= {"Scene/Body disc/Cells": "48, 4, 1",
                      "Scene/Body beam/Cells": "1, 30, 1"}
     found = frequencies(options.squeal, settings,
@@ -376,6 +379,7 @@ def main():
     parser.add_argument("--geometry", choices=GEOMETRIES,
                         default="aluminium_disc")
     parser.add_argument("--cells", choices=["coarse", "fine"], default="coarse")
+    parser.add_argument("--degree", type=int, default=2)
     parser.add_argument("--again", action="store_true",
                         help="show the table of an earlier run of distance")
     parser.add_argument("--distances", type=int, nargs="+", choices=TABLE,
