@@ -151,45 +151,50 @@ def report(run, table, frequency, m):
 
 
 def picture(file, results):
-    """Amplitudes, travel and path of the members for each run."""
+    """For each run the amplitudes of both members, travel, and the path of both."""
     data, plots = [], []
-    for _, table, path, _, _ in results:
+    for i, (title, table, path, m) in enumerate(results):
         data.append("\n".join(" ".join(f"{v:.6g}" for v in row) for row in table))
         data.append("\n".join(f"{1e6 * a:.6g} {1e6 * b:.6g}" for a, b in path))
-    for i, (title, table, _, frequency, m) in enumerate(results):
+        reach = 1.1e6 * np.abs(path).max()
         plots.append(f"""
 set title "{title}"
 set xlabel "time, s"
-set xrange [{table[0, 0]}:{table[-1, 0]}]
-set xtics {max(0.01, round((table[-1, 0] - table[0, 0]) / 4, 2))}
+set xrange [{table[0, 0]:.3f}:{table[-1, 0]:.3f}]
+set xtics 0.02
+set ytics auto
 set logscale y
 set yrange [*:*]
-set format y "%g"
 set ylabel "amplitude, um"
 plot $data index {2 * i} using 1:(1e6*$2) with lines lw 2 lc rgb "#0072b2" \\
        title "(0,{m}+)", \\
      $data index {2 * i} using 1:(1e6*$3) with lines lw 2 lc rgb "#d55e00" \\
        title "(0,{m}-)"
 unset logscale y
+set title " "
 set yrange [-1:1]
+set ytics 0.5
 set ylabel "travel"
 plot $data index {2 * i} using 1:5 with lines lw 2 lc rgb "#000000" notitle
-set xrange [*:*]
-set yrange [*:*]
+set xrange [{-reach}:{reach}]
+set yrange [{-reach}:{reach}]
 set xtics auto
-set size ratio -1
+set ytics auto
+set size square
 set xlabel "(0,{m}+), um"
 set ylabel "(0,{m}-), um"
 plot $data index {2 * i + 1} using 1:2 with lines lc rgb "#0072b2" notitle
-set size noratio
+set size nosquare
 """)
     script = f"""
-set terminal pngcairo size {500 * len(results)},1300 font "DejaVu Sans,14"
+set terminal pngcairo size {600 * len(results)},1300 font "DejaVu Sans,14"
 set output "{file}"
 $data << EOD
 {(chr(10) * 3).join(data)}
 EOD
 set grid
+set format y "%g"
+set key bottom right
 set multiplot layout 3,{len(results)} columnsfirst
 {"".join(plots)}
 """
@@ -217,7 +222,7 @@ def main():
         table = describe(waves(times, rows, frequency, options.window), m)
         report(run, table[table[:, 0] > times[-1] - options.last], frequency, m)
         title = options.titles[i] if options.titles else run.name
-        results.append((title, table, rows[-200:], frequency, m))
+        results.append((title, table, rows[-200:], m))
     if options.picture:
         picture(options.picture, results)
 
