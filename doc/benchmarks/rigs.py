@@ -5,7 +5,8 @@ the laboratory brake over the distance of two pads (table 2.1), and the beam on 
 disc over its length and angle (figure 2.2).
 
 usage: /usr/bin/python3 doc/benchmarks/rigs.py distance [--geometry NAME]
-           [--cells fine] [--distances 74 106]
+           [--cells fine] [--degree 3] [--distances 74 106]
+       /usr/bin/python3 doc/benchmarks/rigs.py mesh [--degree 3]
        /usr/bin/python3 doc/benchmarks/rigs.py picture
        /usr/bin/python3 doc/benchmarks/rigs.py length [--angle -15]
 
@@ -198,10 +199,6 @@ def score(rows):
 
 
 def distance(options):
-    if options.again:
-        with open(FOLDER / f"rigs_{options.geometry}.csv",
-                  encoding="utf-8") as file:
-            return score(list(csv.DictReader(file)))
     settings = {"Analysis": "cea"} | GEOMETRIES[options.geometry]
     cells = ""
     if options.degree != 2:
@@ -211,6 +208,10 @@ def distance(options):
         cells += "_fine"
         settings |= {"Scene/Body disc/Cells": "48, 4, 1",
                      "Scene/Body beam/Cells": "1, 30, 1"}
+    if options.again:
+        with open(FOLDER / f"rigs_{options.geometry}{cells}.csv",
+                  encoding="utf-8") as file:
+            return score(list(csv.DictReader(file)))
     found = frequencies(options.squeal, settings,
                         f"rigs/{options.geometry}{cells}_modes")
     print(found, flush=True)
@@ -223,6 +224,39 @@ def distance(options):
             print(" ".join(str(v) for v in rows[-1].values()), flush=True)
             write(rows, f"rigs_{options.geometry}{cells}.csv")
     score(rows)
+
+
+def mesh(options):
+    """What elements of another degree change in the table of distance."""
+    tables = []
+    for suffix in ("", f"_degree_{options.degree}"):
+        path = FOLDER / f"rigs_{options.geometry}{suffix}.csv"
+        with open(path, encoding="utf-8") as file:
+            tables.append({(r["distance_mm"], r["doublet"]): r
+                           for r in csv.DictReader(file)})
+    moved = {"frequency_hz": [], "sigma_per_s": [], "split_hz": []}
+    pairs = [(r, tables[1][key]) for key, r in tables[0].items()
+             if key in tables[1]]
+    for one, other in pairs:
+        if verdict(one) != verdict(other):
+            print(f"D {one['distance_mm']} mm, {one['doublet']}, R {one['R']}, thesis "
+                  f"{one['thesis']}: {verdict(one)} becomes {verdict(other)}")
+        for column, differences in moved.items():
+            if one[column] and other[column]:
+                differences.append((float(one[column]), float(other[column])))
+    for column, values in moved.items():
+        change = sorted(y - x for x, y in values)
+        share = sorted(y / x - 1 for x, y in values)
+        print(f"{column} of {len(values)}: changes by {change[0]:.1f} to "
+              f"{change[-1]:.1f}, median {change[len(change) // 2]:.1f}; relative "
+              f"{share[0]:.4f} to {share[-1]:.4f}, median "
+              f"{share[len(share) // 2]:.4f}")
+    print("signs of the split that change:",
+          [(x, y) for x, y in moved["split_hz"] if x * y < 0])
+    for column in ("squeals", "by_elimination"):
+        single = [p for p in pairs if p[0]["thesis"] in ("+", "-")]
+        print(column, [sum(p[i][column] == p[0]["thesis"] for p in single)
+                       for i in (0, 1)], "of", len(single))
 
 
 def blocks(name, choose):
@@ -374,12 +408,13 @@ def length(options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("what", choices=["distance", "picture", "length"])
+    parser.add_argument("what", choices=["distance", "mesh", "picture", "length"])
     parser.add_argument("--squeal", default=str(ROOT / "build" / "squeal"))
     parser.add_argument("--geometry", choices=GEOMETRIES,
                         default="aluminium_disc")
     parser.add_argument("--cells", choices=["coarse", "fine"], default="coarse")
-    parser.add_argument("--degree", type=int, default=2)
+    parser.add_argument("--degree", type=int,
+                        help="of the elements; 2 for distance, 3 for mesh")
     parser.add_argument("--again", action="store_true",
                         help="show the table of an earlier run of distance")
     parser.add_argument("--distances", type=int, nargs="+", choices=TABLE,
@@ -388,8 +423,11 @@ def main():
     parser.add_argument("--lengths", type=int, nargs="+",
                         default=list(range(140, 261)))
     options = parser.parse_args()
+    if options.degree is None:
+        options.degree = 3 if options.what == "mesh" else 2
     FOLDER.mkdir(parents=True, exist_ok=True)
-    {"distance": distance, "picture": picture, "length": length}[options.what](options)
+    {"distance": distance, "mesh": mesh, "picture": picture,
+     "length": length}[options.what](options)
 
 
 if __name__ == "__main__":
