@@ -9,6 +9,7 @@ usage: /usr/bin/python3 doc/benchmarks/rigs.py distance [--geometry NAME]
        /usr/bin/python3 doc/benchmarks/rigs.py mesh [--degree 3]
        /usr/bin/python3 doc/benchmarks/rigs.py picture
        /usr/bin/python3 doc/benchmarks/rigs.py length [--angle -15]
+       /usr/bin/python3 doc/benchmarks/rigs.py angle
 
 Each point is a run of squeal of its own. Tables go to output/benchmarks/rigs_*.csv;
 what they show is in doc/studies/laboratory_brake.md and beam_on_disc.md.
@@ -406,9 +407,53 @@ def length(options):
             write(rows, f"rigs_length_{name}_{options.angle}.csv")
 
 
+def angle(_):
+    """Unstable ranges over the angle of the beam, and the least friction at each."""
+    def rows(scene):
+        path = ROOT / "output" / "beam_on_disc" / scene / "unstable_ranges.csv"
+        with open(path, encoding="utf-8") as file:
+            return list(csv.DictReader(
+                line for line in file if not line.startswith("#")))
+
+    bars = [(float(r["angle"]), float(r["lower"]) / 1e9, float(r["upper"]) / 1e9,
+             float(r["peak_sigma_per_s"])) for r in rows("angle")]
+    edges = [(float(r["angle"]), float(r["lower"])) for r in rows("angle_friction")]
+    data = ["\n".join(" ".join(f"{v:.5g}" for v in row) for row in rows)
+            for rows in (bars, edges)]
+    script = f"""
+set terminal pngcairo size 1400,650 font "DejaVu Sans,15" linewidth 1.5
+set output "{ROOT / 'doc' / 'pictures' / 'beam_on_disc_angle.png'}"
+$data << EOD
+{(chr(10) * 3).join(data)}
+EOD
+set multiplot layout 1,2
+set grid
+set xlabel "angle of the beam, degrees"
+set xrange [-36:12]
+set logscale y
+set yrange [9:350]
+set ylabel "unstable, modulus of the beam, GPa"
+set logscale cb
+set cblabel "largest sigma, 1/s"
+set cbrange [5:500]
+set palette defined (0 "#c6dbef", 0.5 "#4292c6", 1 "#08306b")
+plot $data index 0 using 1:2:(0):($3-$2):4 with vectors nohead lw 7 lc palette notitle
+unset logscale y
+set yrange [0:0.8]
+set ylabel "coefficient of friction"
+set key top right
+plot $data index 1 using 1:2 with points pt 7 ps 1.4 lc rgb "#0072b2" \\
+       title "least that squeals, 90 GPa", \\
+     x < 0 ? tan(-x * pi / 180) : NaN with lines lw 2 lc rgb "#d55e00" \\
+       title "tangent of the angle"
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("what", choices=["distance", "mesh", "picture", "length"])
+    parser.add_argument("what", choices=["distance", "mesh", "picture", "length",
+                                 "angle"])
     parser.add_argument("--squeal", default=str(ROOT / "build" / "squeal"))
     parser.add_argument("--geometry", choices=GEOMETRIES,
                         default="aluminium_disc")
@@ -427,7 +472,7 @@ def main():
         options.degree = 3 if options.what == "mesh" else 2
     FOLDER.mkdir(parents=True, exist_ok=True)
     {"distance": distance, "mesh": mesh, "picture": picture,
-     "length": length}[options.what](options)
+     "length": length, "angle": angle}[options.what](options)
 
 
 if __name__ == "__main__":
