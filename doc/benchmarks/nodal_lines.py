@@ -8,6 +8,7 @@ usage: /usr/bin/python3 doc/benchmarks/nodal_lines.py RUN... [-m 6 ...]
 
 RUN is the directory of a transient with Transient/Animation frames > 0, whose disc
 turns about z, m its doublet, the frequency where its line is looked for, within 2 %.
+Of a run of 'Analysis = cea' each unstable shape is split in place of a motion.
 
 At the edge w(theta, t) = a(t) cos(m theta) + b(t) sin(m theta) + other diameters,
 fitted to all nodes of its upper face z = 0; a is the motion of the member (0,m+) with its antinode at
@@ -56,6 +57,27 @@ def rim(text):
     return nodes, np.arctan2(points[nodes, 1], points[nodes, 0])
 
 
+def fit_of(theta, m):
+    """Takes values at the angles to the amplitudes of cos and sin(m theta)."""
+    columns = [np.ones_like(theta)]
+    for n in range(1, MOST_DIAMETERS + 1):
+        columns += [np.cos(n * theta), np.sin(n * theta)]
+    return np.linalg.pinv(np.array(columns).T)[2 * m - 1:2 * m + 1]
+
+
+def shapes(run, m):
+    """Prints the waves of each unstable shape."""
+    for file in sorted(run.glob("shapes/mode_*_unstable_00.vtu")):
+        text = file.read_text(encoding="utf-8")
+        nodes, theta = rim(text)
+        parts = [array(text, f"displacement_{part}", "<f4").reshape(-1, 3)[nodes, 2]
+                 for part in ("real", "imag")]
+        a, b = fit_of(theta, m) @ (parts[0] + 1j * parts[1])
+        _, size_a, size_b, phase, travel, nodes, _ = describe([(0, a, b, 0)], m)[0]
+        print(f"{file.stem}: |(0,{m}-)| / |(0,{m}+)| {size_b / size_a:.3f}, phase "
+              f"{phase:.1f} deg, travel {travel:.3f}, nodes at {nodes:.2f} deg")
+
+
 def motion(run, m):
     """Times, and the amplitudes of cos(m theta) and sin(m theta)."""
     text = (run / "motion.pvd").read_text(encoding="utf-8")
@@ -65,10 +87,7 @@ def motion(run, m):
         text = (run / file).read_text(encoding="utf-8")
         if fit is None:
             nodes, theta = rim(text)
-            columns = [np.ones_like(theta)]
-            for n in range(1, MOST_DIAMETERS + 1):
-                columns += [np.cos(n * theta), np.sin(n * theta)]
-            fit = np.linalg.pinv(np.array(columns).T)[2 * m - 1:2 * m + 1]
+            fit = fit_of(theta, m)
         w = array(text, "deviation", "<f4").reshape(-1, 3)[nodes, 2]
         times.append(float(time))
         rows.append(fit @ w)
@@ -216,6 +235,9 @@ def main():
     for i, run in enumerate(options.runs):
         m = options.m[min(i, len(options.m) - 1)]
         near = options.frequency[min(i, len(options.frequency) - 1)]
+        if not (run / "motion.pvd").exists():
+            shapes(run, m)
+            continue
         times, rows = motion(run, m)
         late = times > times[-1] - options.last
         frequency = line(times[late], rows[late], near)
