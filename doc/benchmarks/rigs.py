@@ -19,6 +19,7 @@ import csv
 import math
 import pathlib
 import re
+import statistics
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -246,12 +247,13 @@ def mesh(options):
             if one[column] and other[column]:
                 differences.append((float(one[column]), float(other[column])))
     for column, values in moved.items():
-        change = sorted(y - x for x, y in values)
-        share = sorted(y / x - 1 for x, y in values)
-        print(f"{column} of {len(values)}: changes by {change[0]:.1f} to "
-              f"{change[-1]:.1f}, median {change[len(change) // 2]:.1f}; relative "
-              f"{share[0]:.4f} to {share[-1]:.4f}, median "
-              f"{share[len(share) // 2]:.4f}")
+        change = [y - x for x, y in values]
+        share = [abs(y / x - 1) for x, y in values]
+        print(f"{column} of {len(values)}: changes by {min(change):.1f} to "
+              f"{max(change):.1f}, median size "
+              f"{statistics.median(map(abs, change)):.1f}; relative size "
+              f"{min(share):.4f} to {max(share):.4f}, median "
+              f"{statistics.median(share):.4f}")
     print("signs of the split that change:",
           [(x, y) for x, y in moved["split_hz"] if x * y < 0])
     for column in ("squeals", "by_elimination"):
