@@ -4,18 +4,19 @@
 transient, normal to its face, into standing and travelling waves of m diameters.
 
 usage: /usr/bin/python3 doc/benchmarks/nodal_lines.py RUN... [-m 6 ...]
-           [--frequency 7870 ...] [--window 0.002] [--picture FILE.png]
+           [--frequency 7870 ...] [--window 0.002] [--last 0.02]
+           [--titles TITLE ...] [--picture FILE.png]
 
 RUN is the directory of a transient with Transient/Animation frames > 0, whose disc
 turns about z, m its doublet, the frequency where its line is looked for, within 2 %.
 Of a run of 'Analysis = cea' each unstable shape is split in place of a motion.
 
 At the edge w(theta, t) = a(t) cos(m theta) + b(t) sin(m theta) + other diameters,
-fitted to all nodes of its upper face z = 0; a is the motion of the member (0,m+) with its antinode at
-theta = 0, b that of (0,m-). In each window a and b are fitted by the line and its
-harmonics, a = Re A exp(i omega t). A travelling wave has |B| = |A| and 90 degrees
-between them, a standing one 0 or 180 degrees. Of both, F and R are the waves that
-run with the disc and against it, F, R = (A +- i B) / 2, and
+fitted to all nodes of its upper face z = 0; a is the motion of the member (0,m+)
+with its antinode at theta = 0, b that of (0,m-). In each window a and b are fitted by
+the line and its harmonics, a = Re A exp(i omega t). A travelling wave has |B| = |A|
+and 90 degrees between them, a standing one 0 or 180 degrees. Of both, F and R are the
+waves that run with the disc and against it, F, R = (A +- i B) / 2, and
   travel = (|F| - |R|) / (|F| + |R|): 1 or -1 travelling, 0 standing,
   nodes  = the angle from theta = 0 to the nodal line of the part that stands.
 """
