@@ -5,9 +5,11 @@ the laboratory brake over the distance of two pads (table 2.1), and the beam on 
 disc over its length and angle (figure 2.2).
 
 usage: /usr/bin/python3 doc/benchmarks/rigs.py distance [--geometry NAME]
-           [--cells fine] [--distances 74 106]
+           [--cells fine] [--degree 3] [--distances 74 106]
+       /usr/bin/python3 doc/benchmarks/rigs.py mesh [--degree 3]
        /usr/bin/python3 doc/benchmarks/rigs.py picture
        /usr/bin/python3 doc/benchmarks/rigs.py length [--angle -15]
+       /usr/bin/python3 doc/benchmarks/rigs.py angle
 
 Each point is a run of squeal of its own. Tables go to output/benchmarks/rigs_*.csv;
 what they show is in doc/studies/laboratory_brake.md and beam_on_disc.md.
@@ -17,6 +19,7 @@ import csv
 import math
 import pathlib
 import re
+import statistics
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -198,16 +201,19 @@ def score(rows):
 
 
 def distance(options):
-    if options.again:
-        with open(FOLDER / f"rigs_{options.geometry}.csv",
-                  encoding="utf-8") as file:
-            return score(list(csv.DictReader(file)))
     settings = {"Analysis": "cea"} | GEOMETRIES[options.geometry]
     cells = ""
+    if options.degree != 2:
+        cells = f"_degree_{options.degree}"
+        settings |= {"Discretization/Degree": options.degree}
     if options.cells == "fine":
-        cells = "_fine"
+        cells += "_fine"
         settings |= {"Scene/Body disc/Cells": "48, 4, 1",
                      "Scene/Body beam/Cells": "1, 30, 1"}
+    if options.again:
+        with open(FOLDER / f"rigs_{options.geometry}{cells}.csv",
+                  encoding="utf-8") as file:
+            return score(list(csv.DictReader(file)))
     found = frequencies(options.squeal, settings,
                         f"rigs/{options.geometry}{cells}_modes")
     print(found, flush=True)
@@ -220,6 +226,40 @@ def distance(options):
             print(" ".join(str(v) for v in rows[-1].values()), flush=True)
             write(rows, f"rigs_{options.geometry}{cells}.csv")
     score(rows)
+
+
+def mesh(options):
+    """What elements of another degree change in the table of distance."""
+    tables = []
+    for suffix in ("", f"_degree_{options.degree}"):
+        path = FOLDER / f"rigs_{options.geometry}{suffix}.csv"
+        with open(path, encoding="utf-8") as file:
+            tables.append({(r["distance_mm"], r["doublet"]): r
+                           for r in csv.DictReader(file)})
+    moved = {"frequency_hz": [], "sigma_per_s": [], "split_hz": []}
+    pairs = [(r, tables[1][key]) for key, r in tables[0].items()
+             if key in tables[1]]
+    for one, other in pairs:
+        if verdict(one) != verdict(other):
+            print(f"D {one['distance_mm']} mm, {one['doublet']}, R {one['R']}, thesis "
+                  f"{one['thesis']}: {verdict(one)} becomes {verdict(other)}")
+        for column, differences in moved.items():
+            if one[column] and other[column]:
+                differences.append((float(one[column]), float(other[column])))
+    for column, values in moved.items():
+        change = [y - x for x, y in values]
+        share = [abs(y / x - 1) for x, y in values]
+        print(f"{column} of {len(values)}: changes by {min(change):.1f} to "
+              f"{max(change):.1f}, median size "
+              f"{statistics.median(map(abs, change)):.1f}; relative size "
+              f"{min(share):.4f} to {max(share):.4f}, median "
+              f"{statistics.median(share):.4f}")
+    print("signs of the split that change:",
+          [(x, y) for x, y in moved["split_hz"] if x * y < 0])
+    for column in ("squeals", "by_elimination"):
+        single = [p for p in pairs if p[0]["thesis"] in ("+", "-")]
+        print(column, [sum(p[i][column] == p[0]["thesis"] for p in single)
+                       for i in (0, 1)], "of", len(single))
 
 
 def blocks(name, choose):
@@ -369,13 +409,59 @@ def length(options):
             write(rows, f"rigs_length_{name}_{options.angle}.csv")
 
 
+def angle(_):
+    """Unstable ranges over the angle of the beam, and the least friction at each."""
+    def rows(scene):
+        path = ROOT / "output" / "beam_on_disc" / scene / "unstable_ranges.csv"
+        with open(path, encoding="utf-8") as file:
+            return list(csv.DictReader(
+                line for line in file if not line.startswith("#")))
+
+    bars = [(float(r["angle"]), float(r["lower"]) / 1e9, float(r["upper"]) / 1e9,
+             float(r["peak_sigma_per_s"])) for r in rows("angle")]
+    edges = [(float(r["angle"]), float(r["lower"])) for r in rows("angle_friction")]
+    data = ["\n".join(" ".join(f"{v:.5g}" for v in row) for row in rows)
+            for rows in (bars, edges)]
+    script = f"""
+set terminal pngcairo size 1400,650 font "DejaVu Sans,15" linewidth 1.5
+set output "{ROOT / 'doc' / 'pictures' / 'beam_on_disc_angle.png'}"
+$data << EOD
+{(chr(10) * 3).join(data)}
+EOD
+set multiplot layout 1,2
+set grid
+set xlabel "angle of the beam, degrees"
+set xrange [-36:12]
+set logscale y
+set yrange [9:350]
+set ylabel "unstable, modulus of the beam, GPa"
+set logscale cb
+set cblabel "largest sigma, 1/s"
+set cbrange [5:500]
+set palette defined (0 "#c6dbef", 0.5 "#4292c6", 1 "#08306b")
+plot $data index 0 using 1:2:(0):($3-$2):4 with vectors nohead lw 7 lc palette notitle
+unset logscale y
+set yrange [0:0.8]
+set ylabel "coefficient of friction"
+set key top right
+plot $data index 1 using 1:2 with points pt 7 ps 1.4 lc rgb "#0072b2" \\
+       title "least that squeals, 90 GPa", \\
+     x < 0 ? tan(-x * pi / 180) : NaN with lines lw 2 lc rgb "#d55e00" \\
+       title "tangent of the angle"
+"""
+    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("what", choices=["distance", "picture", "length"])
+    parser.add_argument("what", choices=["distance", "mesh", "picture", "length",
+                                 "angle"])
     parser.add_argument("--squeal", default=str(ROOT / "build" / "squeal"))
     parser.add_argument("--geometry", choices=GEOMETRIES,
                         default="aluminium_disc")
     parser.add_argument("--cells", choices=["coarse", "fine"], default="coarse")
+    parser.add_argument("--degree", type=int,
+                        help="of the elements; 2 for distance, 3 for mesh")
     parser.add_argument("--again", action="store_true",
                         help="show the table of an earlier run of distance")
     parser.add_argument("--distances", type=int, nargs="+", choices=TABLE,
@@ -384,8 +470,11 @@ def main():
     parser.add_argument("--lengths", type=int, nargs="+",
                         default=list(range(140, 261)))
     options = parser.parse_args()
+    if options.degree is None:
+        options.degree = 3 if options.what == "mesh" else 2
     FOLDER.mkdir(parents=True, exist_ok=True)
-    {"distance": distance, "picture": picture, "length": length}[options.what](options)
+    {"distance": distance, "mesh": mesh, "picture": picture,
+     "length": length, "angle": angle}[options.what](options)
 
 
 if __name__ == "__main__":
