@@ -22,9 +22,6 @@ namespace squeal
     constexpr double       shortest_period = .45;
     /** Room for that of the period while it is sought. */
     constexpr double growth_of_period = 1.1;
-    /** A motion that comes back no nearer than this at the end of the run has
-     * no period. */
-    constexpr double no_return = 0.3;
     /** A run ends early where it comes back as near as this, over its size, and
      * nearer by this share than a motion that still grows would. */
     constexpr double has_returned = 1e-2, of_growth = 0.1;
@@ -88,7 +85,7 @@ namespace squeal
           if (!result.empty() && result.back().second < is_there)
             break;
         }
-      if (!result.empty() && result.back().second > no_return)
+      if (!result.empty() && result.back().second > farthest_return)
         result.clear();
       return result;
     }
@@ -123,6 +120,46 @@ namespace squeal
       result.multipliers.error =
         std::abs(result.multipliers.largest -
                  floquet_multipliers(map, result.coarse).largest);
+    }
+
+    /** The periodic motion near @p start by the times of @p returns, in which
+     * it comes back, and how near. Where @p must_be_stable a longer period is
+     * tried as well where the motion of the shorter one is unstable. */
+    CycleResult
+    of_returns(const PeriodMap                              &map,
+               const MotionState                            &start,
+               const std::vector<std::pair<double, double>> &returns,
+               const LimitCycleParameters                   &settings,
+               CycleResult                                   result,
+               const bool                                    must_be_stable)
+    {
+      result.coarse.status = CycleStatus::no_period;
+      // Where the shorter period belongs to an unstable motion, the longer one
+      // may be what it has doubled to.
+      for (const auto &[guess, distance] : returns)
+        {
+          CycleResult  next = result;
+          const double times =
+            std::max(1., std::round(guess / returns[0].first));
+          const auto n_steps =
+            static_cast<unsigned int>(times) * settings.steps;
+          next.recurrence = distance;
+          search_with(map,
+                      start,
+                      guess,
+                      stable_steps(map.reduced_model(), guess, n_steps, 2),
+                      settings,
+                      next);
+          const bool is_better =
+            !result.has_converged() ||
+            (next.has_converged() && next.multipliers.is_stable());
+          if (is_better)
+            result = std::move(next);
+          if (result.has_converged() &&
+              (!must_be_stable || !result.multipliers.is_unstable()))
+            break;
+        }
+      return result;
     }
 
     /** Of the rms: what harmonics of a longer period leave of a motion that
@@ -353,29 +390,21 @@ namespace squeal
       {
         returns.clear();
       }
-    result.coarse.status = CycleStatus::no_period;
-    // Where the shorter period belongs to an unstable motion, the longer one
-    // may be what it has doubled to.
-    for (const auto &[guess, distance] : returns)
-      {
-        CycleResult  next  = result;
-        const double times = std::max(1., std::round(guess / returns[0].first));
-        const auto n_steps = static_cast<unsigned int>(times) * settings.steps;
-        next.recurrence    = distance;
-        search_with(map,
-                    start,
-                    guess,
-                    stable_steps(map.reduced_model(), guess, n_steps, 2),
-                    settings,
-                    next);
-        const bool is_better =
-          !result.has_converged() ||
-          (next.has_converged() && next.multipliers.is_stable());
-        if (is_better)
-          result = std::move(next);
-        if (result.has_converged() && !result.multipliers.is_unstable())
-          break;
-      }
-    return result;
+    return of_returns(map, start, returns, settings, std::move(result), true);
+  }
+
+
+
+  CycleResult
+  find_cycle_near(const PeriodMap            &map,
+                  const Orbit                &run,
+                  const double                shortest,
+                  const LimitCycleParameters &settings)
+  {
+    auto returns =
+      recurrences(map.reduced_model(), run, shortest, run.step * run.n_steps());
+    if (!returns.empty() && returns.back().second > farthest_return)
+      returns.clear();
+    return of_returns(map, run.end(), returns, settings, {}, false);
   }
 } // namespace squeal

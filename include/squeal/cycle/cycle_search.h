@@ -69,6 +69,18 @@ namespace squeal
                                         const unsigned int      n_steps);
 
   /**
+   * The periodic motion that the end of @p run is near to, by shooting with
+   * half the steps of @p settings and with all of them; the first one that
+   * converges from the times in which the run comes back. `no_period` where it
+   * does not come back within its length, shorter than @p shortest, s, apart.
+   * The members about a pair are empty.
+   */
+  CycleResult find_cycle_near(const PeriodMap            &map,
+                              const Orbit                &run,
+                              const double                shortest,
+                              const LimitCycleParameters &settings);
+
+  /**
    * From steady sliding with pair @p k at an amplitude, over a run, to the
    * periodic motion, by shooting with half the steps and with all of them.
    */

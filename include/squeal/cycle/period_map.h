@@ -39,6 +39,13 @@ namespace squeal
               const ContactPast     &past = {},
               const StepCorrections *held = nullptr) const;
 
+    /** The same under a further @p force whose course in time counts from the
+     * start, of which nothing is known before. */
+    Orbit run_under(const TransientDrive::Force &force,
+                    const MotionState           &start,
+                    const double                 time,
+                    const unsigned int           n_steps) const;
+
     /** Rows of the forces that count at the start and the end of @p orbit:
      * those of nodes closed at one of them. */
     std::vector<int> closed_rows(const Orbit &orbit) const;
@@ -69,6 +76,13 @@ namespace squeal
     }
 
   private:
+    Orbit run_by(const TransientDrive  &drive,
+                 const MotionState     &start,
+                 const double           time,
+                 const unsigned int     n_steps,
+                 const ContactPast     &past,
+                 const StepCorrections *held) const;
+
     const ReducedContactModel &model;
     TransientDrive             drive;
     CycleFriction              friction;
