@@ -224,6 +224,7 @@ set(SQUEAL_SOURCES_CYCLE
     source/cycle/located_transient.cc
     source/cycle/motion_fate.cc
     source/cycle/orbit.cc
+    source/cycle/orbit_forces.cc
     source/cycle/period_derivative.cc
     source/cycle/period_equations.cc
     source/cycle/period_map.cc

@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
+#include <squeal/cycle/orbit_forces.h>
 #include <squeal/transient/modal_step.h>
 
 #include <algorithm>
@@ -231,14 +232,13 @@ namespace squeal
     const unsigned int         n     = orbit.n_steps();
     CycleFigures               f;
     f.frequency  = 1. / motion.period;
-    f.resultants = Eigen::MatrixXd::Zero(3, n);
+    f.resultants = resultants_of(orbit);
     std::vector<bool> opens(model.n_nodes()), sticks(model.n_nodes());
     Eigen::VectorXd   lowest = orbit.motions[1], highest = lowest;
     for (unsigned int i = 0; i < n; ++i)
       {
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            f.resultants.col(i) += orbit.states[i + 1].forces.segment<3>(3 * j);
             opens[j]  = opens[j] || orbit.status[i][j] == ContactStatus::open;
             sticks[j] = sticks[j] || orbit.status[i][j] == ContactStatus::stick;
           }
@@ -397,14 +397,13 @@ namespace squeal
 
   CycleResult
   find_cycle_near(const PeriodMap            &map,
-                  const Orbit                &run,
-                  const double                shortest,
+                  const MotionState          &start,
+                  const std::vector<double>  &periods,
                   const LimitCycleParameters &settings)
   {
-    auto returns =
-      recurrences(map.reduced_model(), run, shortest, run.step * run.n_steps());
-    if (!returns.empty() && returns.back().second > farthest_return)
-      returns.clear();
-    return of_returns(map, run.end(), returns, settings, {}, false);
+    std::vector<std::pair<double, double>> guesses;
+    for (const double period : periods)
+      guesses.emplace_back(period, 1.);
+    return of_returns(map, start, guesses, settings, {}, false);
   }
 } // namespace squeal

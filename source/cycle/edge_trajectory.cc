@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/edge_trajectory.h>
-#include <squeal/cycle/shooting.h>
+#include <squeal/cycle/orbit_forces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,47 +81,21 @@ namespace squeal
       return result;
     }
 
-    /** The time that the end of @p run takes to come back, from ever more
-     * periods of it, and how near it comes. */
-    std::pair<double, double>
-    period_of(const ReducedContactModel &model,
-              const Orbit               &run,
-              const double               shortest)
-    {
-      const double length  = run.step * run.n_steps();
-      const auto   returns = recurrences(model, run, shortest, length);
-      if (returns.empty() || returns.front().second > farthest_return)
-        return {0., returns.empty() ? 1. : returns.front().second};
-      auto [period, distance] = returns.front();
-      for (unsigned int k = 2; (k + .25) * period < length; ++k)
-        if (const auto later =
-              recurrences(model, run, (k - .25) * period, (k + .25) * period);
-            !later.empty())
-          period = later.front().first / k;
-      return {period, distance};
-    }
-
     /** Mean and rms of the normal resultant over the last whole periods. */
     void
     set_forces(EdgeTrajectory &edge)
     {
-      const Orbit &run    = edge.tail;
-      const double period = 1. / (edge.frequency * run.step);
-      const auto   n      = static_cast<unsigned int>(
-        edge.frequency > 0. ? std::floor(run.n_steps() / period + 1e-9) * period
-                                   : run.n_steps());
-      double mean = 0., square = 0.;
-      for (unsigned int i = run.n_steps() - n; i < run.n_steps(); ++i)
-        {
-          const Eigen::VectorXd &f      = run.states[i + 1].forces;
-          double                 normal = 0.;
-          for (Eigen::Index j = 0; j < f.size(); j += 3)
-            normal += f[j];
-          mean += normal / n;
-          square += normal * normal / n;
-        }
-      edge.mean_normal = mean;
-      edge.rms_normal  = std::sqrt(std::max(0., square - mean * mean));
+      const Orbit &run = edge.tail;
+      const double period =
+        edge.frequency > 0. ? 1. / (edge.frequency * run.step) : run.n_steps();
+      // Whole periods, or all where they are not known.
+      const auto n = static_cast<unsigned int>(
+        std::max(1., std::floor(run.n_steps() / period + 1e-9)) *
+        std::min<double>(period, run.n_steps()));
+      const Eigen::VectorXd normal = resultants_of(run).row(0).tail(n);
+      edge.mean_normal             = normal.mean();
+      edge.rms_normal =
+        std::sqrt((normal.array() - edge.mean_normal).square().mean());
     }
   } // namespace
 
@@ -174,10 +148,10 @@ namespace squeal
       }
     edge.tail = follower.orbit(start, edge.stretches.back().lower.size());
     edge.end  = start.time;
-    const auto [period, recurrence] = period_of(
-      follower.period_map().reduced_model(), edge.tail, settings.shortest);
-    edge.frequency  = period > 0. ? 1. / period : 0.;
-    edge.recurrence = recurrence;
+    const OrbitLine line =
+      line_of(edge.tail, settings.lowest, settings.highest);
+    edge.frequency  = line.frequency;
+    edge.repetition = line.repetition;
     set_forces(edge);
     return edge;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/motion_fate.h>
+#include <squeal/cycle/orbit_forces.h>
 #include <squeal/cycle/shooting.h>
 
 #include <algorithm>
@@ -25,20 +26,6 @@ namespace squeal
     rounded_count(const double whole, const double part)
     {
       return static_cast<unsigned int>(std::max(1., std::round(whole / part)));
-    }
-
-    /** Normal and tangential resultant after every step, N: 2 x steps. */
-    Eigen::MatrixXd
-    resultants_of(const Orbit &orbit)
-    {
-      Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2, orbit.n_steps());
-      for (unsigned int i = 0; i < orbit.n_steps(); ++i)
-        {
-          const Eigen::VectorXd &f = orbit.states[i + 1].forces;
-          for (Eigen::Index j = 0; j < f.size(); j += 3)
-            result.col(i) += f.segment<2>(j);
-        }
-      return result;
     }
 
     /** Mean of `rms_forces` over the last @p n windows. */
@@ -102,7 +89,7 @@ namespace squeal
   MotionFollower::orbit(MotionPlace &place, const unsigned int n_windows) const
   {
     const unsigned int n = n_windows * n_steps;
-    Orbit run = map.run(place.state, n * settings.step, n, place.past);
+    Orbit run = map.run_plainly(place.state, n * settings.step, n, place.past);
     place     = {run.end(), run.past_of(n), place.time + n * settings.step};
     return run;
   }
@@ -124,7 +111,7 @@ namespace squeal
           result.is_as_steady && run.status[i] == steady.status;
       }
     result.amplitude        = std::sqrt(square);
-    const Eigen::MatrixXd f = resultants_of(run);
+    const Eigen::MatrixXd f = resultants_of(run).topRows<2>();
     const Eigen::Vector2d variance =
       (f.colwise() - f.rowwise().mean()).rowwise().squaredNorm() / n_steps;
     result.rms_normal = std::sqrt(variance[0]);
@@ -194,7 +181,8 @@ namespace squeal
       unit, [top, duration](const double time) {
         return time < duration ? top * std::sin(M_PI * time / duration) : 0.;
       }};
-    const Orbit run = map.run_under(force, state_of(steady), duration, n);
+    const Orbit run =
+      map.run_plainly(state_of(steady), duration, n, {}, &force);
     return {run.end(), run.past_of(n), duration};
   }
 } // namespace squeal

@@ -65,14 +65,22 @@ namespace squeal
   }
 
   Orbit
-  PeriodMap::run_under(const TransientDrive::Force &force,
-                       const MotionState           &start,
-                       const double                 time,
-                       const unsigned int           n_steps) const
+  PeriodMap::run_plainly(const MotionState           &start,
+                         const double                 time,
+                         const unsigned int           n_steps,
+                         const ContactPast           &past,
+                         const TransientDrive::Force *force) const
   {
     TransientDrive forced = drive;
-    forced.forces.push_back(force);
-    return run_by(forced, start, time, n_steps, {}, nullptr);
+    if (force)
+      forced.forces.push_back(*force);
+    const StepCorrections none{
+      std::vector<Eigen::VectorXd>(n_steps,
+                                   Eigen::VectorXd::Zero(2 * model.n_nodes())),
+      std::vector<Eigen::VectorXd>(n_steps),
+      std::vector<Eigen::VectorXd>(n_steps,
+                                   Eigen::VectorXd::Zero(model.n_modes()))};
+    return run_by(forced, start, time, n_steps, past, &none);
   }
 
   Orbit

@@ -69,15 +69,15 @@ namespace squeal
                                         const unsigned int      n_steps);
 
   /**
-   * The periodic motion that the end of @p run is near to, by shooting with
-   * half the steps of @p settings and with all of them; the first one that
-   * converges from the times in which the run comes back. `no_period` where it
-   * does not come back within its length, shorter than @p shortest, s, apart.
-   * The members about a pair are empty.
+   * The periodic motion near @p start, by shooting with half the steps of @p
+   * settings and with all of them: the first that converges from the guesses @p
+   * periods, s, ascending; those that are multiples of the first have as many
+   * times the steps. `no_period` without guesses. The members about a pair are
+   * empty.
    */
   CycleResult find_cycle_near(const PeriodMap            &map,
-                              const Orbit                &run,
-                              const double                shortest,
+                              const MotionState          &start,
+                              const std::vector<double>  &periods,
                               const LimitCycleParameters &settings);
 
   /**

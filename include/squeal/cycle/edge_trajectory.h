@@ -12,8 +12,8 @@ namespace squeal
   struct EdgeSettings
   {
     double time = 0.1; /**< s; no restart after it, no stretch is longer */
-    unsigned int halvings = 8;  /**< at each restart */
-    double       shortest = 0.; /**< s, that a period has at least */
+    unsigned int halvings = 8;        /**< at each restart */
+    double lowest = 0., highest = 0.; /**< Hz, of the band of its frequency */
   };
 
   /** Motions either side of the edge between what returns and what squeals. */
@@ -34,9 +34,9 @@ namespace squeal
     std::vector<Stretch> stretches;
     Orbit                tail;     /**< the last one, below the edge */
     double               end = 0.; /**< s, when it ends */
-    /** Of the tail: 1/period, Hz, and how near it comes back, over the mean
-     * distance of its states; 0 and 1 where it does not come back. */
-    double frequency = 0., recurrence = 1.;
+    /** Of the tail: 1/period, Hz, 0: none; how well it repeats itself with it,
+     * 1: exactly. */
+    double frequency = 0., repetition = 0.;
     double rms_normal  = 0.; /**< N, of the normal resultant, whole periods */
     double mean_normal = 0.; /**< N */
   };

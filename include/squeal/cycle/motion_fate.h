@@ -74,6 +74,8 @@ namespace squeal
    * it is none of these and the forces of all windows of the hold time are
    * those of a known vibration that lasts, within 5 %; where none is known,
    * when they agree so well with their mean at the longest time.
+   *
+   * Steps are those of PeriodMap::run_plainly().
    */
   class MotionFollower
   {

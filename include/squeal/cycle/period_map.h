@@ -39,12 +39,15 @@ namespace squeal
               const ContactPast     &past = {},
               const StepCorrections *held = nullptr) const;
 
-    /** The same under a further @p force whose course in time counts from the
-     * start, of which nothing is known before. */
-    Orbit run_under(const TransientDrive::Force &force,
-                    const MotionState           &start,
-                    const double                 time,
-                    const unsigned int           n_steps) const;
+    /** The same with changes of status at the ends of steps, as those of a
+     * ReducedTransient: of first order there, but no motion with many impacts
+     * gains energy by it. Under a further @p force, if it is given, whose course
+     * in time counts from the start. */
+    Orbit run_plainly(const MotionState           &start,
+                      const double                 time,
+                      const unsigned int           n_steps,
+                      const ContactPast           &past,
+                      const TransientDrive::Force *force = nullptr) const;
 
     /** Rows of the forces that count at the start and the end of @p orbit:
      * those of nodes closed at one of them. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/triggers/trigger_search.h>
 #include <squeal/base/timers.h>
+#include <squeal/cycle/orbit_forces.h>
 #include <squeal/model/period_map_of.h>
 
 #include <algorithm>
@@ -12,12 +13,8 @@ namespace squeal
 {
   namespace
   {
-    /** Of the period of the highest frequency of the band: the shortest period
-     * of a cycle. */
-    constexpr double of_shortest_period = 0.5;
-
-    /** The last windows that a cycle is sought in. */
-    constexpr double run_of_cycle = 0.01; // s
+    /** The last part of a motion that its cycle is sought in. */
+    constexpr double run_of_cycle = 0.02; // s
 
     FateSettings
     fate_settings(const Parameters &p, const double step)
@@ -85,21 +82,34 @@ namespace squeal
       return {std::move(strongest), std::move(threshold)};
     }
 
+    /** The cycle near the end of @p run by its frequency @p f, Hz, or by half
+     * of it where every second period is another one. */
+    CycleResult
+    cycle_of(const Blows      &blows,
+             const Orbit      &run,
+             const double      f,
+             const Parameters &p)
+    {
+      const std::vector<double> periods =
+        f > 0. ? std::vector<double>{1. / f, 2. / f} : std::vector<double>{};
+      return find_cycle_near(
+        blows.follower.period_map(), run.end(), periods, p.limit_cycle);
+    }
+
     void
     find_cycles(const Blows &blows, const Parameters &p, TriggerResult &result)
     {
-      const double shortest = of_shortest_period / p.eigen.highest_frequency;
-      MotionPlace  last     = result.strongest.end;
-      const auto   n        = static_cast<unsigned int>(
+      MotionPlace last = result.strongest.end;
+      const auto  n    = static_cast<unsigned int>(
         std::ceil(run_of_cycle / blows.follower.window()));
-      const Orbit run = blows.follower.orbit(last, n);
-      result.stable   = find_cycle_near(
-        blows.follower.period_map(), run, shortest, p.limit_cycle);
+      const Orbit  run = blows.follower.orbit(last, n);
+      const double f =
+        line_of(run, p.eigen.lowest_frequency, p.eigen.highest_frequency)
+          .frequency;
+      result.stable = cycle_of(blows, run, f, p);
       if (result.has_edge())
-        result.unstable = find_cycle_near(blows.follower.period_map(),
-                                          result.edge.tail,
-                                          shortest,
-                                          p.limit_cycle);
+        result.unstable =
+          cycle_of(blows, result.edge.tail, result.edge.frequency, p);
     }
   } // namespace
 
@@ -178,14 +188,14 @@ namespace squeal
     if (p.triggers.edge_time > 0.)
       {
         Timers::Section section(timers, "Solve: edge");
-        result.edge =
-          follow_edge(blows.follower,
-                      blows.struck(result.threshold.lower),
-                      blows.struck(result.threshold.upper),
-                      result.strongest.lasting_forces(),
-                      {p.triggers.edge_time,
-                       p.triggers.halvings,
-                       of_shortest_period / p.eigen.highest_frequency});
+        result.edge = follow_edge(blows.follower,
+                                  blows.struck(result.threshold.lower),
+                                  blows.struck(result.threshold.upper),
+                                  result.strongest.lasting_forces(),
+                                  {p.triggers.edge_time,
+                                   p.triggers.halvings,
+                                   p.eigen.lowest_frequency,
+                                   p.eigen.highest_frequency});
       }
     Timers::Section section(timers, "Solve: limit cycles");
     find_cycles(blows, p, result);
