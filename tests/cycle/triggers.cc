@@ -139,6 +139,7 @@ namespace
   void
   stick_slip(const double sense, const std::string &name)
   {
+    // Windows of some twenty periods, whose beginning and end do not matter.
     constexpr double    step = .004, duration = .2;
     ReducedContactModel m = foot_on_belt(step);
     m.omega_squared[1]    = 1.;
@@ -151,7 +152,7 @@ namespace
     friction.speed   = belt;
     const PeriodMap      map(m, friction, 1., 1e-11);
     const SteadySliding  steady = steady_sliding(m, kinetic);
-    const MotionFollower follower(map, steady, {step, 10., 30., 300.});
+    const MotionFollower follower(map, steady, {step, 160., 320., 960.});
     const ModalForce     unit   = on_the_mass(m);
     const auto           motion = [&](const double                 impulse,
                             const std::optional<double> &lasting) {

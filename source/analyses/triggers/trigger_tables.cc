@@ -70,6 +70,19 @@ namespace squeal
                : values[0];
     }
 
+    /** The search may find a cycle gone through twice. */
+    double
+    off_a_multiple(const double f, const double of_cycle)
+    {
+      return f / (std::max(1., std::round(f / of_cycle)) * of_cycle) - 1.;
+    }
+
+    double
+    dominant_line(const CycleResult &c)
+    {
+      return c.figures.largest_harmonic * c.figures.frequency;
+    }
+
     /** Multipliers above 1 in size by more than their error. */
     std::size_t
     n_outside(const CycleResult &c)
@@ -188,6 +201,13 @@ namespace squeal
                   3},
                  cycle,
                  frequency_error),
+        of_cycle({"unstable_line_hz",
+                  Type::real,
+                  "Hz",
+                  "largest harmonic of its normal force",
+                  8},
+                 cycle,
+                 dominant_line),
         of_cycle(
           {"unstable_rms_normal_n", Type::real, "N", "of its normal force"},
           cycle,
@@ -231,11 +251,13 @@ namespace squeal
         {{"edge_frequency_difference_rel",
           Type::real,
           "",
-          "of the motion on the edge from the cycle",
+          "of the motion on the edge from the nearest multiple of that of the "
+          "cycle",
           3},
          [of_period](const R &r) {
            return r.unstable.has_converged()
-                    ? or_missing(of_period(r) / frequency(r.unstable) - 1.)
+                    ? or_missing(
+                        off_a_multiple(of_period(r), frequency(r.unstable)))
                     : Cell();
          }},
         {{"edge_rms_difference_rel", Type::real, "", "of the normal force", 3},
@@ -276,6 +298,13 @@ namespace squeal
                   3},
                  cycle,
                  frequency_error),
+        of_cycle({"stable_line_hz",
+                  Type::real,
+                  "Hz",
+                  "largest harmonic of its normal force",
+                  8},
+                 cycle,
+                 dominant_line),
         of_cycle(
           {"stable_rms_normal_n", Type::real, "N", "of its normal force"},
           cycle,
@@ -421,14 +450,14 @@ namespace squeal
                        " N s" + at + " is enough for squeal" +
                        (t.is_missing(row, "stable_frequency_hz")
                           ? ""
-                          : " at " + shown("stable_frequency_hz", 5) + " Hz, " +
+                          : " at " + shown("stable_line_hz", 5) + " Hz, " +
                               shown("stable_rms_normal_n", 3) + " N rms") +
                        "; below it steady sliding returns";
     if (status != "threshold")
       text += " (" + status + ")";
     if (!t.is_missing(row, "unstable_frequency_hz"))
       text += "; between them stands an unstable cycle at " +
-              shown("unstable_frequency_hz", 5) + " Hz, " +
+              shown("unstable_line_hz", 5) + " Hz, " +
               shown("unstable_rms_normal_n", 3) + " N rms";
     else
       text += "; edge: " + t.text(row, "edge_status");
