@@ -50,6 +50,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_scene.cc
     source/parameters/check_sweep.cc
     source/parameters/check_transient.cc
+    source/parameters/check_triggers.cc
     source/parameters/choices.cc
     source/parameters/declare_analysis.cc
     source/parameters/declare_body.cc
@@ -59,6 +60,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/declare_scene.cc
     source/parameters/declare_sweep.cc
     source/parameters/declare_transient.cc
+    source/parameters/declare_triggers.cc
     source/parameters/drop_included.cc
     source/parameters/entry_traits.cc
     source/parameters/face_geometry.cc
@@ -216,15 +218,19 @@ set(SQUEAL_SOURCES_CYCLE
     source/cycle/cycle_branch.cc
     source/cycle/cycle_friction.cc
     source/cycle/cycle_search.cc
+    source/cycle/edge_trajectory.cc
     source/cycle/harmonic_balance.cc
     source/cycle/harmonic_balance_newton.cc
     source/cycle/located_transient.cc
+    source/cycle/motion_fate.cc
     source/cycle/orbit.cc
+    source/cycle/orbit_forces.cc
     source/cycle/period_derivative.cc
     source/cycle/period_equations.cc
     source/cycle/period_map.cc
     source/cycle/shooting.cc
-    source/cycle/slip_origin.cc)
+    source/cycle/slip_origin.cc
+    source/cycle/trigger_threshold.cc)
 
 set(SQUEAL_SOURCES_RESULTS
     source/results/axis.cc
@@ -294,6 +300,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/open_scene.cc
     source/model/other_degree.cc
     source/model/pair_errors.cc
+    source/model/period_map_of.cc
     source/model/point_forces.cc
     source/model/pressed_model.cc
     source/model/pressed_scene.cc
@@ -364,6 +371,10 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_plots.cc
     source/analyses/transient/transient_run.cc
     source/analyses/transient/transient_verdict.cc
+    source/analyses/triggers/run_triggers.cc
+    source/analyses/triggers/trigger_charts.cc
+    source/analyses/triggers/trigger_search.cc
+    source/analyses/triggers/trigger_tables.cc
     source/analyses/updating/run_updating.cc
     source/analyses/updating/updating_fit.cc
     source/analyses/updating/updating_model.cc

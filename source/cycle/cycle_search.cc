@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
+#include <squeal/cycle/orbit_forces.h>
 #include <squeal/transient/modal_step.h>
 
 #include <algorithm>
@@ -22,9 +23,6 @@ namespace squeal
     constexpr double       shortest_period = .45;
     /** Room for that of the period while it is sought. */
     constexpr double growth_of_period = 1.1;
-    /** A motion that comes back no nearer than this at the end of the run has
-     * no period. */
-    constexpr double no_return = 0.3;
     /** A run ends early where it comes back as near as this, over its size, and
      * nearer by this share than a motion that still grows would. */
     constexpr double has_returned = 1e-2, of_growth = 0.1;
@@ -88,7 +86,7 @@ namespace squeal
           if (!result.empty() && result.back().second < is_there)
             break;
         }
-      if (!result.empty() && result.back().second > no_return)
+      if (!result.empty() && result.back().second > farthest_return)
         result.clear();
       return result;
     }
@@ -123,6 +121,46 @@ namespace squeal
       result.multipliers.error =
         std::abs(result.multipliers.largest -
                  floquet_multipliers(map, result.coarse).largest);
+    }
+
+    /** The periodic motion near @p start by the times of @p returns, in which
+     * it comes back, and how near. Where @p must_be_stable a longer period is
+     * tried as well where the motion of the shorter one is unstable. */
+    CycleResult
+    of_returns(const PeriodMap                              &map,
+               const MotionState                            &start,
+               const std::vector<std::pair<double, double>> &returns,
+               const LimitCycleParameters                   &settings,
+               CycleResult                                   result,
+               const bool                                    must_be_stable)
+    {
+      result.coarse.status = CycleStatus::no_period;
+      // Where the shorter period belongs to an unstable motion, the longer one
+      // may be what it has doubled to.
+      for (const auto &[guess, distance] : returns)
+        {
+          CycleResult  next = result;
+          const double times =
+            std::max(1., std::round(guess / returns[0].first));
+          const auto n_steps =
+            static_cast<unsigned int>(times) * settings.steps;
+          next.recurrence = distance;
+          search_with(map,
+                      start,
+                      guess,
+                      stable_steps(map.reduced_model(), guess, n_steps, 2),
+                      settings,
+                      next);
+          const bool is_better =
+            !result.has_converged() ||
+            (next.has_converged() && next.multipliers.is_stable());
+          if (is_better)
+            result = std::move(next);
+          if (result.has_converged() &&
+              (!must_be_stable || !result.multipliers.is_unstable()))
+            break;
+        }
+      return result;
     }
 
     /** Of the rms: what harmonics of a longer period leave of a motion that
@@ -194,14 +232,13 @@ namespace squeal
     const unsigned int         n     = orbit.n_steps();
     CycleFigures               f;
     f.frequency  = 1. / motion.period;
-    f.resultants = Eigen::MatrixXd::Zero(3, n);
+    f.resultants = resultants_of(orbit);
     std::vector<bool> opens(model.n_nodes()), sticks(model.n_nodes());
     Eigen::VectorXd   lowest = orbit.motions[1], highest = lowest;
     for (unsigned int i = 0; i < n; ++i)
       {
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            f.resultants.col(i) += orbit.states[i + 1].forces.segment<3>(3 * j);
             opens[j]  = opens[j] || orbit.status[i][j] == ContactStatus::open;
             sticks[j] = sticks[j] || orbit.status[i][j] == ContactStatus::stick;
           }
@@ -353,29 +390,20 @@ namespace squeal
       {
         returns.clear();
       }
-    result.coarse.status = CycleStatus::no_period;
-    // Where the shorter period belongs to an unstable motion, the longer one
-    // may be what it has doubled to.
-    for (const auto &[guess, distance] : returns)
-      {
-        CycleResult  next  = result;
-        const double times = std::max(1., std::round(guess / returns[0].first));
-        const auto n_steps = static_cast<unsigned int>(times) * settings.steps;
-        next.recurrence    = distance;
-        search_with(map,
-                    start,
-                    guess,
-                    stable_steps(map.reduced_model(), guess, n_steps, 2),
-                    settings,
-                    next);
-        const bool is_better =
-          !result.has_converged() ||
-          (next.has_converged() && next.multipliers.is_stable());
-        if (is_better)
-          result = std::move(next);
-        if (result.has_converged() && !result.multipliers.is_unstable())
-          break;
-      }
-    return result;
+    return of_returns(map, start, returns, settings, std::move(result), true);
+  }
+
+
+
+  CycleResult
+  find_cycle_near(const PeriodMap            &map,
+                  const MotionState          &start,
+                  const std::vector<double>  &periods,
+                  const LimitCycleParameters &settings)
+  {
+    std::vector<std::pair<double, double>> guesses;
+    for (const double period : periods)
+      guesses.emplace_back(period, 1.);
+    return of_returns(map, start, guesses, settings, {}, false);
   }
 } // namespace squeal

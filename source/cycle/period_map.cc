@@ -61,11 +61,41 @@ namespace squeal
                  const ContactPast     &past,
                  const StepCorrections *held) const
   {
+    return run_by(drive, start, time, n_steps, past, held);
+  }
+
+  Orbit
+  PeriodMap::run_plainly(const MotionState           &start,
+                         const double                 time,
+                         const unsigned int           n_steps,
+                         const ContactPast           &past,
+                         const TransientDrive::Force *force) const
+  {
+    TransientDrive forced = drive;
+    if (force)
+      forced.forces.push_back(*force);
+    const StepCorrections none{
+      std::vector<Eigen::VectorXd>(n_steps,
+                                   Eigen::VectorXd::Zero(2 * model.n_nodes())),
+      std::vector<Eigen::VectorXd>(n_steps),
+      std::vector<Eigen::VectorXd>(n_steps,
+                                   Eigen::VectorXd::Zero(model.n_modes()))};
+    return run_by(forced, start, time, n_steps, past, &none);
+  }
+
+  Orbit
+  PeriodMap::run_by(const TransientDrive  &driven_by,
+                    const MotionState     &start,
+                    const double           time,
+                    const unsigned int     n_steps,
+                    const ContactPast     &past,
+                    const StepCorrections *held) const
+  {
     Orbit orbit;
     orbit.step = time / n_steps;
     orbit.past = past;
     LocatedTransient motion(
-      model, orbit.step, drive, friction, nodal_force, tolerance);
+      model, orbit.step, driven_by, friction, nodal_force, tolerance);
     motion.start(start.coordinates, start.velocities, start.forces);
     motion.set_past(past);
     if (held)

@@ -317,12 +317,14 @@ namespace squeal
   ModalForce
   PressedModel::force(const LoadParameters &load) const
   {
-    return modal_forces(*pencil,
-                        *basis,
-                        contact_nodes.relative_motion(),
-                        force_of(load),
-                        observed)
-      .at(0);
+    return forces(force_of(load)).at(0);
+  }
+
+  std::vector<ModalForce>
+  PressedModel::forces(const Block &f) const
+  {
+    return modal_forces(
+      *pencil, *basis, contact_nodes.relative_motion(), f, observed);
   }
 
 

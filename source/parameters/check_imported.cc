@@ -14,9 +14,11 @@ namespace squeal
         return;
       const TransientParameters &t = p.transient;
       const bool is_moving         = p.analysis == Analysis::transient ||
-                             p.analysis == Analysis::limit_cycle;
+                             p.analysis == Analysis::limit_cycle ||
+                             p.analysis == Analysis::triggers;
       const bool is_linear = p.analysis != Analysis::preload &&
                              p.analysis != Analysis::limit_cycle &&
+                             p.analysis != Analysis::triggers &&
                              (!is_moving || t.compare_with_cea);
       for (const ContactParameters &c : p.scene.contacts)
         {

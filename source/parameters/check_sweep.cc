@@ -22,7 +22,8 @@ namespace squeal
       bool
       is_campaign_of_runs(const Parameters &p)
       {
-        return p.analysis == Parameters::Analysis::transient
+        return p.analysis == Parameters::Analysis::transient ||
+                   p.analysis == Parameters::Analysis::triggers
                  ? !p.sweep.axes.empty()
                  : p.analysis == Parameters::Analysis::limit_cycle &&
                      p.limit_cycle.campaign;

@@ -141,7 +141,7 @@ namespace squeal
       /** Periodic motions are those of the reduced model in the fixed frame
        * with one coefficient of friction at all slip rates. */
       void
-      check_limit_cycle(const Parameters &p)
+      check_periodic_motions(const Parameters &p)
       {
         const TransientParameters &t = p.transient;
         for (const ContactParameters &c : p.scene.contacts)
@@ -171,6 +171,17 @@ namespace squeal
           refuse_entry("Transient",
                        "Cut-off",
                        "must not be below 'Eigenvalues/Highest frequency'");
+        if (!t.integrators.empty())
+          refuse_entry("Transient",
+                       "Integrators",
+                       "must be empty: limit cycles are those of the reduced "
+                       "model");
+      }
+
+      void
+      check_limit_cycle(const Parameters &p)
+      {
+        check_periodic_motions(p);
         if (!p.limit_cycle.campaign)
           check_branch(p.sweep.axes);
         else if (p.limit_cycle.frequency > 0.)
@@ -178,11 +189,6 @@ namespace squeal
                        "Pair frequency",
                        "must be 0 with 'Campaign', which follows every growing "
                        "pair");
-        else if (!t.integrators.empty())
-          refuse_entry("Transient",
-                       "Integrators",
-                       "must be empty: limit cycles are those of the reduced "
-                       "model");
       }
 
       void
@@ -433,9 +439,9 @@ namespace squeal
                            "must be springs: contact states that change over a "
                            "sweep need it");
           }
-      const bool is_pressed = p.analysis == Analysis::preload ||
-                              p.analysis == Analysis::transient ||
-                              p.analysis == Analysis::limit_cycle;
+      const bool is_pressed =
+        p.analysis == Analysis::preload || p.analysis == Analysis::transient ||
+        p.analysis == Analysis::limit_cycle || p.analysis == Analysis::triggers;
       if ((is_pressed || has_preload_state) &&
           p.discretization.refinement ==
             DiscretizationParameters::Refinement::eigenvalue_error)
@@ -464,6 +470,12 @@ namespace squeal
         {
           check_limit_cycle(p);
           check_tops(p);
+        }
+      if (p.analysis == Analysis::triggers)
+        {
+          check_periodic_motions(p);
+          check_tops(p);
+          check_triggers(p);
         }
       if (p.analysis == Analysis::transient)
         {

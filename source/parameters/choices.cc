@@ -17,7 +17,8 @@ namespace squeal
             {"updating", A::updating},
             {"angles", A::angles},
             {"limit cycle", A::limit_cycle},
-            {"operating matrix", A::operating_matrix}};
+            {"operating matrix", A::operating_matrix},
+            {"triggers", A::triggers}};
   }
 
 

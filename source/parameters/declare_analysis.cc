@@ -344,6 +344,7 @@ namespace squeal
       declare_preload(schema, parameters.preload);
       declare_transient(schema, parameters.transient);
       declare_limit_cycle(schema, parameters.limit_cycle);
+      declare_triggers(schema, parameters.triggers);
       declare_work_precision(schema, parameters.work_precision);
       declare_angles(schema, parameters.angles);
       declare_operating_matrix(schema, parameters.operating_matrix);

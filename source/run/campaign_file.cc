@@ -109,4 +109,20 @@ namespace squeal
     for (std::size_t i = 0; i + n <= cells.size(); i += n)
       table.add_row({cells.begin() + i, cells.begin() + i + n});
   }
+
+
+
+  void
+  put_place(Table &table, const CampaignRun &run, const Parameters &p)
+  {
+    if (!run.top.empty())
+      table.put_first({"top", Table::Type::text, "", "kind of the support"},
+                      run.top);
+    for (std::size_t i = run.shown.size(); i-- > 0;)
+      table.put_first({p.sweep.axes[i].name,
+                       Table::Type::real,
+                       shown_unit(p.sweep.axes[i], p.scene),
+                       "of the axis"},
+                      run.shown[i]);
+  }
 } // namespace squeal

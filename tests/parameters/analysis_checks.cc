@@ -171,6 +171,47 @@ namespace
 
 
 
+  /** Blows of 'Analysis = triggers' and how motions are judged. */
+  void
+  triggers()
+  {
+    const auto with = [](const std::vector<std::string> &changes) {
+      std::vector<std::string> all = {
+        "Analysis = triggers",
+        "Scene/Contact pad_disc/Formulation = mortar",
+        "Scene/Contact pad_disc/Transverse slip term = true",
+        "Scene/Contact pad_disc/Sliding speed = 0.1",
+        "Measurement/Points = here",
+        "Measurement/Point here/Body = pad",
+        "Triggers/Impulses = 0.1, 0.2"};
+      all.insert(all.end(), changes.begin(), changes.end());
+      return all;
+    };
+    read_parameters("example.prm", with({})).check();
+    const std::pair<std::string, std::vector<std::string>> faults[] = {
+      {"Triggers/Impulses =", {"'Triggers/Impulses'", "is empty"}},
+      {"Triggers/Impulses = 0.2, 0.1", {"'Triggers/Impulses'", "ascend"}},
+      {"Triggers/Points = there",
+       {"'Triggers/Points'", "'there'", "'Measurement/Points'"}},
+      {"Triggers/Points = here, here", {"'Triggers/Points'", "twice"}},
+      {"Triggers/Window = 1e-6", {"'Triggers/Window'", "ten"}},
+      {"Triggers/Duration = 1e-6", {"'Triggers/Duration'", "ten"}},
+      {"Triggers/Hold time = 2e-3", {"'Triggers/Hold time'", "two 'Window'"}},
+      {"Triggers/Longest time = 0.02",
+       {"'Triggers/Longest time'", "twice 'Hold time'"}},
+      {"Triggers/Tolerance = 0.6", {"'Triggers/Tolerance'"}},
+      {"Transient/Friction impulse = 0.1",
+       {"'Transient/Friction impulse'", "must be 0"}},
+      {"Transient/Final speed ratio = 0.5",
+       {"'Transient/Final speed ratio'", "must be 1"}},
+      {"Transient/Integrator = implicit",
+       {"'Transient/Integrator'", "must be reduced"}}};
+    for (const auto &[change, parts] : faults)
+      check_change_refused(with({change}), parts);
+  }
+
+
+
   /** Eigenvalues and transient are compared with the same terms only. */
   void
   comparison_with_eigenvalues()
@@ -300,6 +341,7 @@ main()
   comparison_with_eigenvalues();
   cut_off_damping();
   limit_cycles();
+  triggers();
   result_checks();
   imported_models();
 }

@@ -354,6 +354,15 @@ namespace squeal
       SQUEAL_DESCRIBE(p, limit_cycle.harmonics);
       SQUEAL_DESCRIBE(p, limit_cycle.iterations);
       SQUEAL_DESCRIBE(p, limit_cycle.tolerance);
+      SQUEAL_DESCRIBE(p, triggers.points);
+      SQUEAL_DESCRIBE(p, triggers.impulses);
+      SQUEAL_DESCRIBE(p, triggers.duration);
+      SQUEAL_DESCRIBE(p, triggers.tolerance);
+      SQUEAL_DESCRIBE(p, triggers.window);
+      SQUEAL_DESCRIBE(p, triggers.hold);
+      SQUEAL_DESCRIBE(p, triggers.longest);
+      SQUEAL_DESCRIBE(p, triggers.edge_time);
+      SQUEAL_DESCRIBE(p, triggers.halvings);
       SQUEAL_DESCRIBE(p, transient.campaign_table);
       SQUEAL_DESCRIBE(p, transient.threads);
       SQUEAL_DESCRIBE(p, transient.hammer.body);

@@ -42,6 +42,10 @@ namespace squeal
    * temperature, speed and sense of turning. */
   void run_operating_matrix(RunContext &context);
 
+  /** `Analysis = triggers`: smallest impulses that lead to squeal, and the
+   * unstable cycle on the edge. */
+  void run_triggers(RunContext &context);
+
   /** `Analysis = work precision`: a ladder of settings, error against work. */
   void run_work_precision(RunContext &context);
 
@@ -73,6 +77,8 @@ namespace squeal
         return run_limit_cycle(context);
       case Parameters::Analysis::operating_matrix:
         return run_operating_matrix(context);
+      case Parameters::Analysis::triggers:
+        return run_triggers(context);
       }
     unknown_choice("analysis");
   }

@@ -69,6 +69,18 @@ namespace squeal
                                         const unsigned int      n_steps);
 
   /**
+   * The periodic motion near @p start, by shooting with half the steps of @p
+   * settings and with all of them: the first that converges from the guesses @p
+   * periods, s, ascending; those that are multiples of the first have as many
+   * times the steps. `no_period` without guesses. The members about a pair are
+   * empty.
+   */
+  CycleResult find_cycle_near(const PeriodMap            &map,
+                              const MotionState          &start,
+                              const std::vector<double>  &periods,
+                              const LimitCycleParameters &settings);
+
+  /**
    * From steady sliding with pair @p k at an amplitude, over a run, to the
    * periodic motion, by shooting with half the steps and with all of them.
    */

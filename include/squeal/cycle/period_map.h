@@ -39,6 +39,16 @@ namespace squeal
               const ContactPast     &past = {},
               const StepCorrections *held = nullptr) const;
 
+    /** The same with changes of status at the ends of steps, as those of a
+     * ReducedTransient: of first order there, but no motion with many impacts
+     * gains energy by it. Under a further @p force, if it is given, whose course
+     * in time counts from the start. */
+    Orbit run_plainly(const MotionState           &start,
+                      const double                 time,
+                      const unsigned int           n_steps,
+                      const ContactPast           &past,
+                      const TransientDrive::Force *force = nullptr) const;
+
     /** Rows of the forces that count at the start and the end of @p orbit:
      * those of nodes closed at one of them. */
     std::vector<int> closed_rows(const Orbit &orbit) const;
@@ -69,6 +79,13 @@ namespace squeal
     }
 
   private:
+    Orbit run_by(const TransientDrive  &drive,
+                 const MotionState     &start,
+                 const double           time,
+                 const unsigned int     n_steps,
+                 const ContactPast     &past,
+                 const StepCorrections *held) const;
+
     const ReducedContactModel &model;
     TransientDrive             drive;
     CycleFriction              friction;

@@ -62,6 +62,10 @@ namespace squeal
                      const MotionState         &a,
                      const MotionState         &b);
 
+  /** A motion that comes back no nearer, over the mean distance of
+   * recurrences(), has no period. */
+  constexpr double farthest_return = 0.3;
+
   /**
    * The times after which the end of @p orbit was before where it is, of those
    * between the times @p shortest and @p longest, and how near, over the mean

@@ -83,6 +83,9 @@ namespace squeal
 
     /** Forces of @p load as modal forces. */
     ModalForce force(const LoadParameters &load) const;
+    /** The columns of @p forces, N, on the unknowns of the open scene (those of
+     * a Model whose contacts are open) as modal forces. Collective. */
+    std::vector<ModalForce> forces(const Block &forces) const;
 
     /** Velocities of the modes, of kinetic energy @p energy, J, after an
      * impulse spread at random over points of all bodies. It does not depend

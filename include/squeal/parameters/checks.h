@@ -43,6 +43,9 @@ namespace squeal
     /** Preload and transient: one contact, a load, times in order. */
     void check_transient(const Parameters &parameters);
 
+    /** Blows of 'Analysis = triggers' and how motions are judged. */
+    void check_triggers(const Parameters &parameters);
+
     /** Measured points, frequency responses and updating. */
     void check_response(const Parameters &parameters);
 

@@ -79,6 +79,7 @@ namespace squeal
     void declare_preload(Schema &schema, PreloadParameters &preload);
     void declare_transient(Schema &schema, TransientParameters &transient);
     void declare_limit_cycle(Schema &schema, LimitCycleParameters &limit_cycle);
+    void declare_triggers(Schema &schema, TriggersParameters &triggers);
     void declare_response(Schema &schema, Parameters &parameters);
 
     /** Section "Result checks", which every program has. */

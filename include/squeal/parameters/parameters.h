@@ -8,6 +8,7 @@
 #include <squeal/parameters/scene_parameters.h>
 #include <squeal/parameters/sweep_parameters.h>
 #include <squeal/parameters/transient_parameters.h>
+#include <squeal/parameters/triggers_parameters.h>
 
 #include <iosfwd>
 #include <memory>
@@ -35,7 +36,8 @@ namespace squeal
       updating,
       angles,
       limit_cycle,
-      operating_matrix
+      operating_matrix,
+      triggers
     };
     Analysis                           analysis = Analysis::cea;
     SceneParameters                    scene;
@@ -45,6 +47,7 @@ namespace squeal
     PreloadParameters                  preload;
     TransientParameters                transient;
     LimitCycleParameters               limit_cycle;
+    TriggersParameters                 triggers;
     WorkPrecisionParameters            work_precision;
     AnglesParameters                   angles;
     OperatingMatrixParameters          operating_matrix;

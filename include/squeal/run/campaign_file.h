@@ -36,6 +36,10 @@ namespace squeal
     const std::map<std::string, std::string> inputs;
   };
 
+  /** Puts the values of the axes of @p p and the top of @p run in front of every
+   * row. */
+  void put_place(Table &table, const CampaignRun &run, const Parameters &p);
+
   /** All rows of a table one after the other, and back. */
   std::vector<Cell> all_cells(const Table &table);
   void              add_rows(Table &table, const std::vector<Cell> &cells);

@@ -99,21 +99,6 @@ namespace squeal
 
 
 
-    /** The values of the axes and the top in front of every row. */
-    void
-    put_place(Table &table, const CampaignRun &run, const Parameters &p)
-    {
-      if (!run.top.empty())
-        table.put_first({"top", Type::text, "", "kind of the support"},
-                        run.top);
-      for (std::size_t i = run.shown.size(); i-- > 0;)
-        table.put_first({p.sweep.axes[i].name,
-                         Type::real,
-                         shown_unit(p.sweep.axes[i], p.scene),
-                         "of the axis"},
-                        run.shown[i]);
-    }
-
     struct CampaignTables
     {
       Table points, pairs;

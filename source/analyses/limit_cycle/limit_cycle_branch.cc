@@ -16,9 +16,6 @@ namespace squeal
 {
   namespace
   {
-    /** Of the largest force of a node that a step may miss the law by. */
-    constexpr double contact_tolerance = 1e-10;
-
     /** Steady sliding at one value of the parameter and the motions about it.
      */
     struct BranchMap
@@ -124,20 +121,6 @@ namespace squeal
                        std::to_string(run.n_points()) + " points");
     }
   } // namespace
-
-
-
-  PeriodMap
-  period_map_of(const SteadyModel &about)
-  {
-    const PressedModel &pressed = about.pressed;
-    return {pressed.model(),
-            CycleFriction::of_laws(pressed.nodes().laws(),
-                                   pressed.model().n_nodes(),
-                                   pressed.speed()),
-            about.sliding.resultant()[0] / pressed.model().n_nodes(),
-            contact_tolerance};
-  }
 
 
 

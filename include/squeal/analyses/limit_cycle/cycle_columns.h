@@ -3,11 +3,9 @@
 #define squeal_analyses_limit_cycle_cycle_columns_h
 
 #include <squeal/cycle/cycle_branch.h>
-#include <squeal/results/table.h>
+#include <squeal/results/column_of.h>
 
-#include <functional>
 #include <string>
-#include <vector>
 
 namespace squeal
 {
@@ -24,14 +22,6 @@ namespace squeal
   CycleRow cycle_row(const CycleResult &cycle);
   CycleRow cycle_row(const BranchPoint &point);
 
-  /** A column and what stands in it. */
-  template <typename Row>
-  struct ColumnOf
-  {
-    Table::Column                    declaration;
-    std::function<Cell(const Row &)> value;
-  };
-
   /** The common column @p name. */
   const ColumnOf<CycleRow> &common_cycle_column(const std::string &name);
 
@@ -43,24 +33,6 @@ namespace squeal
     const ColumnOf<CycleRow> &column = common_cycle_column(name);
     return {column.declaration,
             [&column](const Row &row) { return column.value(cycle_row(row)); }};
-  }
-
-  template <typename Row>
-  Table
-  table_of(const std::vector<ColumnOf<Row>> &columns,
-           const std::vector<Row>           &rows)
-  {
-    Table table;
-    for (const ColumnOf<Row> &column : columns)
-      table.add_column(column.declaration);
-    for (const Row &row : rows)
-      {
-        std::vector<Cell> cells;
-        for (const ColumnOf<Row> &column : columns)
-          cells.push_back(column.value(row));
-        table.add_row(cells);
-      }
-    return table;
   }
 } // namespace squeal
 

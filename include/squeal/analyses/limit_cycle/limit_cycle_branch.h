@@ -3,14 +3,11 @@
 #define squeal_analyses_limit_cycle_limit_cycle_branch_h
 
 #include <squeal/cycle/cycle_branch.h>
-#include <squeal/model/pressed_model.h>
+#include <squeal/model/period_map_of.h>
 
 namespace squeal
 {
   class RunContext;
-
-  /** The motions of a scene about its steady sliding. @p about is kept. */
-  PeriodMap period_map_of(const SteadyModel &about);
 
   /** Throws InputError where the scene is not on the axis of the sweep. */
   void require_on_axis(const Parameters &parameters);

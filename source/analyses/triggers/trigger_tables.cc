@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/triggers/trigger_tables.h>
+#include <squeal/results/column_of.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type          = Table::Type;
+    using TriggerColumn = ColumnOf<TriggerResult>;
+
+    /** Of a result of which @p is_there holds; else nothing. */
+    TriggerColumn
+    where(const Table::Column &declaration,
+          bool (TriggerResult::*is_there)() const,
+          const std::function<double(const TriggerResult &)> &value)
+    {
+      return {declaration, [is_there, value](const TriggerResult &r) {
+                return (r.*is_there)() ? or_missing(value(r)) : Cell();
+              }};
+    }
+
+    /** Of one of the cycles, where it has been found. */
+    TriggerColumn
+    of_cycle(const Table::Column &declaration,
+             CycleResult TriggerResult::*const                 cycle,
+             const std::function<double(const CycleResult &)> &value)
+    {
+      return {declaration, [cycle, value](const TriggerResult &r) {
+                return (r.*cycle).has_converged() ? Cell(value(r.*cycle))
+                                                  : Cell();
+              }};
+    }
+
+    double
+    frequency(const CycleResult &c)
+    {
+      return c.figures.frequency;
+    }
+
+    double
+    frequency_error(const CycleResult &c)
+    {
+      return std::abs(c.figures.frequency - c.coarse_figures.frequency);
+    }
+
+    double
+    rms(const CycleResult &c)
+    {
+      return c.figures.rms_normal;
+    }
+
+    double
+    rms_error(const CycleResult &c)
+    {
+      return std::abs(c.figures.rms_normal - c.coarse_figures.rms_normal);
+    }
+
+    /** The largest in size beside the trivial one. */
+    std::complex<double>
+    leading_multiplier(const CycleResult &c)
+    {
+      const auto &values = c.multipliers.values;
+      return values.size() > 1 && values[0] == c.multipliers.trivial
+               ? values[1]
+               : values[0];
+    }
+
+    /** The search may find a cycle gone through twice. */
+    double
+    off_a_multiple(const double f, const double of_cycle)
+    {
+      return f / (std::max(1., std::round(f / of_cycle)) * of_cycle) - 1.;
+    }
+
+    double
+    dominant_line(const CycleResult &c)
+    {
+      return c.figures.largest_harmonic * c.figures.frequency;
+    }
+
+    /** Multipliers above 1 in size by more than their error. */
+    std::size_t
+    n_outside(const CycleResult &c)
+    {
+      return std::count_if(c.multipliers.values.begin(),
+                           c.multipliers.values.end(),
+                           [&](const std::complex<double> &m) {
+                             return std::abs(m) - c.multipliers.uncertainty() >
+                                    1.;
+                           });
+    }
+
+    std::vector<TriggerColumn>
+    threshold_columns()
+    {
+      using R = TriggerResult;
+      return {
+        {{"point", Type::text, "", "that is struck"},
+         [](const R &r) { return Cell(r.point); }},
+        {{"trigger_status", Type::text, "", "what the search has ended with"},
+         [](const R &r) { return Cell(r.status); }},
+        where(
+          {"impulse_ns", Type::real, "N s", "smallest that leads to squeal"},
+          &R::has_threshold,
+          [](const R &r) { return r.best().middle(); }),
+        where({"impulse_lower_ns",
+               Type::real,
+               "N s",
+               "the motion after it comes back to steady sliding"},
+              &R::has_threshold,
+              [](const R &r) { return r.best().lower; }),
+        where({"impulse_upper_ns",
+               Type::real,
+               "N s",
+               "the motion after it squeals"},
+              &R::has_threshold,
+              [](const R &r) { return r.best().upper; }),
+        where({"impulse_error_ns",
+               Type::real,
+               "N s",
+               "half the bracket and the change with half the steps",
+               3},
+              &R::has_threshold,
+              [](const R &r) { return r.impulse_error(); }),
+        {{"n_changes",
+          Type::integer,
+          "",
+          "of what a motion ends in along the ladder of impulses; more than 1: "
+          "a larger impulse returns again"},
+         [](const R &r) {
+           return r.has_threshold() ? Cell(r.threshold.n_changes) : Cell();
+         }},
+        {{"n_trials", Type::integer, "", "impulses that were tried"},
+         [](const R &r) {
+           return Cell(r.threshold.trials.size() + r.finer.trials.size());
+         }},
+        {{"pair_sigma_per_s",
+          Type::real,
+          "1/s",
+          "largest growth rate of all motions about steady sliding"},
+         [](const R &r) { return Cell(r.pair.real()); }},
+        {{"pair_frequency_hz", Type::real, "Hz", "of that motion"},
+         [](const R &r) { return Cell(r.pair.imag() / (2. * M_PI)); }}};
+    }
+
+    std::vector<TriggerColumn>
+    edge_columns()
+    {
+      using R              = TriggerResult;
+      const auto cycle     = &R::unstable;
+      const auto of_period = [](const R &r) {
+        return r.edge.frequency > 0. ? r.edge.frequency
+                                     : std::numeric_limits<double>::quiet_NaN();
+      };
+      return {
+        {{"edge_status",
+          Type::text,
+          "",
+          "of the motion on the edge and of the cycle sought from it"},
+         [](const R &r) {
+           return Cell(!r.has_threshold() ? ""
+                       : !r.has_edge()    ? "not followed"
+                       : r.edge.status == EdgeTrajectory::Status::lost
+                         ? "lost"
+                         : r.unstable.status());
+         }},
+        where({"edge_time_s", Type::real, "s", "from the blow to its end"},
+              &R::has_edge,
+              [](const R &r) { return r.edge.end; }),
+        where({"edge_frequency_hz",
+               Type::real,
+               "Hz",
+               "1/period of the motion on the edge"},
+              &R::has_edge,
+              of_period),
+        where({"edge_rms_normal_n", Type::real, "N", "of its normal force"},
+              &R::has_edge,
+              [](const R &r) { return r.edge.rms_normal; }),
+        where({"edge_repetition",
+               Type::real,
+               "",
+               "how well it repeats itself with that frequency; 1: exactly"},
+              &R::has_edge,
+              [](const R &r) { return r.edge.repetition; }),
+        of_cycle({"unstable_frequency_hz",
+                  Type::real,
+                  "Hz",
+                  "1/period of the cycle on the edge",
+                  8},
+                 cycle,
+                 frequency),
+        of_cycle({"unstable_frequency_error_hz",
+                  Type::real,
+                  "Hz",
+                  "difference to half the steps",
+                  3},
+                 cycle,
+                 frequency_error),
+        of_cycle({"unstable_line_hz",
+                  Type::real,
+                  "Hz",
+                  "largest harmonic of its normal force",
+                  8},
+                 cycle,
+                 dominant_line),
+        of_cycle(
+          {"unstable_rms_normal_n", Type::real, "N", "of its normal force"},
+          cycle,
+          rms),
+        of_cycle({"unstable_rms_normal_error_n",
+                  Type::real,
+                  "N",
+                  "difference to half the steps",
+                  3},
+                 cycle,
+                 rms_error),
+        of_cycle(
+          {"unstable_multiplier_real",
+           Type::real,
+           "",
+           "largest multiplier in size but the trivial one"},
+          cycle,
+          [](const CycleResult &c) { return leading_multiplier(c).real(); }),
+        of_cycle(
+          {"unstable_multiplier_imag", Type::real, "", "the same"},
+          cycle,
+          [](const CycleResult &c) { return leading_multiplier(c).imag(); }),
+        of_cycle(
+          {"unstable_multiplier_error",
+           Type::real,
+           "",
+           "the larger of what the trivial one is off and of the "
+           "difference to half the steps",
+           3},
+          cycle,
+          [](const CycleResult &c) { return c.multipliers.uncertainty(); }),
+        {{"n_outside",
+          Type::integer,
+          "",
+          "its multipliers above 1 in size by more than that; 1: it is the "
+          "edge's own attractor"},
+         [](const R &r) {
+           return r.unstable.has_converged() ? Cell(n_outside(r.unstable))
+                                             : Cell();
+         }},
+        {{"edge_frequency_difference_rel",
+          Type::real,
+          "",
+          "of the motion on the edge from the nearest multiple of that of the "
+          "cycle",
+          3},
+         [of_period](const R &r) {
+           return r.unstable.has_converged()
+                    ? or_missing(
+                        off_a_multiple(of_period(r), frequency(r.unstable)))
+                    : Cell();
+         }},
+        {{"edge_rms_difference_rel", Type::real, "", "of the normal force", 3},
+         [](const R &r) {
+           return r.unstable.has_converged()
+                    ? Cell(r.edge.rms_normal / rms(r.unstable) - 1.)
+                    : Cell();
+         }}};
+    }
+
+    std::vector<TriggerColumn>
+    stable_columns()
+    {
+      using R          = TriggerResult;
+      const auto cycle = &R::stable;
+      return {
+        where({"squeal_rms_normal_n",
+               Type::real,
+               "N",
+               "of the normal force in the last window after the largest "
+               "impulse"},
+              &R::has_threshold,
+              [](const R &r) { return r.strongest.windows.back().rms_normal; }),
+        {{"stable_status",
+          Type::text,
+          "",
+          "of the cycle that the largest impulse ends in"},
+         [](const R &r) {
+           return Cell(r.has_threshold() ? r.stable.status() : "");
+         }},
+        of_cycle({"stable_frequency_hz", Type::real, "Hz", "1/period of it", 8},
+                 cycle,
+                 frequency),
+        of_cycle({"stable_frequency_error_hz",
+                  Type::real,
+                  "Hz",
+                  "difference to half the steps",
+                  3},
+                 cycle,
+                 frequency_error),
+        of_cycle({"stable_line_hz",
+                  Type::real,
+                  "Hz",
+                  "largest harmonic of its normal force",
+                  8},
+                 cycle,
+                 dominant_line),
+        of_cycle(
+          {"stable_rms_normal_n", Type::real, "N", "of its normal force"},
+          cycle,
+          rms),
+        of_cycle({"stable_rms_normal_error_n",
+                  Type::real,
+                  "N",
+                  "difference to half the steps",
+                  3},
+                 cycle,
+                 rms_error),
+        {{"stability", Type::text, "", "by its Floquet multipliers"},
+         [](const R &r) {
+           return r.stable.has_converged()
+                    ? Cell(r.stable.multipliers.stability())
+                    : Cell();
+         }},
+        of_cycle({"largest_multiplier",
+                  Type::real,
+                  "",
+                  "in size, of those beside the trivial one"},
+                 cycle,
+                 [](const CycleResult &c) { return c.multipliers.largest; }),
+        of_cycle(
+          {"largest_multiplier_error",
+           Type::real,
+           "",
+           "the larger of what the trivial one is off and of the "
+           "difference to half the steps",
+           3},
+          cycle,
+          [](const CycleResult &c) { return c.multipliers.uncertainty(); })};
+    }
+
+    void
+    add_windows(Table                           &table,
+                const std::string               &point,
+                const std::string               &motion,
+                const std::vector<MotionWindow> &windows)
+    {
+      for (const MotionWindow &w : windows)
+        table.add_row({point,
+                       motion,
+                       w.time,
+                       w.rms_normal,
+                       w.rms_forces,
+                       w.amplitude,
+                       w.is_as_steady ? 1 : 0});
+    }
+
+    void
+    add_trials(Table                  &table,
+               const std::string      &point,
+               const std::string      &steps,
+               const TriggerThreshold &threshold)
+    {
+      for (const auto &trial : threshold.trials)
+        table.add_row({point, steps, trial.impulse, fate_text(trial.fate)});
+    }
+  } // namespace
+
+
+
+  Table
+  trigger_table(const std::vector<TriggerResult> &results)
+  {
+    std::vector<TriggerColumn> columns = threshold_columns();
+    for (const auto &more : {edge_columns(), stable_columns()})
+      columns.insert(columns.end(), more.begin(), more.end());
+    return table_of(columns, results);
+  }
+
+  Table
+  trial_table(const std::vector<TriggerResult> &results)
+  {
+    Table table(
+      {{"point", Type::text, "", "that is struck"},
+       {"steps", Type::text, "", "whole, or half of those of the parameters"},
+       {"impulse_ns", Type::real, "N s", "of the blow"},
+       {"fate", Type::text, "", "what the motion after it ends in"}});
+    for (const TriggerResult &r : results)
+      {
+        add_trials(table, r.point, "whole", r.threshold);
+        add_trials(table, r.point, "half", r.finer);
+      }
+    return table;
+  }
+
+  Table
+  motion_table(const std::vector<TriggerResult> &results)
+  {
+    Table table(
+      {{"point", Type::text, "", "that is struck"},
+       {"motion", Type::text, "", "which one"},
+       {"time_s", Type::real, "s", "from the blow to the end of the window"},
+       {"rms_normal_n", Type::real, "N", "of the normal force in the window"},
+       {"rms_forces_n",
+        Type::real,
+        "N",
+        "root of the squares of normal and tangential force about their means"},
+       {"amplitude_sqrt_j",
+        Type::real,
+        "sqrt(J)",
+        "rms of the norm of the energy away from steady sliding"},
+       {"is_as_steady",
+        Type::integer,
+        "",
+        "1 where every node keeps its status of steady sliding"}});
+    for (const TriggerResult &r : results)
+      {
+        add_windows(table, r.point, "largest impulse", r.strongest.windows);
+        add_windows(table, r.point, "below", r.below.windows);
+        add_windows(table, r.point, "above", r.above.windows);
+        for (const auto &stretch : r.edge.stretches)
+          {
+            add_windows(table, r.point, "edge, below", stretch.lower);
+            add_windows(table, r.point, "edge, above", stretch.upper);
+          }
+      }
+    return table;
+  }
+
+
+
+  std::string
+  trigger_sentence(const Table &t, const std::size_t row)
+  {
+    const auto shown = [&](const std::string &name, const int digits) {
+      return rounded_text(t.real(row, name), digits);
+    };
+    const std::string at     = " at " + t.text(row, "point"),
+                      status = t.text(row, "trigger_status");
+    if (t.is_missing(row, "impulse_ns"))
+      return status == "steady sliding is unstable"
+               ? "steady sliding is unstable (sigma " +
+                   shown("pair_sigma_per_s", 4) + " 1/s at " +
+                   shown("pair_frequency_hz", 5) + " Hz): it needs no trigger"
+               : status + at;
+    std::string text = "a blow of " + shown("impulse_ns", 4) +
+                       (t.is_missing(row, "impulse_error_ns")
+                          ? ""
+                          : " +- " + shown("impulse_error_ns", 2)) +
+                       " N s" + at + " is enough for squeal" +
+                       (t.is_missing(row, "stable_frequency_hz")
+                          ? ""
+                          : " at " + shown("stable_line_hz", 5) + " Hz, " +
+                              shown("stable_rms_normal_n", 3) + " N rms") +
+                       "; below it steady sliding returns";
+    if (status != "threshold")
+      text += " (" + status + ")";
+    if (!t.is_missing(row, "unstable_frequency_hz"))
+      text += "; between them stands an unstable cycle at " +
+              shown("unstable_line_hz", 5) + " Hz, " +
+              shown("unstable_rms_normal_n", 3) + " N rms";
+    else
+      text += "; edge: " + t.text(row, "edge_status");
+    if (t.real(row, "n_changes") > 1.)
+      text += "; some larger impulse returns again";
+    return text;
+  }
+} // namespace squeal

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/model/period_map_of.h>
+
+namespace squeal
+{
+  namespace
+  {
+    /** Of the largest force of a node that a step may miss the law by. */
+    constexpr double contact_tolerance = 1e-10;
+  } // namespace
+
+
+
+  PeriodMap
+  period_map_of(const SteadyModel &about)
+  {
+    const PressedModel &pressed = about.pressed;
+    return {pressed.model(),
+            CycleFriction::of_laws(pressed.nodes().laws(),
+                                   pressed.model().n_nodes(),
+                                   pressed.speed()),
+            about.sliding.resultant()[0] / pressed.model().n_nodes(),
+            contact_tolerance};
+  }
+} // namespace squeal

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Triggers of the coarse TriboBrake: what a search without a threshold says, a
+// threshold between the blows either side of it that a second run tries, and
+// finished scenes that are kept with the same bytes. Arguments: the program and
+// the folder of parameter files.
+
+#include <squeal/results/table.h>
+
+#include "../worst.h"
+#include "program.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  struct Run
+  {
+    const std::string program, folder;
+
+    Outcome
+    operator()(const std::string              &directory,
+               const std::vector<std::string> &settings) const
+    {
+      std::vector<std::string> words = {program};
+      std::vector<std::string> all   = {"Triggers/Points = side",
+                                        "Triggers/Edge time = 0",
+                                        "Triggers/Longest time = 0.2",
+                                        "Result checks/Checks =",
+                                        "Limit cycle/Steps per period = 64",
+                                        "Output/Plots = false",
+                                        "Output/Report = false",
+                                        "Output directory = " + directory};
+      all.insert(all.end(), settings.begin(), settings.end());
+      for (const std::string &setting : all)
+        words.insert(words.end(), {"--set", setting});
+      words.push_back(folder + "/tribobrake/triggers.prm");
+      return run_program(words);
+    }
+  };
+
+  void
+  ends_with(const Run                      &run,
+            const std::vector<std::string> &settings,
+            const std::string              &status)
+  {
+    const Outcome o = run("out", settings);
+    check(o.code == 0, status + ": runs: " + o.errors);
+    const Table t = read_csv("out/triggers.csv");
+    check(t.n_rows() == 1 && t.text(0, "trigger_status") == status &&
+            t.is_missing(0, "impulse_ns"),
+          "says '" + status + "': " + t.text(0, "trigger_status"));
+    check(unbroken(o.output).find(status) != std::string::npos,
+          "in the sentence of the run, too");
+  }
+
+  void
+  faults(const Run &run)
+  {
+    ends_with(run,
+              {"Scene/Contact pad_disc/Friction coefficient = 0.6"},
+              "steady sliding is unstable");
+    ends_with(run,
+              {"Triggers/Impulses = 0.01, 0.02"},
+              "no squeal at the largest impulse");
+    // Too short to see what the motion ends in.
+    ends_with(run,
+              {"Triggers/Impulses = 0.25", "Triggers/Longest time = 0.025"},
+              "undecided at the largest impulse");
+  }
+
+  /** A second search confirms the ends of the bracket of a first one. */
+  void
+  threshold(const Run &run)
+  {
+    const std::vector<std::string> first = {"Triggers/Impulses = 0.15, 0.25",
+                                            "Triggers/Tolerance = 0.1"};
+    check(run("first", first).code == 0, "a threshold is sought");
+    const Table  t     = read_csv("first/triggers.csv");
+    const double lower = t.real(0, "impulse_lower_ns"),
+                 upper = t.real(0, "impulse_upper_ns");
+    check(t.text(0, "trigger_status") == "threshold" && lower > 0. &&
+            upper - lower <= .1 * upper && t.real(0, "impulse_error_ns") > 0.,
+          "it is bracketed: " + std::to_string(lower) + " to " +
+            std::to_string(upper) + " N s");
+    const std::string bytes = text_of("first/triggers.csv");
+    const Outcome     again = run("first", first);
+    check(again.code == 0 &&
+            again.output.find("1 of 1 runs are taken from") !=
+              std::string::npos &&
+            text_of("first/triggers.csv") == bytes,
+          "a finished scene is kept with the same bytes");
+    // Another point is another scene.
+    const Outcome other =
+      run("first",
+          {"Triggers/Impulses = 0.15, 0.25",
+           "Triggers/Tolerance = 0.1",
+           "Measurement/Point side/Position = 0.1075, -0.005, 0.05"});
+    check(other.code == 0 && text_of("first/triggers.csv") != bytes,
+          "not where the point is another one");
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  check(argc > 2, "arguments: the program and the folder of parameter files");
+  const Run run{argv[1], argv[2]};
+  std::filesystem::remove_all("out");
+  std::filesystem::remove_all("first");
+  faults(run);
+  threshold(run);
+}
