@@ -68,7 +68,6 @@ namespace squeal
                            const unsigned int frames,
                            const Metadata    &metadata)
   {
-    Assert(frames > 0, dealii::ExcMessage("no frames"));
     const RowSpace &space = *discretization.space();
     Block           both  = Block::Zero(space.n_owned(), 2);
     both.col(0)           = real;
@@ -84,7 +83,7 @@ namespace squeal
         vtk::texts("name", {name}) + vtk::number("frequency_hz", frequency);
       for (const auto &[key, value] : metadata)
         field_data += vtk::number(key, value);
-      write_files(name, displacements, phase, frames, field_data);
+      write_files(name, displacements, phase, std::max(frames, 1u), field_data);
     });
   }
 

@@ -59,8 +59,9 @@ namespace squeal
                 const ShapeOptions   &options = ShapeOptions());
 
     /** Writes a shape given by one column of free unknowns (owned rows) each;
-     * @p imaginary may have no columns. @p frequency in Hz, @p frames >= 1.
-     * Throws ComputationError where the shape is not finite. */
+     * @p imaginary may have no columns. @p frequency in Hz. Where @p frames is
+     * 0 one picture holds real and imaginary part. Throws ComputationError
+     * where the shape is not finite. */
     void write_shape(const std::string &name,
                      const Block       &real,
                      const Block       &imaginary,
