@@ -82,11 +82,12 @@ namespace squeal
 
 
   ResidualResponse::ResidualResponse(const Pencil         &pencil,
-                                     const ReductionBasis &b)
+                                     const ReductionBasis &b,
+                                     const double          shift)
     : space(*pencil.space())
     , basis(b)
     , pencil(pencil)
-    , inverse(pencil, -std::pow(2. * M_PI * 20., 2))
+    , inverse(pencil, -std::pow(2. * M_PI * shift, 2))
   {
   }
 
@@ -111,15 +112,27 @@ namespace squeal
     // every mode that is left: a second round squares it.
     Block x = without_modes(forces);
     x += without_modes(forces - pencil.multiply_undamped_stiffness(x));
-    const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
-    if (n_ritz > 0)
-      {
-        const auto ritz = basis.shapes.rightCols(n_ritz);
-        x -= ritz *
-             basis.omega_squared.tail(n_ritz).cwiseInverse().asDiagonal() *
-             inner_products(space, ritz, forces);
-      }
+    subtract_ritz_vectors(forces, x);
     return x;
+  }
+
+  Block
+  ResidualResponse::approximate(const Block &forces) const
+  {
+    Block x = without_modes(forces);
+    subtract_ritz_vectors(forces, x);
+    return x;
+  }
+
+  void
+  ResidualResponse::subtract_ritz_vectors(const Block &forces, Block &x) const
+  {
+    const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
+    if (n_ritz == 0)
+      return;
+    const auto ritz = basis.shapes.rightCols(n_ritz);
+    x -= ritz * basis.omega_squared.tail(n_ritz).cwiseInverse().asDiagonal() *
+         inner_products(space, ritz, forces);
   }
 
 

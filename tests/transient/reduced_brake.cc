@@ -59,6 +59,52 @@ namespace
       }
   }
 
+  double
+  largest(const Eigen::MatrixXd &x)
+  {
+    return x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  }
+
+  /** What contact states are computed with: a third of the flexibility, and the
+   * model of the other direction of sliding. */
+  void
+  states_of_sliding()
+  {
+    const double  mu = .5;
+    const Reduced r(pressed_brake(mu), 5e3), back(pressed_brake(-mu), 5e3);
+    const SteadySliding forward  = steady_sliding(r.model, mu),
+                        backward = steady_sliding(back.model, mu);
+    check(largest(forward.forces - backward.forces) > 1e-3 * load,
+          "forces forward and backward differ");
+
+    ReducedContactModel turned = r.model;
+    turned.turn_back(back.nodes.turned_back_from(r.nodes));
+    check_below(largest(turned.flexibility - back.model.flexibility) /
+                  largest(back.model.flexibility),
+                1e-10,
+                "turned back, the flexibility is that of the other direction");
+    const SteadySliding other = steady_sliding(turned, mu);
+    check_below(largest(other.forces - backward.forces) / load,
+                1e-9,
+                "and so are the forces");
+    check(other.status == backward.status, "and the states");
+
+    const ReducedContactModel of_sliding = reduce_contact_model(
+      r.pencil,
+      r.basis,
+      5e3,
+      r.nodes,
+      r.separated.restrict_forces(load_vector(
+        r.discretization, PointEvaluator(r.discretization), r.scene.loads[0])),
+      {},
+      Flexibility::of_sliding);
+    const SteadySliding states = steady_sliding(of_sliding, mu);
+    check_below(largest(states.forces - forward.forces) / load,
+                1e-7,
+                "the flexibility of sliding gives the same forces");
+    check(states.status == forward.status, "and states");
+  }
+
   void
   run_in()
   {
@@ -313,6 +359,8 @@ main(int argc, char *argv[])
   const std::string                        which = argc > 1 ? argv[1] : "";
   if (which == "steady")
     steady();
+  else if (which == "states_of_sliding")
+    states_of_sliding();
   else if (which == "linearization")
     linearization();
   else if (which == "growth")
@@ -325,6 +373,6 @@ main(int argc, char *argv[])
     stable_step();
   else
     check(false,
-          "an argument: steady, linearization, growth, impacts, run_in or "
-          "stable_step");
+          "an argument: steady, states_of_sliding, linearization, growth, "
+          "impacts, run_in or stable_step");
 }

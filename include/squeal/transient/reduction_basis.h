@@ -37,9 +37,15 @@ namespace squeal
   class ResidualResponse
   {
   public:
-    /** References are kept. Factorises. */
-    ResidualResponse(const Pencil &pencil, const ReductionBasis &basis);
+    /** References are kept. Factorises at -(2 pi @p shift)^2, @p shift in Hz. */
+    ResidualResponse(const Pencil         &pencil,
+                     const ReductionBasis &basis,
+                     const double          shift = 20.);
     Block operator()(const Block &forces) const;
+
+    /** The same but for an error of (shift / f)^2 in modes of the frequency f,
+     * with half of the work. */
+    Block approximate(const Block &forces) const;
 
     /** B A B^T, symmetric: what forces on @p functionals move there, A being
      * the operator above. A solve a column, where the operator takes two. */
@@ -48,6 +54,7 @@ namespace squeal
   private:
     /** Without the share of the modes. */
     Block without_modes(const Block &forces) const;
+    void  subtract_ritz_vectors(const Block &forces, Block &x) const;
 
     const RowSpace       &space;
     const ReductionBasis &basis;
