@@ -66,10 +66,6 @@ namespace squeal
     /** The space grows by one part in so many before it is looked at again. */
     constexpr Eigen::Index look_again = 12;
 
-    /** So many modes take less time with the factor that counts them than
-     * another one takes. */
-    constexpr unsigned int few_modes = 24;
-
     /** Two steps of so many project twice. */
     constexpr unsigned int clean_again = 8;
 
@@ -447,17 +443,12 @@ namespace squeal
                  const double       limit,
                  const ModeOptions &options)
   {
-    auto          end    = std::make_unique<ShiftedInverse>(pencil, limit);
-    const Wanted  wanted = {end->shift(), end->n_modes_below()};
-    UndampedModes modes;
-    if (wanted.n <= few_modes)
-      modes = block_lanczos(pencil, *end, options, wanted);
-    else
-      {
-        end.reset();
-        const ShiftedInverse middle(pencil, 0.5 * wanted.limit);
-        modes = block_lanczos(pencil, middle, options, wanted);
-      }
+    const auto wanted = [&]() -> Wanted {
+      const ShiftedInverse end(pencil, limit);
+      return {end.shift(), end.n_modes_below()};
+    }();
+    const ShiftedInverse inverse(pencil, 0.5 * wanted.limit);
+    UndampedModes modes = block_lanczos(pencil, inverse, options, wanted);
     certify(modes, wanted);
     return modes;
   }

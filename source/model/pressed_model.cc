@@ -151,8 +151,13 @@ namespace squeal
     pencil = std::make_shared<const Pencil>(separated.system, scene);
     {
       Timers::Section section(timers, "Solve: modes of the bodies");
-      UndampedModes   modes =
-        undamped_modes(*pencil, std::pow(2. * M_PI * cut_off, 2));
+      const double    limit = std::pow(2. * M_PI * cut_off, 2);
+      // Of statics there are few modes: another factor in their middle takes
+      // more time than it saves.
+      UndampedModes modes =
+        flexibility == Flexibility::complete
+          ? undamped_modes(*pencil, limit)
+          : undamped_modes(*pencil, ShiftedInverse(*pencil, limit));
       modes.release_start();
       basis = std::make_shared<const ReductionBasis>(reduction_basis(
         *pencil, modes, contact_nodes.relative_motion(), interface_cut_off));

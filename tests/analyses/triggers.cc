@@ -27,7 +27,6 @@ namespace
       std::vector<std::string> all   = {"Triggers/Points = side",
                                         "Triggers/Edge time = 0",
                                         "Triggers/Longest time = 0.2",
-                                        "Result checks/Checks =",
                                         "Limit cycle/Steps per period = 64",
                                         "Output/Plots = false",
                                         "Output/Report = false",

@@ -66,6 +66,8 @@ namespace
           text, "set " + family.list + " =\n", "set " + family.list + " = x\n");
         prm::name_members(expected, family, {"x"});
       }
+    // An entry of the name of a family's list.
+    expected.triggers.points = {"x"};
     write_text("families.prm", text);
     check(describe(read_parameters("families.prm")) == describe(expected),
           "the sections in comments are read back too");

@@ -102,8 +102,8 @@ namespace squeal
   /**
    * All modes with omega^2 below @p limit, from a shift in the middle of them:
    * of a wide band, with its modes ever denser, that takes a third of the
-   * vectors that a shift at its end does. A second factor counts them; a few
-   * are found with that one. Throws as above.
+   * vectors that a shift at its end does. A second factor counts them. Throws
+   * as above.
    */
   UndampedModes undamped_modes(const Pencil      &pencil,
                                const double       limit,
