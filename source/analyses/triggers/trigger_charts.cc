@@ -75,7 +75,8 @@ namespace squeal
       return chart;
     }
 
-    /** The cells of @p column over the axis @p x, where they are there. */
+    /** The cells of @p column over the axis @p x, where they are there and the
+     * threshold is known. */
     ChartSeries
     over_axis(const Table       &t,
               const std::string &x,
@@ -85,7 +86,8 @@ namespace squeal
       ChartSeries s;
       s.style = ChartSeries::Style::lines_points;
       for (std::size_t i = 0; i < t.n_rows(); ++i)
-        if (t.text(i, "point") == point && !t.is_missing(i, column))
+        if (t.text(i, "point") == point && !t.is_missing(i, column) &&
+            t.text(i, "trigger_status") == "threshold")
           {
             s.x.push_back(t.real(i, x));
             s.y.push_back(t.real(i, column));
@@ -141,31 +143,31 @@ namespace squeal
     const std::vector<std::string> points = points_of(triggers);
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        ChartSeries stable =
-                      over_axis(triggers, x, points[i], "stable_rms_normal_n"),
+        ChartSeries squeal =
+                      over_axis(triggers, x, points[i], "squeal_rms_normal_n"),
                     unstable = over_axis(
                       triggers, x, points[i], "unstable_rms_normal_n"),
                     impulse = over_axis(triggers, x, points[i], "impulse_ns");
-        stable.label        = i == 0 ? "stable cycle" : "";
+        squeal.label        = i == 0 ? "after the largest blow, transient" : "";
         unstable.label      = i == 0 ? "unstable cycle on the edge" : "";
         impulse.label       = points[i];
-        stable.ink          = Ink::vermillion;
+        squeal.ink          = Ink::vermillion;
         unstable.ink        = Ink::blue;
         impulse.ink         = series_ink(i);
         unstable.hollow     = true;
-        for (ChartSeries *s : {&stable, &unstable})
+        for (ChartSeries *s : {&squeal, &unstable})
           if (!s->x.empty())
             charts[0].series.push_back(*s);
         if (!impulse.x.empty())
           charts[1].series.push_back(impulse);
       }
     if (!charts[1].series.empty())
-      show(
-        context,
-        charts,
-        "branches",
-        "The cycle that the largest impulse ends in, the unstable one on the "
-        "edge, and the smallest impulse that leads to squeal",
-        report);
+      show(context,
+           charts,
+           "branches",
+           "The motion that the largest impulse ends in, the unstable cycle on "
+           "the "
+           "edge, and the smallest impulse that leads to squeal",
+           report);
   }
 } // namespace squeal

@@ -24,6 +24,21 @@ namespace squeal
               }};
     }
 
+    /** Share of its rms by which the cycle found may differ from the motion
+     * that it is sought from: as much as windows of that motion may. */
+    constexpr double same_motion = 0.05;
+
+    /** The search may end in another cycle than the motion after the largest
+     * impulse stays on, which then says nothing about the squeal. */
+    bool
+    is_of_squeal(const TriggerResult &r)
+    {
+      return r.stable.has_converged() && !r.strongest.windows.empty() &&
+             std::abs(r.stable.figures.rms_normal /
+                        r.strongest.windows.back().rms_normal -
+                      1.) <= same_motion;
+    }
+
     /** Of one of the cycles, where it has been found. */
     TriggerColumn
     of_cycle(const Table::Column &declaration,
@@ -31,8 +46,10 @@ namespace squeal
              const std::function<double(const CycleResult &)> &value)
     {
       return {declaration, [cycle, value](const TriggerResult &r) {
-                return (r.*cycle).has_converged() ? Cell(value(r.*cycle))
-                                                  : Cell();
+                const bool is_there = cycle == &TriggerResult::stable
+                                        ? is_of_squeal(r)
+                                        : (r.*cycle).has_converged();
+                return is_there ? Cell(value(r.*cycle)) : Cell();
               }};
     }
 
@@ -286,7 +303,10 @@ namespace squeal
           "",
           "of the cycle that the largest impulse ends in"},
          [](const R &r) {
-           return Cell(r.has_threshold() ? r.stable.status() : "");
+           return Cell(!r.has_threshold() ? ""
+                       : r.stable.has_converged() && !is_of_squeal(r)
+                         ? "another cycle"
+                         : r.stable.status());
          }},
         of_cycle({"stable_frequency_hz", Type::real, "Hz", "1/period of it", 8},
                  cycle,
@@ -318,9 +338,8 @@ namespace squeal
                  rms_error),
         {{"stability", Type::text, "", "by its Floquet multipliers"},
          [](const R &r) {
-           return r.stable.has_converged()
-                    ? Cell(r.stable.multipliers.stability())
-                    : Cell();
+           return is_of_squeal(r) ? Cell(r.stable.multipliers.stability())
+                                  : Cell();
          }},
         of_cycle({"largest_multiplier",
                   Type::real,
