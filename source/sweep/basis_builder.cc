@@ -71,11 +71,12 @@ namespace squeal
 
     Anchor(const ParametricSystem &system,
            const SweepPoint       &p,
-           const double            shift)
+           const double            shift,
+           const FactorStorage    &storage)
       : point(p)
       , coefficients(system.coefficients(p))
       , pencil(system.merged(), system.grid().scene(p))
-      , inverse(pencil, shift)
+      , inverse(pencil, shift, storage)
       , sliding(unmerged(system, p), inverse)
     {
     }
@@ -156,6 +157,15 @@ namespace squeal
     return anchor_list;
   }
 
+  unsigned int
+  BasisBuilder::n_factors_on_disk() const
+  {
+    return std::count_if(
+      anchor_list.begin(), anchor_list.end(), [](const auto &anchor) {
+        return anchor->inverse.place() == FactorPlace::disk;
+      });
+  }
+
   const std::vector<SweepPoint> &
   BasisBuilder::training_points() const
   {
@@ -196,8 +206,8 @@ namespace squeal
   BasisBuilder::add_anchor(const SweepPoint &point)
   {
     const double omega = 2. * M_PI * options.band.highest;
-    anchor_list.push_back(
-      std::make_unique<Anchor>(system, point, omega * omega));
+    anchor_list.push_back(std::make_unique<Anchor>(
+      system, point, omega * omega, options.factor_storage));
     return_freed_memory();
     return *anchor_list.back();
   }

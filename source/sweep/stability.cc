@@ -249,31 +249,38 @@ namespace squeal
                       0.5 * (pairs.lambda[i] + pairs.lambda[j]),
                       std::max(pairs.condition[i], pairs.condition[j])};
       };
-    const int a1 = a.pair_of(branch_1), a2 = a.pair_of(branch_2);
-    // The two eigenvalues nearest to the mean of the pair, wherever they are.
-    const auto at = [&](const double x) {
-      const ComplexPairs pairs = solver(x);
-      const PairMatches  match = match_pairs(a.pairs, pairs, options);
-      int                i = match.to[a1], j = match.to[a2];
-      if (i < 0 || j < 0)
-        {
-          const Complex mean = 0.5 * (a.pairs.lambda[a1] + a.pairs.lambda[a2]);
-          std::vector<int> order(pairs.size());
-          for (unsigned int k = 0; k < pairs.size(); ++k)
-            order[k] = k;
-          std::sort(order.begin(), order.end(), [&](int p, int q) {
-            return std::abs(pairs.lambda[p] - mean) <
-                   std::abs(pairs.lambda[q] - mean);
-          });
-          i = order.at(0);
-          j = order.at(1);
-        }
-      return sample_of(x, pairs, i, j);
-    };
     std::vector<Sample> samples = {
-      sample_of(a.coordinate, a.pairs, a1, a2),
+      sample_of(
+        a.coordinate, a.pairs, a.pair_of(branch_1), a.pair_of(branch_2)),
       sample_of(
         b.coordinate, b.pairs, b.pair_of(branch_1), b.pair_of(branch_2))};
+    // Vectors that coalesce cannot be told apart, but the mean of the two
+    // eigenvalues and their squared distance are smooth in x: the two whose
+    // mean and square are nearest to the straight lines from a to b.
+    const auto at = [&, first = samples[0], last = samples[1]](const double x) {
+      const double  share = (x - first.x) / (last.x - first.x);
+      const Complex mean  = first.mean + share * (last.mean - first.mean);
+      const Complex square =
+        first.square + share * (last.square - first.square);
+      const ComplexPairs pairs = solver(x);
+      // Where there are none such, one has left the band: the lines themselves.
+      Sample nearest{x, square, mean, std::nan("")};
+      double lowest = 4. * (std::abs(last.square - first.square) +
+                            std::norm(last.mean - first.mean));
+      for (unsigned int i = 0; i < pairs.size(); ++i)
+        for (unsigned int j = i + 1; j < pairs.size(); ++j)
+          {
+            const Sample candidate = sample_of(x, pairs, i, j);
+            const double distance  = std::norm(candidate.mean - mean) +
+                                    std::abs(candidate.square - square);
+            if (distance < lowest)
+              {
+                lowest  = distance;
+                nearest = candidate;
+              }
+          }
+      return nearest;
+    };
     const double h = b.coordinate - a.coordinate;
     samples.push_back(at(a.coordinate + h / 3.));
     samples.push_back(at(a.coordinate + 2. * h / 3.));
@@ -312,7 +319,7 @@ namespace squeal
       samples.empty() ||
       (b.pairs.size() > 0 &&
        squared_split(b.pairs, b.pair_of(branch_1), b.pair_of(branch_2)) <
-         squared_split(a.pairs, a1, a2));
+         squared_split(a.pairs, a.pair_of(branch_1), a.pair_of(branch_2)));
     result.frequency = nearest.mean.imag() / (2. * M_PI);
     result.sigma     = nearest.mean.real();
     result.condition = nearest.condition;

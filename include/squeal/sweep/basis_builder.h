@@ -2,6 +2,7 @@
 #ifndef squeal_sweep_basis_builder_h
 #define squeal_sweep_basis_builder_h
 
+#include <squeal/base/mumps.h>
 #include <squeal/eigen/reduced_basis.h>
 #include <squeal/eigen/sliding_inverse.h>
 #include <squeal/sweep/parametric_system.h>
@@ -28,6 +29,8 @@ namespace squeal
     double cell_size = 0.15;
     /** Share of the tolerance that the bases of cells are chosen for. */
     double safety = 0.3;
+    /** Where the factors may be; several are held at a time. */
+    FactorStorage factor_storage = {};
   };
 
   /** Largest error of a set of pairs, and where it is. */
@@ -82,6 +85,8 @@ namespace squeal
     /** Frequencies of the anchors' factors: what is proven complete. */
     struct Anchor;
     const std::vector<std::unique_ptr<Anchor>> &anchors() const;
+    /** How many of their factors are on disk. */
+    unsigned int n_factors_on_disk() const;
     /** Points that the errors are judged at while building. */
     const std::vector<SweepPoint> &training_points() const;
 

@@ -44,7 +44,7 @@ namespace squeal
       std::size_t  n_points = 0, n_solved = 0;
       WorstError   worst;
       unsigned int n_lines = 0, n_unstable_lines = 0, n_vectors = 0,
-                   largest_basis = 0, n_reused = 0;
+                   largest_basis = 0, n_reused = 0, n_factors = 0;
     };
 
     SweepTables
@@ -113,6 +113,7 @@ namespace squeal
       totals.largest_basis = std::max<unsigned int>(
         totals.largest_basis, model.reduced().largest_basis());
       totals.n_reused += model.is_reused();
+      totals.n_factors += model.n_factors();
       for (const auto &line : solution.lines)
         {
           ++totals.n_lines;
@@ -231,6 +232,9 @@ namespace squeal
           rounded_text(totals.worst.frequency, 2)},
          {"worst estimated sigma error of the reduction",
           rounded_text(totals.worst.sigma, 2) + " 1/s"},
+         {"completeness",
+          "inertia, all undamped modes of the band at " +
+            std::to_string(totals.n_factors) + " of the points"},
          {"unknowns", std::to_string(context.record.n_dofs)},
          {"common basis", std::to_string(totals.n_vectors)},
          {"largest basis of a cell", std::to_string(totals.largest_basis)},

@@ -5,6 +5,7 @@
 #include <squeal/base/memory.h>
 #include <squeal/discretization/eigenvalue_error.h>
 #include <squeal/model/contact_states.h>
+#include <squeal/model/linear_solver.h>
 #include <squeal/model/point_forces.h>
 #include <squeal/output/cea_quantities.h>
 
@@ -215,6 +216,7 @@ namespace squeal
     options.frequency_tolerance = parameters.sweep.frequency_tolerance;
     options.sigma_tolerance     = parameters.sweep.sigma_tolerance;
     options.maximum_basis       = parameters.sweep.maximum_basis;
+    options.factor_storage = factor_storage(parameters, *parts.merged().space);
     BasisBuilder builder(parts, options);
     {
       Timers::Section section(context.timers, "Solve: certified basis");
@@ -250,7 +252,8 @@ namespace squeal
       "  common basis of " + std::to_string(small.n_total()) + " vectors, " +
       std::to_string(small.cells.size()) + " cells with at most " +
       std::to_string(small.largest_basis()) + "; " + std::to_string(factors) +
-      " factors whose inertia proves every mode");
+      " factors, " + std::to_string(builder.n_factors_on_disk()) +
+      " of them on disk, whose inertia proves every mode");
   }
 
 

@@ -132,80 +132,133 @@ namespace squeal
       return names;
     }
 
+    /** The exceptional point of the range's branch that is nearest to @p edge,
+     * or none. */
+    const ExceptionalPoint *
+    nearest_exceptional_point(const SweepLine &line,
+                              const int        branch,
+                              const double     edge)
+    {
+      const ExceptionalPoint *nearest  = nullptr;
+      double                  distance = 1e300;
+      for (const auto &e : line.exceptional)
+        if (e.branch_1 == branch || e.branch_2 == branch)
+          if (const double d = std::abs(e.coordinate.real() - edge);
+              d < distance)
+            {
+              distance = d;
+              nearest  = &e;
+            }
+      return nearest;
+    }
+
+    /** Slope of the squared split of two branches at an exceptional point,
+     * (1/s)^2 a unit of the coordinate, of the parabola through the three
+     * points nearest to it: the split is one in the detuning. NaN where less
+     * than three have both branches. */
+    double
+    slope_of_split(const SweepLine &line, const ExceptionalPoint &e)
+    {
+      const double x = e.coordinate.real();
+      struct Sample
+      {
+        double distance, split;
+      };
+      std::vector<Sample> samples;
+      for (const auto &point : line.points)
+        {
+          const int i = point.pair_of(e.branch_1),
+                    j = point.pair_of(e.branch_2);
+          if (i >= 0 && j >= 0)
+            samples.push_back(
+              {point.coordinate - x, squared_split(point.pairs, i, j)});
+        }
+      if (samples.size() < 3)
+        return std::nan("");
+      std::partial_sort(samples.begin(),
+                        samples.begin() + 3,
+                        samples.end(),
+                        [](const Sample &a, const Sample &b) {
+                          return std::abs(a.distance) < std::abs(b.distance);
+                        });
+      const auto &[a, f] = samples[0];
+      const auto &[b, g] = samples[1];
+      const auto &[c, h] = samples[2];
+      return std::abs(-f * (b + c) / ((a - b) * (a - c)) -
+                      g * (a + c) / ((b - a) * (b - c)) -
+                      h * (a + b) / ((c - a) * (c - b)));
+    }
+
+    /** Of the two undamped modes nearest in frequency to an exceptional point,
+     * which are the partners. */
+    struct Detuning
+    {
+      double distance = 0.; /**< of their frequencies, rad/s */
+      double error    = 0.; /**< the larger one of the two, by the mesh, rad/s;
+                               NaN: not known */
+    };
+
+    Detuning
+    detuning_at(const SweepModel::Modes &modes, const double omega)
+    {
+      std::vector<std::pair<double, Eigen::Index>> by_gap;
+      const auto                                   frequency =
+        modes.modes.omega_squared.cwiseMax(0.).cwiseSqrt().eval();
+      for (Eigen::Index m = 0; m < frequency.size(); ++m)
+        by_gap.emplace_back(std::abs(frequency[m] - omega), m);
+      if (by_gap.size() < 2)
+        return {0., std::nan("")};
+      std::partial_sort(by_gap.begin(), by_gap.begin() + 2, by_gap.end());
+      const Eigen::Index i = by_gap[0].second, j = by_gap[1].second;
+      return {std::abs(frequency[i] - frequency[j]),
+              omega * worst_of(modes.mesh_errors[i], modes.mesh_errors[j])};
+    }
+
     /** An error of the difference of the two partners' frequencies moves the
      * edge: the squared split is (detuning^2 - coupling^2) / 4, and both are
-     * equal there. The coupling is at most twice the peak sigma, less where it
-     * grows along the axis, as it does with friction. The square of the error
-     * counts, too: partners may be nearer to each other than their errors, and
-     * a doublet that passes for them has no detuning. */
+     * equal at the exceptional point. The coupling is at most twice the
+     * distance of the peak from the damping of the two, less where it grows
+     * along the axis, as it does with friction. The square of the error counts,
+     * too: partners may be nearer to each other than their errors, and a
+     * doublet that passes for them has no detuning. */
+    double
+    mesh_error_of_edge(const SweepModel    &model,
+                       const SweepLine     &line,
+                       const UnstableRange &range,
+                       const double         edge)
+    {
+      const ExceptionalPoint *e =
+        nearest_exceptional_point(line, range.branch, edge);
+      if (!e)
+        return std::nan("");
+      SweepPoint at = line.start;
+      at[0]         = e->coordinate.real();
+      const Detuning detuning =
+        detuning_at(model.undamped(at), 2. * M_PI * e->frequency);
+      const double coupling =
+        std::min(2. * (range.peak_sigma - e->sigma), detuning.distance);
+      const double slope = slope_of_split(line, *e);
+      return slope > 0. ? (0.5 * coupling + 0.25 * detuning.error) *
+                            detuning.error / slope
+                        : std::nan("");
+    }
+
+    /** The larger one of both edges; an end of the line is none. */
     double
     mesh_error_of_edges(const SweepModel    &model,
                         const SweepLine     &line,
                         const UnstableRange &range)
     {
-      const ExceptionalPoint *nearest  = nullptr;
-      double                  distance = 1e300;
-      for (const auto &e : line.exceptional)
-        if (e.branch_1 == range.branch || e.branch_2 == range.branch)
-          for (const double x : {range.lower, range.upper})
-            if (std::abs(e.coordinate.real() - x) < distance)
-              {
-                distance = std::abs(e.coordinate.real() - x);
-                nearest  = &e;
-              }
-      if (!nearest)
+      if (range.at_lower_limit && range.at_upper_limit)
         return std::nan("");
-      const double x = nearest->coordinate.real();
-      std::size_t  p = 0;
-      while (p + 1 < line.points.size() && line.points[p + 1].coordinate < x)
-        ++p;
-      double slope = 0.;
-      for (std::size_t q = p > 0 ? p - 1 : p;
-           q < std::min(p + 2, line.points.size() - 1);
-           ++q)
-        {
-          const auto &a = line.points[q], &b = line.points[q + 1];
-          const int   i = a.pair_of(nearest->branch_1),
-                    j   = a.pair_of(nearest->branch_2),
-                    k   = b.pair_of(nearest->branch_1),
-                    l   = b.pair_of(nearest->branch_2);
-          if (i >= 0 && j >= 0 && k >= 0 && l >= 0)
-            slope = std::max(slope,
-                             std::abs(squared_split(b.pairs, k, l) -
-                                      squared_split(a.pairs, i, j)) /
-                               (b.coordinate - a.coordinate));
-        }
-      SweepPoint at      = line.start;
-      at[0]              = x;
-      const auto   modes = model.undamped(at);
-      const double omega = 2. * M_PI * nearest->frequency;
-      // The two modes nearest in frequency are the partners.
-      double errors[2] = {std::nan(""), std::nan("")}, gaps[2] = {1e300, 1e300},
-             partners[2] = {0., 0.};
-      for (Eigen::Index m = 0; m < modes.modes.omega_squared.size(); ++m)
-        {
-          const double mode =
-            std::sqrt(std::max(modes.modes.omega_squared[m], 0.));
-          const double gap  = std::abs(mode - omega);
-          const int    slot = gap < gaps[0] ? 0 : gap < gaps[1] ? 1 : 2;
-          if (slot == 0)
-            {
-              gaps[1]     = gaps[0];
-              errors[1]   = errors[0];
-              partners[1] = partners[0];
-            }
-          if (slot < 2)
-            {
-              gaps[slot]     = gap;
-              errors[slot]   = modes.mesh_errors[m];
-              partners[slot] = mode;
-            }
-        }
-      const double error = omega * worst_of(errors[0], errors[1]);
-      const double coupling =
-        std::min(2. * range.peak_sigma, std::abs(partners[1] - partners[0]));
-      return slope > 0. ? (0.5 * coupling + 0.25 * error) * error / slope
-                        : std::nan("");
+      double error = 0.;
+      if (!range.at_lower_limit)
+        error =
+          worst_of(error, mesh_error_of_edge(model, line, range, range.lower));
+      if (!range.at_upper_limit)
+        error =
+          worst_of(error, mesh_error_of_edge(model, line, range, range.upper));
+      return error;
     }
   } // namespace
 

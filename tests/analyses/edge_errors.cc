@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Where pairs lock in, by the program: exceptional points do not hang on the
+// points of the sweep, and the error by the mesh that an edge is stated with
+// covers what elements of the next degree move it by. Arguments: the program,
+// the folder of parameter files.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+#include "worst.h"
+
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  std::string program, folder;
+
+  /** A sweep over the pad's stiffness, 10^10.3 to 10^10.95 Pa, at mu = 0.2. */
+  void
+  sweep(const std::string &directory,
+        const unsigned int degree,
+        const unsigned int number)
+  {
+    std::vector<std::string> command = {program};
+    for (const std::string &setting :
+         {"Discretization/Degree = " + std::to_string(degree),
+          "Sweep/Axis e_pad/Number = " + std::to_string(number),
+          std::string("Sweep/Axis e_pad/From = 10^10.3"),
+          std::string("Sweep/Axis e_pad/To = 10^10.95"),
+          std::string("Sweep/Axis mu/Values = 0.2"),
+          std::string("Result checks/Checks ="),
+          std::string("Output/Plots = false"),
+          std::string("Output/Report = false"),
+          "Output directory = " + directory})
+      command.insert(command.end(), {"--set", setting});
+    command.push_back(folder + "/tribobrake/stability_map.prm");
+    const Outcome o = run_program(command);
+    check(o.code == 0, directory + " ends well: " + o.errors);
+  }
+
+  void
+  exceptional_points_agree(const std::string &one, const std::string &other)
+  {
+    const Table a = read_csv(one + "/exceptional_points.csv"),
+                b = read_csv(other + "/exceptional_points.csv");
+    check(a.n_rows() >= 4, "pairs lock in and out");
+    Worst coordinate, frequency, sigma;
+    for (std::size_t i = 0; i < a.n_rows(); ++i)
+      {
+        std::size_t  nearest = 0;
+        const double x       = a.real(i, "coordinate_real");
+        for (std::size_t j = 0; j < b.n_rows(); ++j)
+          if (std::abs(b.real(j, "coordinate_real") - x) <
+              std::abs(b.real(nearest, "coordinate_real") - x))
+            nearest = j;
+        coordinate.add(std::abs(b.real(nearest, "coordinate_real") - x));
+        frequency.add(std::abs(
+          b.real(nearest, "frequency_hz") / a.real(i, "frequency_hz") - 1.));
+        sigma.add(
+          std::abs(b.real(nearest, "sigma_per_s") - a.real(i, "sigma_per_s")));
+      }
+    check(coordinate.largest() < 1e-4, "at the same stiffness");
+    check(frequency.largest() < 1e-5, "with the same frequency");
+    check(sigma.largest() < 0.1, "and the same damping");
+  }
+
+  /** Of each range of @p coarse the partner in @p fine, by its frequency. */
+  void
+  errors_cover(const std::string &coarse, const std::string &fine)
+  {
+    const Table a = read_csv(coarse + "/unstable_ranges.csv"),
+                b = read_csv(fine + "/unstable_ranges.csv");
+    check(a.n_rows() == 2 && b.n_rows() == 2, "two ranges");
+    Worst stated_over_change;
+    for (std::size_t i = 0; i < 2; ++i)
+      {
+        std::size_t nearest = 0;
+        const auto  apart   = [&](const std::size_t j) {
+          return std::abs(b.real(j, "frequency_at_peak_hz") -
+                          a.real(i, "frequency_at_peak_hz"));
+        };
+        if (apart(1) < apart(0))
+          nearest = 1;
+        Worst change;
+        for (const char *edge : {"lower_coordinate", "upper_coordinate"})
+          change.add(std::abs(a.real(i, edge) - b.real(nearest, edge)));
+        stated_over_change.add(a.real(i, "edge_error_discretisation") /
+                               change.largest());
+      }
+    check(stated_over_change.smallest() > 1. &&
+            stated_over_change.largest() < 5.,
+          "the stated error over the change: " +
+            std::to_string(stated_over_change.smallest()) + " to " +
+            std::to_string(stated_over_change.largest()));
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  check(argc > 2, "arguments: the program and the folder of parameter files");
+  program = argv[1];
+  folder  = argv[2];
+  sweep("second", 2, 27);
+  sweep("second_coarse", 2, 14);
+  exceptional_points_agree("second", "second_coarse");
+  sweep("third", 3, 27);
+  errors_cover("second", "third");
+  return 0;
+}
