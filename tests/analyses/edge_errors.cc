@@ -25,20 +25,27 @@ namespace
         const unsigned int degree,
         const unsigned int number)
   {
-    std::vector<std::string> command = {program};
-    for (const std::string &setting :
-         {"Discretization/Degree = " + std::to_string(degree),
-          "Sweep/Axis e_pad/Number = " + std::to_string(number),
-          std::string("Sweep/Axis e_pad/From = 10^10.3"),
-          std::string("Sweep/Axis e_pad/To = 10^10.95"),
-          std::string("Sweep/Axis mu/Values = 0.2"),
-          std::string("Result checks/Checks ="),
-          std::string("Output/Plots = false"),
-          std::string("Output/Report = false"),
-          "Output directory = " + directory})
-      command.insert(command.end(), {"--set", setting});
-    command.push_back(folder + "/tribobrake/stability_map.prm");
-    const Outcome o = run_program(command);
+    write_text(directory + ".prm",
+               "include " + folder +
+                 "/tribobrake/calibrated.prm\n"
+                 "set Analysis = sweep\nset Overwrite = true\n"
+                 "set Output directory = " +
+                 directory + "\nsubsection Discretization\n set Degree = " +
+                 std::to_string(degree) +
+                 "\nend\nsubsection Eigenvalues\n"
+                 " set Lowest frequency = 2000\n"
+                 " set Highest frequency = 6000\nend\n"
+                 "subsection Output\n set Plots = false\n"
+                 " set Report = false\nend\n"
+                 "subsection Scene\n subsection Contact pad_disc\n"
+                 "  set Friction coefficient = 0.2\n end\nend\n"
+                 "subsection Sweep\n set Axes = e_pad\n"
+                 " subsection Axis e_pad\n"
+                 "  set Entries = Scene/Body pad/Young modulus\n"
+                 "  set Scale = logarithmic\n  set From = 10^10.3\n"
+                 "  set To = 10^10.95\n  set Number = " +
+                 std::to_string(number) + "\n end\nend\n");
+    const Outcome o = run_program({program, directory + ".prm"});
     check(o.code == 0, directory + " ends well: " + o.errors);
   }
 
