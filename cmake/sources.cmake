@@ -114,6 +114,7 @@ set(SQUEAL_SOURCES_SCENE
 set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/affine_system.cc
     source/discretization/assembly.cc
+    source/discretization/disc_ring.cc
     source/discretization/discretization.cc
     source/discretization/eigenvalue_error.cc
     source/discretization/eigenvalue_error_cell.cc

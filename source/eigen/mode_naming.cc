@@ -12,32 +12,31 @@ namespace squeal
 {
   namespace
   {
-    bool
-    is_annulus(const SceneParameters &scene, const unsigned int body)
-    {
-      return scene.bodies[body].shape == BodyParameters::Shape::annulus;
-    }
+    using Rings = std::vector<std::optional<DiscRing>>;
 
-    /** Unit vector from the disc axis to @p body; zero where it is on the axis:
-     * rounding must not make up a direction. */
+    /** Unit vector from the disc's axis to @p body, in the two directions of the
+     * ring; zero where it is on the axis: rounding must not make up a
+     * direction. */
     Eigen::Vector2d
     direction_to(const Discretization &d,
-                 const unsigned int    disc,
+                 const DiscRing       &ring,
                  const unsigned int    body)
     {
-      const auto            centre = body_centre(d, body);
-      const auto           &axis   = d.scene().bodies[disc].position;
-      const Eigen::Vector2d r(centre[0] - axis[0], centre[1] - axis[1]);
-      if (r.norm() > 1e-6 * d.scene().bodies[disc].outer_radius)
-        return r.normalized();
+      const auto            r = body_centre(d, body) - ring.centre;
+      const Eigen::Vector2d across(r * ring.directions[0],
+                                   r * ring.directions[1]);
+      if (across.norm() > 1e-6 * ring.outer_radius)
+        return across.normalized();
       return Eigen::Vector2d::Zero();
     }
 
-    /** Angle about the disc axis of the middle of the bodies that touch it: two
-     * pads beside each other share an antinode between them. Bodies all round
-     * the disc have no middle, and the first one counts. */
+    /** Angle about the disc's axis of the middle of the bodies that touch it:
+     * two pads beside each other share an antinode between them. Bodies all
+     * round the disc have no middle, and the first one counts. */
     double
-    contact_angle(const Discretization &d, const unsigned int disc)
+    contact_angle(const Discretization &d,
+                  const Rings          &rings,
+                  const unsigned int    disc)
     {
       const auto &scene = d.scene();
       if (disc == -1u)
@@ -48,8 +47,8 @@ namespace squeal
         if (own == contact.source_body || own == contact.target_body)
           for (const auto &name : {contact.source_body, contact.target_body})
             for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-              if (scene.bodies[b].name == name && !is_annulus(scene, b))
-                directions.push_back(direction_to(d, disc, b));
+              if (scene.bodies[b].name == name && !rings[b])
+                directions.push_back(direction_to(d, *rings[disc], b));
       if (directions.empty())
         return 0.;
       Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -111,29 +110,6 @@ namespace squeal
 
 
 
-  unsigned int
-  main_disc(const SceneParameters &scene)
-  {
-    unsigned int first = -1u;
-    for (unsigned int b = scene.bodies.size(); b-- > 0;)
-      if (is_annulus(scene, b))
-        first = b;
-    // One of a contact, of the first pair that has one.
-    for (const auto &contact : scene.contacts)
-      {
-        unsigned int found = -1u;
-        for (const auto &name : {contact.source_body, contact.target_body})
-          for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-            if (scene.bodies[b].name == name && is_annulus(scene, b))
-              found = b;
-        if (found != -1u)
-          return found;
-      }
-    return first;
-  }
-
-
-
   std::string
   explanation_of_names()
   {
@@ -169,9 +145,12 @@ namespace squeal
 
   ModeNamer::ModeNamer(const Discretization &d)
   {
-    const auto        &scene = d.scene();
-    const unsigned int disc  = main_disc(scene);
-    angle                    = contact_angle(d, disc);
+    const auto &scene = d.scene();
+    const Rings rings = disc_rings(d);
+    main_body         = main_disc(scene, rings);
+    angle             = contact_angle(d, rings, main_body);
+    if (main_body != -1u)
+      main_ring = rings[main_body];
 
     const PointEvaluator          evaluator(d);
     std::vector<Functionals::Row> rows, reduced;
@@ -182,11 +161,11 @@ namespace squeal
         body.name             = scene.bodies[b].name;
         body.first_sample     = rows.size();
         body.first_coordinate = total_coordinates;
-        if (is_annulus(scene, b))
+        if (rings[b])
           {
             ++n_discs;
-            body.disc =
-              std::make_unique<DiscShapes>(d, evaluator, b, angle, rows);
+            body.disc = std::make_unique<DiscShapes>(
+              *rings[b], scene.bodies[b].density, evaluator, b, angle, rows);
             total_coordinates += body.disc->n_coordinates();
             for (const auto &[row, factor] : body.disc->signature())
               reduced.push_back(
@@ -195,7 +174,7 @@ namespace squeal
         else
           {
             body.solid =
-              std::make_unique<SolidShapes>(d, evaluator, b, disc, rows);
+              std::make_unique<SolidShapes>(d, evaluator, b, ring(), rows);
             total_coordinates += body.solid->n_coordinates();
             reduced.insert(
               reduced.end(), rows.begin() + body.first_sample, rows.end());
@@ -219,6 +198,18 @@ namespace squeal
   ModeNamer::reference_angle() const
   {
     return angle;
+  }
+
+  unsigned int
+  ModeNamer::disc() const
+  {
+    return main_body;
+  }
+
+  const DiscRing *
+  ModeNamer::ring() const
+  {
+    return main_ring ? &*main_ring : nullptr;
   }
 
   unsigned int

@@ -7,7 +7,6 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <cmath>
-#include <tuple>
 
 namespace squeal
 {
@@ -50,12 +49,16 @@ namespace squeal
       return F;
     }
 
+    using Rows = std::vector<std::array<Functionals::Row, 3>>;
+
     /** Displacements of the points; those on the curved boundary may lie
-     * outside the cells of a coarse mesh of low degree. */
-    std::vector<std::array<Functionals::Row, 3>>
+     * outside the cells of a coarse mesh of low degree. @p is_whole: whether
+     * the body is there at all of them. */
+    Rows
     displacement_rows(const PointEvaluator                &evaluator,
                       const unsigned int                   body,
-                      const std::vector<dealii::Point<3>> &points)
+                      const std::vector<dealii::Point<3>> &points,
+                      bool                                &is_whole)
     {
       auto                      result = evaluator.displacements(body, points);
       std::vector<unsigned int> missing;
@@ -66,13 +69,39 @@ namespace squeal
             missing.push_back(p);
             again.push_back(points[p]);
           }
+      is_whole = true;
       if (!missing.empty())
         {
           auto outside = evaluator.displacements(body, again, 0.3);
           for (unsigned int p = 0; p < missing.size(); ++p)
-            result.rows[missing[p]] = outside.rows[p];
+            {
+              result.rows[missing[p]] = outside.rows[p];
+              is_whole                = is_whole && outside.found[p];
+            }
         }
       return result.rows;
+    }
+
+    /** Component of a displacement along a unit vector. */
+    Functionals::Row
+    along(const std::array<Functionals::Row, 3> &xyz,
+          const dealii::Tensor<1, 3>            &direction)
+    {
+      std::vector<std::pair<double, const Functionals::Row *>> parts;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (direction[c] != 0.)
+          parts.emplace_back(direction[c], &xyz[c]);
+      return combine(parts);
+    }
+
+    Rows
+    mean_of(const Rows &one, const Rows &other)
+    {
+      Rows result(one.size());
+      for (std::size_t p = 0; p < one.size(); ++p)
+        for (unsigned int c = 0; c < 3; ++c)
+          result[p][c] = combine({{0.5, &one[p][c]}, {0.5, &other[p][c]}});
+      return result;
     }
   } // namespace
 
@@ -105,64 +134,49 @@ namespace squeal
 
 
 
-  bool
-  contact_face_looks_down(const SceneParameters &scene, const unsigned int body)
-  {
-    const std::string &name = scene.bodies[body].name;
-    for (const auto &contact : scene.contacts)
-      for (const auto &[of, face] :
-           {std::tie(contact.target_body, contact.target_face),
-            std::tie(contact.source_body, contact.source_face)})
-        if (of == name && (face == "bottom" || face == "top"))
-          return face == "bottom";
-    return false;
-  }
-
-
-
-  DiscShapes::DiscShapes(const Discretization          &discretization,
+  DiscShapes::DiscShapes(const DiscRing                &ring,
+                         const double                   density,
                          const PointEvaluator          &evaluator,
                          const unsigned int             body,
                          const double                   reference_angle,
                          std::vector<Functionals::Row> &rows)
     : fourier(fourier_matrix())
   {
-    const auto  &disc  = discretization.scene().bodies[body];
-    const auto   axis  = disc.position;
-    const double width = disc.outer_radius - disc.inner_radius;
-
-    const bool down = contact_face_looks_down(discretization.scene(), body);
-    const dealii::QGauss<1>       gauss(n_rings);
-    std::vector<dealii::Point<3>> on_face, inside;
+    const double            width     = ring.outer_radius - ring.inner_radius;
+    const double            thickness = std::abs(ring.face - ring.other_side);
+    const dealii::QGauss<1> gauss(n_rings);
+    std::vector<dealii::Point<3>> on_face, inside, beyond;
     std::vector<double>           angles;
     for (unsigned int k = 0; k < n_rings; ++k)
       {
-        const double r = disc.inner_radius + width * gauss.point(k)[0];
+        const double r = ring.inner_radius + width * gauss.point(k)[0];
         ring_masses.push_back(2. * M_PI * r * width * gauss.weight(k) *
-                              disc.height * disc.density);
+                              thickness * density);
         for (unsigned int j = 0; j < n_angles; ++j)
           {
             angles.push_back(reference_angle + 2. * M_PI * j / n_angles);
-            const double x = axis[0] + r * std::cos(angles.back());
-            const double y = axis[1] + r * std::sin(angles.back());
-            on_face.emplace_back(x, y, axis[2] + (down ? 0. : disc.height));
-            inside.emplace_back(x, y, axis[2] + 0.5 * disc.height);
+            const double angle = angles.back();
+            on_face.push_back(ring.point(r, angle, ring.face));
+            inside.push_back(
+              ring.point(r, angle, 0.5 * (ring.face + ring.other_side)));
+            beyond.push_back(ring.point(r, angle, ring.other_side));
           }
       }
 
-    const auto face = displacement_rows(evaluator, body, on_face);
-    const auto xyz  = displacement_rows(evaluator, body, inside);
+    bool       is_whole = true;
+    const Rows face     = displacement_rows(evaluator, body, on_face, is_whole);
+    Rows       xyz      = displacement_rows(evaluator, body, inside, is_whole);
+    if (!is_whole)
+      {
+        const Rows other = displacement_rows(evaluator, body, beyond, is_whole);
+        xyz              = is_whole ? mean_of(face, other) : face;
+      }
     for (unsigned int k = 0; k < n_rings; ++k)
       for (unsigned int c = 0; c < n_components; ++c)
         for (unsigned int p = k * n_angles; p < (k + 1) * n_angles; ++p)
-          {
-            const double cosine = std::cos(angles[p]);
-            const double sine   = std::sin(angles[p]);
-            const auto  &x = xyz[p][0], &y = xyz[p][1];
-            rows.push_back(c == 0   ? face[p][2]
-                           : c == 1 ? combine({{-sine, &x}, {cosine, &y}})
-                                    : combine({{cosine, &x}, {sine, &y}}));
-          }
+          rows.push_back(c == 0   ? along(face[p], ring.directions[2])
+                         : c == 1 ? along(xyz[p], ring.tangential(angles[p]))
+                                  : along(xyz[p], ring.radial(angles[p])));
   }
 
 

@@ -52,14 +52,20 @@ namespace squeal
       return sum(0, 0);
     }
 
-    /** The longest side if it is at least twice the others, else z. */
+    /** The longest side if it is at least twice the others, else the one along
+     * @p normal. */
     unsigned int
-    long_axis(const dealii::Tensor<1, 3> &size)
+    long_axis(const dealii::Tensor<1, 3> &size,
+              const dealii::Tensor<1, 3> &normal)
     {
       for (unsigned int a = 0; a < 3; ++a)
         if (size[a] >= 2. * std::max(size[(a + 1) % 3], size[(a + 2) % 3]))
           return a;
-      return 2;
+      unsigned int along = 2;
+      for (unsigned int a = 0; a < 2; ++a)
+        if (std::abs(normal[a]) > std::abs(normal[along]) + 1e-6)
+          along = a;
+      return along;
     }
 
     /** Four points on the cross of the axes of every cross section, at 0.4 of
@@ -119,16 +125,15 @@ namespace squeal
       return slices;
     }
 
-    /** Sign of a rotation about @p axis under the mirror at the plane through
-     * z and the radial direction at @p angle: a rotation about an axis across
-     * that plane is kept, others are turned round. */
+    /** Sign of a rotation about a coordinate axis under the mirror at the plane
+     * through the disc's axis and the radial direction, which @p tangential is
+     * normal to: a rotation about an axis across that plane is kept, others are
+     * turned round. */
     double
-    rotation_mirror(const unsigned int axis, const double angle)
+    rotation_mirror(const unsigned int          axis,
+                    const dealii::Tensor<1, 3> &tangential)
     {
-      const double across = axis == 0   ? -std::sin(angle)
-                            : axis == 1 ? std::cos(angle)
-                                        : 0.;
-      return std::abs(across) > std::sqrt(0.5) ? 1. : -1.;
+      return std::abs(tangential[axis]) > std::sqrt(0.5) ? 1. : -1.;
     }
 
     Functionals::Row
@@ -137,17 +142,21 @@ namespace squeal
       return combine({{factor, &row}});
     }
 
-    /** Three rows of displacements along radial, tangential, normal. */
+    /** Three rows of displacements along the three directions. */
     void
-    add_displacements(const std::array<Functionals::Row, 3> &xyz,
-                      const double                           angle,
-                      const double                           factor,
-                      std::vector<Functionals::Row>         &rows)
+    add_displacements(const std::array<Functionals::Row, 3>     &xyz,
+                      const std::array<dealii::Tensor<1, 3>, 3> &directions,
+                      const double                               factor,
+                      std::vector<Functionals::Row>             &rows)
     {
-      const double c = factor * std::cos(angle), s = factor * std::sin(angle);
-      rows.push_back(combine({{c, &xyz[0]}, {s, &xyz[1]}}));
-      rows.push_back(combine({{-s, &xyz[0]}, {c, &xyz[1]}}));
-      rows.push_back(scaled(factor, xyz[2]));
+      for (const auto &direction : directions)
+        {
+          std::vector<std::pair<double, const Functionals::Row *>> parts;
+          for (unsigned int c = 0; c < 3; ++c)
+            if (direction[c] != 0.)
+              parts.emplace_back(factor * direction[c], &xyz[c]);
+          rows.push_back(combine(parts));
+        }
     }
 
 
@@ -221,19 +230,21 @@ namespace squeal
   SolidShapes::SolidShapes(const Discretization          &d,
                            const PointEvaluator          &evaluator,
                            const unsigned int             body,
-                           const unsigned int             annulus,
+                           const DiscRing                *ring,
                            std::vector<Functionals::Row> &rows)
     : families({"x", "y", "z"})
     , mirror({1., -1., 1.})
   {
     using Shape            = BodyParameters::Shape;
     const auto &parameters = d.scene().bodies[body];
-    if (annulus != -1u)
+    for (unsigned int c = 0; c < 3; ++c)
+      directions[c][c] = 1.;
+    if (ring)
       {
-        const auto &origin = d.scene().bodies[annulus].position;
-        const Point centre = body_centre(d, body);
         families           = {"radial", "tangential", "normal"};
-        angle = std::atan2(centre[1] - origin[1], centre[0] - origin[0]);
+        const double angle = ring->angle_of(body_centre(d, body));
+        directions         = {
+                  {ring->radial(angle), ring->tangential(angle), ring->directions[2]}};
       }
 
     if (parameters.shape == Shape::rigid)
@@ -242,14 +253,14 @@ namespace squeal
         families.insert(families.end(),
                         {"rotation x", "rotation y", "rotation z"});
         for (unsigned int c = 0; c < 3; ++c)
-          mirror.push_back(rotation_mirror(c, angle));
+          mirror.push_back(rotation_mirror(c, directions[1]));
         add_rigid_rows(d, body, rows);
         return;
       }
 
     const Box                  box  = bounding_box(d, body);
     const dealii::Tensor<1, 3> size = box.upper - box.lower;
-    axis                            = long_axis(size);
+    axis                            = long_axis(size, directions[2]);
     const bool slender =
       size[axis] >= 2. * std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
     const unsigned int n    = slender ? n_slices_slender : n_slices_compact;
@@ -259,7 +270,7 @@ namespace squeal
     n_slices        = slices.size();
     n_shape_changes = 5;
     families.push_back("torsion");
-    mirror.push_back(rotation_mirror(axis, angle));
+    mirror.push_back(rotation_mirror(axis, directions[1]));
     add_slice_rows(
       evaluator, body, slices, parameters.density * volume(d, body), rows);
   }
@@ -276,8 +287,10 @@ namespace squeal
     for (unsigned int i = 0; i < 6; ++i)
       if (const unsigned int row = d.rigid_row(body, i); row != -1u)
         motions[i].emplace_back(row, 1.);
-    add_displacements(
-      {{motions[0], motions[1], motions[2]}}, angle, std::sqrt(b.mass), rows);
+    add_displacements({{motions[0], motions[1], motions[2]}},
+                      directions,
+                      std::sqrt(b.mass),
+                      rows);
     for (unsigned int c = 0; c < 3; ++c)
       rows.push_back(scaled(std::sqrt(b.inertia[c]), motions[3 + c]));
   }
@@ -325,7 +338,7 @@ namespace squeal
 
         add_displacements(
           {{combine(mean[0]), combine(mean[1]), combine(mean[2])}},
-          angle,
+          directions,
           factor,
           rows);
         add_linear_rows(linear, squares, axis, factor, rows);

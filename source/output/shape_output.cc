@@ -19,38 +19,71 @@ namespace squeal
       return options;
     }
 
-    unsigned int
-    disc_body(const SceneParameters &scene)
+    /** The disc of a picture: which body, and whether its contact face looks
+     * down. */
+    struct PicturedDisc
     {
-      if (const unsigned int disc = main_disc(scene); disc != -1u)
-        return disc;
+      unsigned int body       = 0;
+      bool         looks_down = false;
+    };
+
+    PicturedDisc
+    pictured_disc(const Model &model)
+    {
+      if (const DiscRing *ring = model.namer().ring())
+        return {model.namer().disc(), ring->other_side > ring->face};
+      const SceneParameters &scene = model.discretization()->scene();
       for (const auto &contact : scene.contacts)
         if (contact.target_body != "ground")
-          return body_index(scene, contact.target_body);
-      return 0;
+          {
+            const unsigned int body = body_index(scene, contact.target_body);
+            return {body, contact_face_looks_down(scene, body)};
+          }
+      return {};
+    }
+
+    /** Places and motions in the directions of the disc, so that it lies flat
+     * in the picture. */
+    void
+    lay_flat(const DiscRing &ring, std::vector<SurfaceQuad> &quads)
+    {
+      const auto turn = [&](std::array<double, 3> &v) {
+        const dealii::Tensor<1, 3> old({v[0], v[1], v[2]});
+        for (unsigned int c = 0; c < 3; ++c)
+          v[c] = old * ring.directions[c];
+      };
+      for (SurfaceQuad &quad : quads)
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            turn(quad.corners[i]);
+            turn(quad.displacements[i]);
+          }
     }
 
     /** The drawn picture of one unstable pair; returns its path or "". */
     std::string
-    draw_pair(RunContext                     &context,
-              const std::vector<SurfaceQuad> &quads,
-              const double                    size,
-              const std::string              &file,
-              const std::string              &title,
-              const std::string              &subtitle)
+    draw_pair(RunContext              &context,
+              const Model             &model,
+              std::vector<SurfaceQuad> quads,
+              const double             size,
+              const std::string       &file,
+              const std::string       &title,
+              const std::string       &subtitle)
     {
       if (!context.is_root)
         return "";
       const SceneParameters   &scene = context.parameters.scene;
-      const unsigned int       disc  = disc_body(scene);
+      const PicturedDisc       disc  = pictured_disc(model);
       std::vector<std::string> names;
       for (const auto &body : scene.bodies)
         names.push_back(body.name);
+      if (const DiscRing *ring = model.namer().ring())
+        lay_flat(*ring, quads);
       ShapePicture picture =
         make_shape_picture(quads,
-                           disc,
+                           disc.body,
                            context.parameters.output.slip_display_scale * size,
-                           contact_face_looks_down(scene, disc),
+                           disc.looks_down,
                            names);
       picture.title    = title;
       picture.subtitle = subtitle;
@@ -141,7 +174,7 @@ namespace squeal
         if (!p.output.plots)
           continue;
         auto   quads   = surface.evaluate(re, im, 0.);
-        double largest = largest_displacement(quads), phase = 0.;
+        double largest = largest_displacement(quads);
         for (unsigned int k = 1; k < 12; ++k)
           {
             auto turned = surface.evaluate(re, im, M_PI * k / 12.);
@@ -149,14 +182,13 @@ namespace squeal
                 size > largest)
               {
                 largest = size;
-                phase   = M_PI * k / 12.;
                 quads   = std::move(turned);
               }
           }
-        (void)phase;
         const std::string path = draw_pair(
           context,
-          quads,
+          model,
+          std::move(quads),
           surface.size(),
           name,
           quantities.names[i].text + " at " + rounded_text(f, 5) + " Hz",

@@ -36,7 +36,8 @@ namespace
     Scene()
       : model(scene(), 1)
       , evaluator(model.discretization)
-      , disc(model.discretization,
+      , disc(*disc_rings(model.discretization)[0],
+             model.discretization.scene().bodies[0].density,
              evaluator,
              0,
              model.namer.reference_angle(),

@@ -58,16 +58,13 @@ namespace squeal
    * "(0,3+)|(0,4+)". A near tie that is wanted is any of its names. */
   bool is_called(const std::string &text, const std::string &wanted);
 
-  /** The annulus that names refer to: that of the first contact pair, else the
-   * first one, else -1u. */
-  unsigned int main_disc(const SceneParameters &scene);
-
 
 
   /**
    * Names of vibration shapes of a scene.
    *
-   * An annulus is a disc: its shape (n, m) has n nodal circles and m nodal
+   * An annulus is a disc, and so is a body from a mesh file that pads slide on
+   * all round (disc_rings()): its shape (n, m) has n nodal circles and m nodal
    * diameters; "+" has an antinode in the middle of the bodies that touch it
    * (at the first of them where they stand all round it; at angle 0 without a
    * pair), "-" a node. Other bodies are named by the
@@ -141,11 +138,18 @@ namespace squeal
     /** Angle of the "+" antinode about the disc axis from x towards y, rad. */
     double reference_angle() const;
 
+    /** The disc that names refer to: that of the first contact pair, else the
+     * first one, else -1u. */
+    unsigned int disc() const;
+
+    /** Its ring; null without one. */
+    const DiscRing *ring() const;
+
   private:
     struct Body
     {
       std::string                  name;
-      std::unique_ptr<DiscShapes>  disc;  /**< of an annulus */
+      std::unique_ptr<DiscShapes>  disc;  /**< of a disc */
       std::unique_ptr<SolidShapes> solid; /**< of any other body */
       unsigned int                 first_sample     = 0;
       unsigned int                 first_coordinate = 0;
@@ -184,6 +188,8 @@ namespace squeal
     unsigned int                       n_discs           = 0;
     unsigned int                       total_coordinates = 0;
     double                             angle             = 0.;
+    unsigned int                       main_body         = -1u;
+    std::optional<DiscRing>            main_ring;
     std::shared_ptr<const Functionals> samples, signature_rows;
   };
 } // namespace squeal

@@ -2,6 +2,7 @@
 #ifndef squeal_eigen_mode_naming_disc_h
 #define squeal_eigen_mode_naming_disc_h
 
+#include <squeal/discretization/disc_ring.h>
 #include <squeal/discretization/point_evaluator.h>
 
 #include <string>
@@ -34,17 +35,12 @@ namespace squeal
 
 
 
-  /** Whether the face of an annulus that a contact pair of the scene uses is
-   * its bottom; false also where no pair uses bottom or top. */
-  bool contact_face_looks_down(const SceneParameters &scene,
-                               const unsigned int     body);
-
-
-
   /**
-   * Shapes of one annulus from its displacement on rings: along the axis on the
-   * contact face, tangential and radial at half the thickness, where bending
-   * has no part in them.
+   * Shapes of one disc from its displacement on circles of its ring: along the
+   * axis on the contact face, tangential and radial at half the thickness,
+   * where bending has no part in them. Where half the thickness is hollow,
+   * between the vanes of a ventilated disc, the mean of both sides takes its
+   * place; where the other side is no ring, the contact face.
    *
    * The coordinates of a vector are the Fourier coefficients of every ring and
    * component, the angle counted from the reference angle: the mean, then
@@ -55,9 +51,10 @@ namespace squeal
   class DiscShapes
   {
   public:
-    /** Appends its samples to @p rows. @p reference_angle in rad about the
-     * axis of the body, from x towards y. */
-    DiscShapes(const Discretization          &discretization,
+    /** Appends its samples to @p rows. @p density in kg/m^3, @p reference_angle
+     * in rad about the axis of the ring. */
+    DiscShapes(const DiscRing                &ring,
+               const double                   density,
                const PointEvaluator          &evaluator,
                const unsigned int             body,
                const double                   reference_angle,

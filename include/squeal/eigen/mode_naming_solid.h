@@ -2,6 +2,7 @@
 #ifndef squeal_eigen_mode_naming_solid_h
 #define squeal_eigen_mode_naming_solid_h
 
+#include <squeal/discretization/disc_ring.h>
 #include <squeal/discretization/point_evaluator.h>
 
 #include <string>
@@ -25,8 +26,9 @@ namespace squeal
   };
 
   /**
-   * Motions of one body that is no annulus. A meshed body is cut into slices
-   * along its longest side (z if none is twice as long as the others); each
+   * Motions of one body that is no disc. A meshed body is cut into slices along
+   * its longest side (that along the disc's axis, else z, if none is twice as
+   * long as the others); each
    * slice has a mean displacement and a rotation about that axis, by which it
    * is named, and five linear changes of shape: strains and shear in its plane,
    * rotations out of it. A rigid body is one slice with three displacements and
@@ -42,12 +44,12 @@ namespace squeal
   class SolidShapes
   {
   public:
-    /** Appends its coordinates to @p rows. @p annulus: the body that gives the
-     * disc axis, or -1u. */
+    /** Appends its coordinates to @p rows. @p ring: of the disc that gives the
+     * axis, or null. */
     SolidShapes(const Discretization          &discretization,
                 const PointEvaluator          &evaluator,
                 const unsigned int             body,
-                const unsigned int             annulus,
+                const DiscRing                *ring,
                 std::vector<Functionals::Row> &rows);
 
     unsigned int n_coordinates() const;
@@ -80,7 +82,8 @@ namespace squeal
     unsigned int             n_slices        = 0;
     unsigned int             n_shape_changes = 0; /**< of a slice */
     unsigned int             axis            = 2; /**< long axis, 0 to 2 */
-    double                   angle = 0.; /**< of the radial direction, rad */
+    /** Radial, tangential and normal unit vectors; x, y, z without a disc. */
+    std::array<dealii::Tensor<1, 3>, 3> directions;
   };
 
   /** Centre of a body: of its bounding box if meshed, of gravity if rigid. */

@@ -222,7 +222,7 @@ namespace squeal
                 const SweepSolution &solution,
                 const Table         &eigenvalues)
   {
-    const unsigned int disc = main_disc(model.scene());
+    const unsigned int disc = model.model().namer().disc();
     if (disc == -1u || model.model().namer().n_coordinates() == 0)
       return {};
     const SweepGrid  &grid  = model.grid();
