@@ -60,6 +60,19 @@ namespace squeal
           }
     }
 
+    /** The name of a direction of the disc: that of the scene along it, "-y"
+     * against y, "across" or "axis" where there is none. */
+    std::string
+    direction_name(const DiscRing &ring, const unsigned int c)
+    {
+      const std::array<std::string, 3> names{{"x", "y", "z"}};
+      for (unsigned int d = 0; d < 3; ++d)
+        if (const double part = ring.directions[c][d];
+            std::abs(part) > 1. - 1e-6)
+          return part > 0. ? names[d] : "-" + names[d];
+      return c == 2 ? "axis" : "across " + std::to_string(c + 1);
+    }
+
     /** The drawn picture of one unstable pair; returns its path or "". */
     std::string
     draw_pair(RunContext              &context,
@@ -85,6 +98,9 @@ namespace squeal
                            context.parameters.output.slip_display_scale * size,
                            disc.looks_down,
                            names);
+      if (const DiscRing *ring = model.namer().ring())
+        for (unsigned int c = 0; c < 3; ++c)
+          picture.directions[c] = direction_name(*ring, c);
       picture.title    = title;
       picture.subtitle = subtitle;
       context.output.file("plots/" + file + ".png");

@@ -265,15 +265,22 @@ namespace squeal
                "rotate by 90");
     }
 
+    /** "+z" of "z", "-z" of itself. */
+    std::string
+    signed_direction(const std::string &name)
+    {
+      return name[0] == '-' ? name : "+" + name;
+    }
+
     /** The directions of space in the corner of the oblique view. */
     void
-    add_directions(Drawing         &drawing,
-                   const Viewpoint &viewpoint,
-                   const double     x,
-                   const double     y)
+    add_directions(Drawing                          &drawing,
+                   const Viewpoint                  &viewpoint,
+                   const std::array<std::string, 3> &names,
+                   const double                      x,
+                   const double                      y)
     {
-      const double                      length = 3.4 * drawing.font_size;
-      const std::array<const char *, 3> names  = {{"x", "y", "z"}};
+      const double length = 3.4 * drawing.font_size;
       for (unsigned int d = 0; d < 3; ++d)
         {
           std::array<double, 3> axis = {{0., 0., 0.}};
@@ -329,7 +336,8 @@ namespace squeal
                    rows,
                    {right + font, 3. * line, right + 2.5 * font, top - line},
                    picture.value_label);
-    add_directions(drawing, picture.viewpoint, 3. * line, 2.2 * line);
+    add_directions(
+      drawing, picture.viewpoint, picture.directions, 3. * line, 2.2 * line);
     add_text(
       drawing, line, drawing.height - line, picture.title, "left", 1.2 * font);
     add_text(drawing,
@@ -357,9 +365,10 @@ namespace squeal
                  0.5 * (middle + right),
                  1.0 * line,
                  std::string("contact face of the disc ") +
-                   (picture.face_looks_down ? "(below) " : "") +
-                   "seen from +z, x to the right; nodal lines black, "
-                   "contact dashed",
+                   (picture.face_looks_down ? "(below) " : "") + "seen from " +
+                   signed_direction(picture.directions[2]) + ", " +
+                   picture.directions[0] +
+                   " to the right; nodal lines black, contact dashed",
                  "center",
                  font - 1.);
       }

@@ -5,6 +5,7 @@
 #include <squeal/results/shape_view.h>
 #include <squeal/results/surface_quads.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ namespace squeal
     std::string value_label = "axial displacement / largest of the face";
     Viewpoint   viewpoint;
     bool        face_looks_down = false; /**< it is seen through the disc */
+    /** What the three directions of the places are called: of a disc that was
+     * laid flat those of the scene that it had there. */
+    std::array<std::string, 3> directions{{"x", "y", "z"}};
   };
 
   /**
