@@ -2,7 +2,8 @@
 #ifndef squeal_analyses_limit_cycle_cycle_campaign_h
 #define squeal_analyses_limit_cycle_cycle_campaign_h
 
-#include <squeal/cycle/cycle_search.h>
+#include <squeal/cycle/cycle_trial.h>
+#include <squeal/model/pressed_model.h>
 #include <squeal/parameters/parameters.h>
 #include <squeal/results/table.h>
 #include <squeal/transient/linearized_motion.h>
@@ -13,6 +14,7 @@
 namespace squeal
 {
   class RunContext;
+  class HtmlReport;
 
   /** Growing pairs of the band, the fastest first. */
   std::vector<Eigen::Index> growing_pairs(const LinearizedMotion &linear,
@@ -42,8 +44,34 @@ namespace squeal
    * 1 %. */
   CycleOutcome outcome_of(const std::vector<CycleResult> &cycles);
 
+  /**
+   * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
+   * the largest stable ones, and one from the cycle itself, beside the cycle of
+   * a point that is heard. The first go on from where the runs from the growing
+   * pairs have ended, the others start from impulses at points of all bodies of
+   * 1, 4, 1/4, 16, 1/16 ... times the energy at which half of the nodes open or
+   * stick, in turn to either side. None where no cycle is heard.
+   */
+  std::vector<MotionTrial> trials_of(const SteadyModel              &about,
+                                     const PeriodMap                &map,
+                                     const std::vector<CycleResult> &cycles,
+                                     const LimitCycleParameters     &settings,
+                                     const double                    step);
+
+  /** A row for each motion, with the cycle that @p cycles and outcome_of() tell
+   * of beside it. */
+  Table trial_table_of(const std::vector<MotionTrial> &trials,
+                       const std::vector<CycleResult> &cycles);
+
   /** Columns of what a point comes to, without those of the axes; one row. */
-  Table outcome_table(const std::vector<CycleResult> &cycles);
+  Table outcome_table(const std::vector<CycleResult> &cycles,
+                      const std::vector<MotionTrial> &trials = {});
+  /** Of the points of two axes, for each top: which outcome, and the kHz of the
+   * cycle that is heard. */
+  void draw_cycle_map(RunContext  &context,
+                      const Table &points,
+                      HtmlReport  &report);
+
   /** The row of a point without steady sliding. */
   Table outcome_without_sliding();
 } // namespace squeal
