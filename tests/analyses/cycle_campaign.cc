@@ -101,8 +101,9 @@ namespace
     check(outcome_table({unstable, stable}).integer(0, "n_stable") == 1,
           "counted in the table");
     MotionTrial there, elsewhere;
-    there.ends_in        = true;
-    const Table followed = outcome_table({stable}, {there, elsewhere, there});
+    there.ends_in = true;
+    const Table followed =
+      outcome_table({unstable, stable}, {1, {there, elsewhere, there}});
     check(followed.integer(0, "n_starts") == 2 &&
             followed.integer(0, "n_ending_in_cycle") == 1 &&
             followed.text(0, "stays") == "yes",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A motion on its way to the limit cycle of a mass on a belt that lifts off: when
-// it has settled, that the cycle is found from there, and which motions from other
-// starts count as ending in it.
+// A motion on its way to the limit cycle of a mass on a belt that lifts off:
+// when it has settled, that the cycle is found from there, and which motions
+// from other starts count as ending in it.
 
 #include "cycle/two_modes.h"
 #include "scenes.h"
@@ -32,16 +32,14 @@ namespace
   void
   settles(const PeriodMap &map, const SteadySliding &steady)
   {
-    LeadingRun short_run(
-      map, {disturbed(steady), {}, 0.}, step, 25., 75., 2.);
+    LeadingRun short_run(map, {disturbed(steady), {}, 0.}, step, 25., 75., 2.);
     advance_until_settled(short_run);
     check(!short_run.has_settled() && !short_run.lasts(),
           "a motion that still grows has not settled and does not last");
     LeadingRun run(map, {disturbed(steady), {}, 0.}, step, 75., 3000., 2.);
     const unsigned int n = advance_until_settled(run);
-    std::printf("settled after %u parts, nearest return %.2e\n",
-                n,
-                run.nearest_return());
+    std::printf(
+      "settled after %u parts, nearest return %.2e\n", n, run.nearest_return());
     check(run.has_settled() && n < 40, "it settles before its time is over");
     const RunFigures f = run.figures();
     check(f.time > 0. && std::abs(run.end().time - f.time) < 1e-9,

@@ -81,13 +81,12 @@ namespace squeal
         std::vector<CycleResult> cycles;
         for (const Eigen::Index k : growing_pairs(linear, p.eigen))
           cycles.push_back(cycle_of(*about, linear, k, p.limit_cycle));
-        Timers::Section section(context.timers, "Solve: other starts");
-        const std::vector<MotionTrial> trials =
-          trials_of(*about,
-                    period_map_of(*about),
-                    cycles,
-                    p.limit_cycle,
-                    p.transient.time_step);
+        Timers::Section   section(context.timers, "Solve: other starts");
+        const PointTrials trials = trials_of(*about,
+                                             period_map_of(*about),
+                                             cycles,
+                                             p.limit_cycle,
+                                             p.transient.time_step);
         return {outcome_table(cycles, trials),
                 cycle_table(cycles, p.limit_cycle.harmonics),
                 trial_table_of(trials, cycles)};

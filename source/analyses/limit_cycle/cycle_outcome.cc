@@ -232,8 +232,6 @@ namespace squeal
   {
     CycleOutcome     result;
     std::vector<int> different;
-    std::size_t      n_open = 0;
-    int              open   = -1;
     for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
       if (cycles[i].has_converged())
         {
@@ -252,18 +250,15 @@ namespace squeal
                 result.heard = i;
             }
           else if (!cycles[i].multipliers.is_unstable())
-            {
-              ++n_open;
-              open = i;
-            }
+            result.open.push_back(i);
         }
     result.n_different = different.size();
-    if (result.n_stable == 0 && n_open == 1)
-      result.heard = open;
+    if (result.n_stable == 0 && result.open.size() == 1)
+      result.heard = result.open.front();
     result.text = cycles.empty()           ? "steady sliding"
                   : result.n_stable > 1    ? "several stable limit cycles"
                   : result.n_stable == 1   ? "stable limit cycle"
-                  : n_open > 0             ? "limit cycle, stability open"
+                  : !result.open.empty()   ? "limit cycle, stability open"
                   : result.n_converged > 0 ? "limit cycles found are unstable"
                   : has_no_period(cycles)  ? "no period"
                                            : "no limit cycle found";
@@ -272,10 +267,13 @@ namespace squeal
 
   Table
   outcome_table(const std::vector<CycleResult> &cycles,
-                const std::vector<MotionTrial> &trials)
+                const PointTrials              &trials)
   {
-    return table_of(
-      columns(), std::vector<PointRow>{{cycles, trials, outcome_of(cycles)}});
+    CycleOutcome outcome = outcome_of(cycles);
+    if (trials.cycle >= 0)
+      outcome.heard = trials.cycle;
+    return table_of(columns(),
+                    std::vector<PointRow>{{cycles, trials.motions, outcome}});
   }
 
   Table

@@ -81,52 +81,81 @@ namespace squeal
            return Cell(row.cycle.figures.rms_normal);
          }}};
     }
+
+    /** Without the one from the cycle itself. */
+    std::vector<MotionTrial>
+    from_other_starts(const SteadyModel              &about,
+                      const CycleTrials              &beside,
+                      const std::vector<CycleResult> &cycles,
+                      const CycleResult              &cycle,
+                      const LimitCycleParameters     &settings)
+    {
+      std::vector<MotionTrial> result;
+      for (const CycleResult &c : cycles)
+        if (result.size() < settings.starts && c.run.time > 0.)
+          result.push_back(beside.follow(
+            "pair at " + rounded_text(c.pair.imag() / (2. * M_PI), 5) + " Hz",
+            c.run_end));
+      for (unsigned int i = 0; result.size() < settings.starts; ++i)
+        {
+          const double sign = i % 2 == 0 ? 1. : -1.,
+                       energy =
+                         energy_ratio(i) * std::pow(cycle.half_change, 2);
+          const Eigen::VectorXd v = sign * about.pressed.disturbance(energy);
+          result.push_back(beside.follow(
+            "impulse of " + rounded_text(sign * energy, 3) + " J",
+            {{about.sliding.coordinates, v, about.sliding.forces}, {}, 0.}));
+        }
+      return result;
+    }
   } // namespace
 
 
 
-  std::vector<MotionTrial>
+  PointTrials
   trials_of(const SteadyModel              &about,
             const PeriodMap                &map,
             const std::vector<CycleResult> &cycles,
             const LimitCycleParameters     &settings,
             const double                    step)
   {
-    std::vector<MotionTrial> result;
-    const int                heard = outcome_of(cycles).heard;
-    if (settings.starts == 0 || heard < 0)
+    PointTrials  result;
+    CycleOutcome outcome = outcome_of(cycles);
+    if (outcome.heard >= 0)
+      outcome.open = {outcome.heard};
+    if (settings.starts == 0 || outcome.open.empty())
       return result;
-    const CycleResult &cycle = cycles[heard];
-    const CycleTrials  trials(map,
-                             cycle.figures,
-                             largest_stable_step(map.reduced_model(), step),
-                             longest_over_run * settings.run_time);
-    for (const CycleResult &c : cycles)
-      if (result.size() < settings.starts && c.run.time > 0.)
-        result.push_back(trials.follow(
-          "pair at " + rounded_text(c.pair.imag() / (2. * M_PI), 5) + " Hz",
-          c.run_end));
-    for (unsigned int i = 0; result.size() < settings.starts; ++i)
+    const auto beside = [&](const int cycle) {
+      return CycleTrials(map,
+                         cycles[cycle].figures,
+                         largest_stable_step(map.reduced_model(), step),
+                         longest_over_run * settings.run_time);
+    };
+    MotionTrial from_cycle;
+    for (const int k : outcome.open)
       {
-        const double energy = energy_ratio(i) * std::pow(cycle.half_change, 2);
-        const Eigen::VectorXd v =
-          (i % 2 == 0 ? 1. : -1.) * about.pressed.disturbance(energy);
-        result.push_back(trials.follow(
-          "impulse of " + std::string(i % 2 == 0 ? "" : "-") +
-            rounded_text(energy, 3) + " J",
-          {{about.sliding.coordinates, v, about.sliding.forces}, {}, 0.}));
+        const MotionTrial next = beside(k).follow_cycle(cycles[k].motion);
+        if (result.cycle < 0 || next.ends_in)
+          {
+            result.cycle = k;
+            from_cycle   = next;
+          }
+        if (next.ends_in)
+          break;
       }
-    result.push_back(trials.follow_cycle(cycle.motion));
+    result.motions = from_other_starts(
+      about, beside(result.cycle), cycles, cycles[result.cycle], settings);
+    result.motions.push_back(from_cycle);
     return result;
   }
 
   Table
-  trial_table_of(const std::vector<MotionTrial> &trials,
+  trial_table_of(const PointTrials              &trials,
                  const std::vector<CycleResult> &cycles)
   {
     std::vector<TrialRow> rows;
-    for (const MotionTrial &trial : trials)
-      rows.push_back({trial, cycles[outcome_of(cycles).heard]});
+    for (const MotionTrial &trial : trials.motions)
+      rows.push_back({trial, cycles[trials.cycle]});
     return table_of(columns_of_trials(), rows);
   }
 } // namespace squeal

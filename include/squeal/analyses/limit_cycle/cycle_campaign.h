@@ -37,6 +37,8 @@ namespace squeal
     /** The stable one of the largest rms of the normal force; else the only one
      * whose stability is left open; else -1. */
     int heard = -1;
+    /** Different ones whose stability is left open. */
+    std::vector<int> open;
   };
 
   /** @p cycles: one for each growing pair; none: steady sliding is stable. Two
@@ -44,28 +46,39 @@ namespace squeal
    * 1 %. */
   CycleOutcome outcome_of(const std::vector<CycleResult> &cycles);
 
+  /** Motions from other starts beside one of the cycles of a point. */
+  struct PointTrials
+  {
+    int cycle = -1; /**< the cycle that is heard; -1: there is none */
+    /** The last one from that cycle itself. */
+    std::vector<MotionTrial> motions;
+  };
+
   /**
    * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
    * the largest stable ones, and one from the cycle itself, beside the cycle of
-   * a point that is heard. The first go on from where the runs from the growing
-   * pairs have ended, the others start from impulses at points of all bodies of
-   * 1, 4, 1/4, 16, 1/16 ... times the energy at which half of the nodes open or
-   * stick, in turn to either side. None where no cycle is heard.
+   * a point that is heard. Where several are left whose stability is open that
+   * is the first on which a motion stays, or the first of all. The first
+   * motions go on from where the runs from the growing pairs have ended, the
+   * others start from impulses at points of all bodies of 1, 4, 1/4, 16, 1/16
+   * ... times the energy at which half of the nodes open or stick, in turn to
+   * either side. None without starts and where every cycle is unstable.
    */
-  std::vector<MotionTrial> trials_of(const SteadyModel              &about,
-                                     const PeriodMap                &map,
-                                     const std::vector<CycleResult> &cycles,
-                                     const LimitCycleParameters     &settings,
-                                     const double                    step);
+  PointTrials trials_of(const SteadyModel              &about,
+                        const PeriodMap                &map,
+                        const std::vector<CycleResult> &cycles,
+                        const LimitCycleParameters     &settings,
+                        const double                    step);
 
-  /** A row for each motion, with the cycle that @p cycles and outcome_of() tell
-   * of beside it. */
-  Table trial_table_of(const std::vector<MotionTrial> &trials,
+  /** A row for each motion, with the cycle beside it. */
+  Table trial_table_of(const PointTrials              &trials,
                        const std::vector<CycleResult> &cycles);
 
-  /** Columns of what a point comes to, without those of the axes; one row. */
+  /** Columns of what a point comes to, without those of the axes; one row. The
+   * cycle that is heard is that of @p trials, if there are any. */
   Table outcome_table(const std::vector<CycleResult> &cycles,
-                      const std::vector<MotionTrial> &trials = {});
+                      const PointTrials              &trials = {});
+
   /** Of the points of two axes, for each top: which outcome, and the kHz of the
    * cycle that is heard. */
   void draw_cycle_map(RunContext  &context,
