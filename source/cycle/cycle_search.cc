@@ -164,7 +164,7 @@ namespace squeal
       double       tried      = 2.; // nearest return of the last search
       try
         {
-          for (bool goes_on = true; goes_on && n_searches < most_searches;)
+          for (bool goes_on = true; goes_on;)
             {
               goes_on           = run.advance();
               const bool   last = !goes_on && n_searches == 0;
@@ -174,7 +174,7 @@ namespace squeal
                 (last && near <= farthest_return);
               if (!run.has_settled())
                 tried = 2.;
-              if (!seeks)
+              if (!seeks || n_searches == most_searches)
                 continue;
               tried = near;
               ++n_searches;

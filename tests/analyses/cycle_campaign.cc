@@ -108,6 +108,14 @@ namespace
             followed.integer(0, "n_ending_in_cycle") == 1 &&
             followed.text(0, "stays") == "yes",
           "the last of the motions is that from the cycle itself");
+    check(followed.text(0, "outcome") == "stable limit cycle",
+          "the multipliers decide where they can");
+    check(
+      outcome_table({unstable}, {0, {there, there}}).text(0, "outcome") ==
+          "limit cycle, stable in time" &&
+        outcome_table({unstable}, {0, {elsewhere, there}}).text(0, "outcome") ==
+          "limit cycles found are unstable",
+      "a cycle that all motions end in is stable in time");
     check(outcome_table({stable}).is_missing(0, "stays"),
           "nothing is said of motions that were not followed");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");

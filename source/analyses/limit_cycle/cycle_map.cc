@@ -39,6 +39,8 @@ namespace squeal
         of_label(
           "several stable limit cycles", Marker::square, 2., Ink::blue, false),
         of_label(
+          "limit cycle, stable in time", Marker::circle, 2., Ink::green, false),
+        of_label(
           "limit cycle, stability open", Marker::circle, 2., Ink::blue, true),
         of_label("limit cycles found are unstable",
                  Marker::square,

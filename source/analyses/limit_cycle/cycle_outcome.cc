@@ -270,8 +270,15 @@ namespace squeal
                 const PointTrials              &trials)
   {
     CycleOutcome outcome = outcome_of(cycles);
-    if (trials.cycle >= 0)
+    const bool   all_end_there =
+      trials.cycle >= 0 &&
+      std::all_of(trials.motions.begin(),
+                  trials.motions.end(),
+                  [](const MotionTrial &x) { return x.ends_in; });
+    if (trials.cycle >= 0 && (all_end_there || !outcome.open.empty()))
       outcome.heard = trials.cycle;
+    if (all_end_there && outcome.n_stable == 0)
+      outcome.text = "limit cycle, stable in time";
     return table_of(columns(),
                     std::vector<PointRow>{{cycles, trials.motions, outcome}});
   }

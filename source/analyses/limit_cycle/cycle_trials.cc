@@ -82,6 +82,25 @@ namespace squeal
          }}};
     }
 
+    /** The cycle that is heard, or those whose stability is open, or the one
+     * whose largest multiplier is least. */
+    std::vector<int>
+    candidates_of(const std::vector<CycleResult> &cycles)
+    {
+      const CycleOutcome outcome = outcome_of(cycles);
+      if (outcome.heard >= 0)
+        return {outcome.heard};
+      if (!outcome.open.empty())
+        return outcome.open;
+      int least = -1;
+      for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
+        if (cycles[i].has_converged() &&
+            (least < 0 ||
+             cycles[i].multipliers.largest < cycles[least].multipliers.largest))
+          least = i;
+      return least < 0 ? std::vector<int>() : std::vector<int>{least};
+    }
+
     /** Without the one from the cycle itself. */
     std::vector<MotionTrial>
     from_other_starts(const SteadyModel              &about,
@@ -119,11 +138,9 @@ namespace squeal
             const LimitCycleParameters     &settings,
             const double                    step)
   {
-    PointTrials  result;
-    CycleOutcome outcome = outcome_of(cycles);
-    if (outcome.heard >= 0)
-      outcome.open = {outcome.heard};
-    if (settings.starts == 0 || outcome.open.empty())
+    PointTrials            result;
+    const std::vector<int> candidates = candidates_of(cycles);
+    if (settings.starts == 0 || candidates.empty())
       return result;
     const auto beside = [&](const int cycle) {
       return CycleTrials(map,
@@ -132,7 +149,7 @@ namespace squeal
                          longest_over_run * settings.run_time);
     };
     MotionTrial from_cycle;
-    for (const int k : outcome.open)
+    for (const int k : candidates)
       {
         const MotionTrial next = beside(k).follow_cycle(cycles[k].motion);
         if (result.cycle < 0 || next.ends_in)

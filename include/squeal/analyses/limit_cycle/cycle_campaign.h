@@ -49,7 +49,7 @@ namespace squeal
   /** Motions from other starts beside one of the cycles of a point. */
   struct PointTrials
   {
-    int cycle = -1; /**< the cycle that is heard; -1: there is none */
+    int cycle = -1; /**< which; -1: none */
     /** The last one from that cycle itself. */
     std::vector<MotionTrial> motions;
   };
@@ -58,11 +58,12 @@ namespace squeal
    * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
    * the largest stable ones, and one from the cycle itself, beside the cycle of
    * a point that is heard. Where several are left whose stability is open that
-   * is the first on which a motion stays, or the first of all. The first
-   * motions go on from where the runs from the growing pairs have ended, the
-   * others start from impulses at points of all bodies of 1, 4, 1/4, 16, 1/16
-   * ... times the energy at which half of the nodes open or stick, in turn to
-   * either side. None without starts and where every cycle is unstable.
+   * is the first on which a motion stays, or the first of all; where all are
+   * unstable it is the one of the least multiplier. The first motions go on
+   * from where the runs from the growing pairs have ended, the others start
+   * from impulses at points of all bodies of 1, 4, 1/4, 16, 1/16 ... times the
+   * energy at which half of the nodes open or stick, in turn to either side.
+   * None without starts and where no cycle was found.
    */
   PointTrials trials_of(const SteadyModel              &about,
                         const PeriodMap                &map,
@@ -74,8 +75,9 @@ namespace squeal
   Table trial_table_of(const PointTrials              &trials,
                        const std::vector<CycleResult> &cycles);
 
-  /** Columns of what a point comes to, without those of the axes; one row. The
-   * cycle that is heard is that of @p trials, if there are any. */
+  /** Columns of what a point comes to, without those of the axes; one row. A
+   * cycle that all motions of @p trials end in is heard, whatever multipliers
+   * near to 1 say. */
   Table outcome_table(const std::vector<CycleResult> &cycles,
                       const PointTrials              &trials = {});
 
