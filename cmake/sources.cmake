@@ -219,9 +219,11 @@ set(SQUEAL_SOURCES_CYCLE
     source/cycle/cycle_branch.cc
     source/cycle/cycle_friction.cc
     source/cycle/cycle_search.cc
+    source/cycle/cycle_trial.cc
     source/cycle/edge_trajectory.cc
     source/cycle/harmonic_balance.cc
     source/cycle/harmonic_balance_newton.cc
+    source/cycle/leading_run.cc
     source/cycle/located_transient.cc
     source/cycle/motion_fate.cc
     source/cycle/orbit.cc
@@ -330,8 +332,10 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/limit_cycle/branch_output.cc
     source/analyses/limit_cycle/cycle_campaign.cc
     source/analyses/limit_cycle/cycle_columns.cc
+    source/analyses/limit_cycle/cycle_map.cc
     source/analyses/limit_cycle/cycle_motion.cc
     source/analyses/limit_cycle/cycle_outcome.cc
+    source/analyses/limit_cycle/cycle_trials.cc
     source/analyses/limit_cycle/limit_cycle_branch.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
     source/analyses/limit_cycle/run_limit_cycle.cc

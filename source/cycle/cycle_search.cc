@@ -17,16 +17,21 @@ namespace squeal
     /** Largest velocity of a node, over the sliding speed, of the small motion
      * that amplitudes are scaled up from. */
     constexpr double small_motion = 1e-4;
-    /** The run is made in so many parts, in the last of which the period is
-     * looked for, and how much of the pair's period it is at least. */
-    constexpr unsigned int n_parts         = 3;
-    constexpr double       shortest_period = .45;
+    /** Parts of the run that leads to a cycle: so many at most, none shorter
+     * than so many periods of the pair. A time shorter than this share of the
+     * pair's period is no return. */
+    constexpr double most_parts = 10., periods_of_part = 10.,
+                     shortest_period = .45;
+    /** Steps of a period of the pair in it, where more are asked for. */
+    constexpr double least_run_steps = 24.;
+    /** How often a periodic motion is sought along it: again where it comes
+     * back nearer by this share than the time before. */
+    constexpr unsigned int most_searches = 3;
+    constexpr double       much_nearer   = 0.5;
+    /** A motion that comes back nearer may have a period that was not found. */
+    constexpr double may_have_period = 0.05;
     /** Room for that of the period while it is sought. */
     constexpr double growth_of_period = 1.1;
-    /** A run ends early where it comes back as near as this, over its size, and
-     * nearer by this share than a motion that still grows would. */
-    constexpr double has_returned = 1e-2, of_growth = 0.1;
-
     MotionState
     state_of_pair(const SteadySliding    &steady,
                   const LinearizedMotion &linear,
@@ -53,42 +58,6 @@ namespace squeal
                ? n
                : factor * static_cast<unsigned int>(
                             std::ceil(growth_of_period * period / largest));
-    }
-
-    /** Moves @p start on by the run of the settings; the times in which it
-     * comes back, s, and how near: see recurrences(). The pair's period and 1
-     * without a run. */
-    std::vector<std::pair<double, double>>
-    run_until_it_returns(const PeriodMap            &map,
-                         const std::complex<double>  pair,
-                         const LimitCycleParameters &settings,
-                         MotionState                &start)
-    {
-      const double                           period = 2. * M_PI / pair.imag();
-      std::vector<std::pair<double, double>> result{{period, 1.}};
-      if (!(settings.run_time > 0.))
-        return result;
-      const double step = period /
-                          stable_steps(
-                            map.reduced_model(), period, settings.run_steps, 1),
-                   is_there =
-                     std::min(has_returned, of_growth * pair.real() * period);
-      const auto n = static_cast<unsigned int>(
-        std::max(2., std::ceil(settings.run_time / n_parts / step)));
-      ContactPast past;
-      for (unsigned int i = 0; i < n_parts; ++i)
-        {
-          const Orbit run = map.run(start, n * step, n, past);
-          start           = run.end();
-          past            = run.past_of(n);
-          result          = recurrences(
-            map.reduced_model(), run, shortest_period * period, n * step);
-          if (!result.empty() && result.back().second < is_there)
-            break;
-        }
-      if (!result.empty() && result.back().second > farthest_return)
-        result.clear();
-      return result;
     }
 
     /** The periodic motion near @p start by half of @p n_steps and by all of
@@ -160,6 +129,73 @@ namespace squeal
               (!must_be_stable || !result.multipliers.is_unstable()))
             break;
         }
+      return result;
+    }
+
+    /** Steps of a period of pair @p k in the run, s: what a fast pair leads to is
+     * often the motion of the slowest one that grows. */
+    double
+    run_step(const ReducedContactModel  &model,
+             const LinearizedMotion     &linear,
+             const Eigen::Index          k,
+             const LimitCycleParameters &settings)
+    {
+      double slowest = linear.lambda[k].imag();
+      for (const std::complex<double> l : linear.lambda)
+        if (l.real() > 0. && l.imag() > 0.)
+          slowest = std::min(slowest, l.imag());
+      const double period = 2. * M_PI / linear.lambda[k].imag(),
+                   n = settings.run_steps * slowest / linear.lambda[k].imag();
+      const auto n_steps = static_cast<unsigned int>(std::ceil(
+        std::max(n, std::min<double>(settings.run_steps, least_run_steps))));
+      return period / stable_steps(model, period, n_steps, 1);
+    }
+
+    /** Seeks the periodic motion that @p run comes to. */
+    CycleResult
+    along(LeadingRun                 &run,
+          const PeriodMap            &map,
+          const LimitCycleParameters &settings,
+          CycleResult                 start)
+    {
+      start.coarse.status     = CycleStatus::no_period;
+      CycleResult  result     = start;
+      unsigned int n_searches = 0;
+      double       tried      = 2.; // nearest return of the last search
+      try
+        {
+          for (bool goes_on = true; goes_on;)
+            {
+              goes_on           = run.advance();
+              const bool   last = !goes_on && n_searches == 0;
+              const double near = run.nearest_return();
+              const bool   seeks =
+                (run.has_settled() && near < much_nearer * tried) ||
+                (last && near <= farthest_return);
+              if (!run.has_settled())
+                tried = 2.;
+              if (!seeks || n_searches == most_searches)
+                continue;
+              tried = near;
+              ++n_searches;
+              CycleResult next = of_returns(
+                map, run.end().state, run.returns(), settings, start, true);
+              if (!result.has_converged() ||
+                  (next.has_converged() && !next.multipliers.is_unstable()))
+                result = std::move(next);
+              if (result.has_converged() && !result.multipliers.is_unstable())
+                break;
+            }
+        }
+      catch (const ComputationError &)
+        {
+          // What was found before still counts.
+        }
+      result.run     = run.figures();
+      result.run_end = run.end();
+      if (!result.has_converged() && result.run.lasts &&
+          result.run.recurrence > may_have_period)
+        result.coarse.status = CycleStatus::aperiodic;
       return result;
     }
 
@@ -309,6 +345,8 @@ namespace squeal
         return "steady sliding";
       case CycleStatus::no_period:
         return "no period";
+      case CycleStatus::aperiodic:
+        return "aperiodic";
       }
     unknown_choice("status of a cycle");
   }
@@ -381,16 +419,18 @@ namespace squeal
     result.half_change  = changes[changes.size() / 2];
     MotionState start =
       state_of_pair(steady, linear, k, settings.start * result.half_change);
-    std::vector<std::pair<double, double>> returns;
-    try
-      {
-        returns = run_until_it_returns(map, result.pair, settings, start);
-      }
-    catch (const ComputationError &)
-      {
-        returns.clear();
-      }
-    return of_returns(map, start, returns, settings, std::move(result), true);
+    if (!(settings.run_time > 0.))
+      return of_returns(
+        map, start, {{period, 1.}}, settings, std::move(result), true);
+    const double part =
+      std::max(periods_of_part * period, settings.run_time / most_parts);
+    LeadingRun run(map,
+                   {start, {}, 0.},
+                   run_step(map.reduced_model(), linear, k, settings),
+                   part,
+                   settings.run_time,
+                   shortest_period * period);
+    return along(run, map, settings, std::move(result));
   }
 
 

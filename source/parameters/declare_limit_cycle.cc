@@ -51,6 +51,16 @@ namespace squeal
                  Allowed::integer(16, 4096),
                  "Time steps of a period of the pair in that run; more "
                  "are taken where these would be unstable.");
+      schema.add(
+        "Starts",
+        l.starts,
+        Allowed::integer(0, 100),
+        "With 'Campaign': motions from so many starts are followed for "
+        "two 'Run time' at most at every point that has a limit "
+        "cycle which can be heard, to see whether they end in it, and "
+        "one more from the cycle itself, to see whether it stays: "
+        "starts.csv. The first start from the growing pairs, the "
+        "others from impulses at points of all bodies.");
       schema.add("Steps per period",
                  l.steps,
                  Allowed::integer(32, 8192),

@@ -37,6 +37,14 @@ namespace
     return c;
   }
 
+  CycleResult
+  aperiodic()
+  {
+    CycleResult c;
+    c.coarse.status = CycleStatus::aperiodic;
+    return c;
+  }
+
   void
   is(const std::vector<CycleResult> &cycles,
      const std::string              &text,
@@ -58,6 +66,9 @@ namespace
                       open     = cycle(4000., 70., 1.0005);
     is({}, "steady sliding", -1, 0);
     is({without_period()}, "no limit cycle found", -1, 0);
+    is({aperiodic(), aperiodic()}, "no period", -1, 0);
+    is({aperiodic(), without_period()}, "no limit cycle found", -1, 0);
+    check(aperiodic().status() == "aperiodic", "what lasts without a period");
     is({unstable, without_period()}, "limit cycles found are unstable", -1, 1);
     is({unstable, stable}, "stable limit cycle", 1, 2);
     is({stable, louder, open}, "several stable limit cycles", 1, 3);
@@ -89,6 +100,24 @@ namespace
           "how often a motion repeats itself within its period");
     check(outcome_table({unstable, stable}).integer(0, "n_stable") == 1,
           "counted in the table");
+    MotionTrial there, elsewhere;
+    there.ends_in = true;
+    const Table followed =
+      outcome_table({unstable, stable}, {1, {there, elsewhere, there}});
+    check(followed.integer(0, "n_starts") == 2 &&
+            followed.integer(0, "n_ending_in_cycle") == 1 &&
+            followed.text(0, "stays") == "yes",
+          "the last of the motions is that from the cycle itself");
+    check(followed.text(0, "outcome") == "stable limit cycle",
+          "the multipliers decide where they can");
+    check(
+      outcome_table({unstable}, {0, {there, there}}).text(0, "outcome") ==
+          "limit cycle, stable in time" &&
+        outcome_table({unstable}, {0, {elsewhere, there}}).text(0, "outcome") ==
+          "limit cycles found are unstable",
+      "a cycle that all motions end in is stable in time");
+    check(outcome_table({stable}).is_missing(0, "stays"),
+          "nothing is said of motions that were not followed");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");
   }
 

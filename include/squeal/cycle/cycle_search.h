@@ -2,6 +2,7 @@
 #ifndef squeal_cycle_cycle_search_h
 #define squeal_cycle_cycle_search_h
 
+#include <squeal/cycle/leading_run.h>
 #include <squeal/cycle/shooting.h>
 #include <squeal/parameters/limit_cycle_parameters.h>
 #include <squeal/transient/linearized_motion.h>
@@ -46,6 +47,8 @@ namespace squeal
      * which the first closed node opens or sticks, and half of them. */
     double             first_change = 0., half_change = 0.;
     double             recurrence = 1.; /**< of the run before, see there */
+    RunFigures         run;             /**< what that has come to */
+    MotionPlace        run_end;         /**< and where */
     PeriodicMotion     coarse, motion;  /**< with half the steps, with all */
     CycleFigures       coarse_figures, figures;
     FloquetMultipliers multipliers;
@@ -82,7 +85,9 @@ namespace squeal
 
   /**
    * From steady sliding with pair @p k at an amplitude, over a run, to the
-   * periodic motion, by shooting with half the steps and with all of them.
+   * periodic motion, by shooting with half the steps and with all of them as
+   * soon as the run has settled. From an unstable cycle the run goes on, and
+   * what it comes to later takes the place of that cycle if it is not unstable.
    */
   CycleResult find_cycle(const PeriodMap            &map,
                          const SteadySliding        &steady,

@@ -15,7 +15,8 @@ namespace squeal
     converged,
     not_converged,  /**< nothing is said about whether there is one */
     steady_sliding, /**< the iterations have ended there */
-    no_period       /**< the motion before does not come back to where it was */
+    no_period,      /**< the motion before does not come back to where it was */
+    aperiodic       /**< the same, and it lasts: its forces no longer change */
   };
 
   /** A periodic motion, or what the iterations have made of one. */

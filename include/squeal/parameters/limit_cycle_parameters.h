@@ -13,8 +13,10 @@ namespace squeal
     bool   campaign   = false;      /**< at every point of the axes */
     double start      = 2.;         /**< amplitude over that at which
                                        half of the nodes open or stick */
-    double       run_time   = 0.02; /**< s, of the motion before Newton */
-    unsigned int run_steps  = 64;   /**< of a period of the pair, then */
+    double       run_time  = 0.02;  /**< s, of the motion before Newton */
+    unsigned int run_steps = 64;    /**< of a period of the pair, then */
+    unsigned int starts    = 0;     /**< of transients beside a campaign's
+                                       cycles */
     unsigned int steps      = 128;  /**< of a period */
     unsigned int harmonics  = 30;   /**< that are written */
     unsigned int iterations = 30;   /**< of Newton's method at most */

@@ -28,8 +28,22 @@ namespace squeal
     using Type = Table::Type;
 
     /** Names of what a finished point keeps. */
-    const std::string point_record = "cycle point",
-                      pairs_record = "cycle pairs";
+    const std::string point_record  = "cycle point",
+                      pairs_record  = "cycle pairs",
+                      starts_record = "cycle starts";
+
+    struct CampaignTables
+    {
+      Table points, pairs, starts;
+    };
+
+    CampaignTables
+    without_sliding(const unsigned int n_harmonics)
+    {
+      return {outcome_without_sliding(),
+              cycle_table({}, n_harmonics),
+              trial_table_of({}, {})};
+    }
 
     /** All points with one set of bodies. */
     class PointGroup
@@ -42,9 +56,9 @@ namespace squeal
         context.record.n_dofs = scene.model.n_unknowns();
       }
 
-      /** Of every growing pair; none where there is no steady sliding. */
-      std::optional<std::vector<CycleResult>>
-      cycles(const CampaignRun &run)
+      /** Tables of a point without the values of its axes. */
+      CampaignTables
+      tables(const CampaignRun &run)
       {
         const Parameters                  &p = run.parameters;
         std::unique_ptr<const SteadyModel> about;
@@ -57,17 +71,25 @@ namespace squeal
         catch (const ComputationError &e)
           {
             context.log.warning(e.what());
-            return {};
+            return without_sliding(p.limit_cycle.harmonics);
           }
         const LinearizedMotion linear =
           linearize(about->pressed.model(),
                     about->sliding,
                     about->pressed.sliding_friction(),
                     about->pressed.speed());
-        std::vector<CycleResult> result;
+        std::vector<CycleResult> cycles;
         for (const Eigen::Index k : growing_pairs(linear, p.eigen))
-          result.push_back(cycle_of(*about, linear, k, p.limit_cycle));
-        return result;
+          cycles.push_back(cycle_of(*about, linear, k, p.limit_cycle));
+        Timers::Section   section(context.timers, "Solve: other starts");
+        const PointTrials trials = trials_of(*about,
+                                             period_map_of(*about),
+                                             cycles,
+                                             p.limit_cycle,
+                                             p.transient.time_step);
+        return {outcome_table(cycles, trials),
+                cycle_table(cycles, p.limit_cycle.harmonics),
+                trial_table_of(trials, cycles)};
       }
 
     private:
@@ -99,10 +121,36 @@ namespace squeal
 
 
 
-    struct CampaignTables
+    /** Fills @p at, which has the columns, with what an earlier campaign has
+     * found; false if there is nothing. */
+    bool
+    find_finished(const FinishedRuns &finished,
+                  const CampaignRun  &run,
+                  CampaignTables     &at)
     {
-      Table points, pairs;
-    };
+      std::vector<Cell> row, pairs, starts;
+      if (!finished.find(
+            run.fingerprint, point_record, at.points.columns().size(), row))
+        return false;
+      finished.find(run.fingerprint, pairs_record, 0, pairs);
+      finished.find(run.fingerprint, starts_record, 0, starts);
+      at.points = Table(at.points.columns());
+      add_rows(at.points, row);
+      add_rows(at.pairs, pairs);
+      add_rows(at.starts, starts);
+      return true;
+    }
+
+    /** First what a point is not complete without. */
+    void
+    keep_finished(FinishedRuns         &finished,
+                  const CampaignRun    &run,
+                  const CampaignTables &at)
+    {
+      finished.add(run.fingerprint, pairs_record, all_cells(at.pairs));
+      finished.add(run.fingerprint, starts_record, all_cells(at.starts));
+      finished.add(run.fingerprint, point_record, all_cells(at.points));
+    }
 
     /** Runs what is not finished. */
     CampaignTables
@@ -121,40 +169,22 @@ namespace squeal
           std::unique_ptr<PointGroup> group;
           for (const CampaignRun &run : runs)
             {
-              Table point = outcome_without_sliding(),
-                    pairs = cycle_table({}, p.limit_cycle.harmonics);
-              std::vector<Cell> row, rows;
-              if (finished.find(
-                    run.fingerprint, point_record, point.columns().size(), row))
-                {
-                  finished.find(run.fingerprint, pairs_record, 0, rows);
-                  point = Table(point.columns());
-                  add_rows(point, row);
-                  add_rows(pairs, rows);
-                }
-              else
+              CampaignTables at = without_sliding(p.limit_cycle.harmonics);
+              if (!find_finished(finished, run, at))
                 {
                   if (!group)
                     group =
                       std::make_unique<PointGroup>(run.parameters, context);
-                  if (const auto cycles = group->cycles(run))
-                    {
-                      point = outcome_table(*cycles);
-                      pairs = cycle_table(*cycles, p.limit_cycle.harmonics);
-                    }
+                  at = group->tables(run);
                   inputs.require_same();
                   if (context.is_root)
-                    {
-                      finished.add(
-                        run.fingerprint, pairs_record, all_cells(pairs));
-                      finished.add(
-                        run.fingerprint, point_record, all_cells(point));
-                    }
+                    keep_finished(finished, run, at);
                 }
-              put_place(point, run, p);
-              put_place(pairs, run, p);
-              all.points.append(point);
-              all.pairs.append(pairs);
+              for (Table *table : {&at.points, &at.pairs, &at.starts})
+                put_place(*table, run, p);
+              all.points.append(at.points);
+              all.pairs.append(at.pairs);
+              all.starts.append(at.starts);
               progress.advance(1, run.top);
               if (stop.is_there())
                 {
@@ -257,6 +287,8 @@ namespace squeal
       tables_of(context, groups, finished, runs.size());
     context.write_table("campaign.csv", tables.points);
     context.write_table("competition.csv", tables.pairs);
+    if (p.limit_cycle.starts > 0)
+      context.write_table("starts.csv", tables.starts);
     std::ostringstream text;
     tables.points.print(text);
     context.log.heading("Campaign of limit cycles");
@@ -271,11 +303,20 @@ namespace squeal
                        context.record.figures.front().second,
                        context.record.figures);
     if (p.output.plots && context.is_root)
-      draw_points(context, tables.points, report);
+      {
+        draw_points(context, tables.points, report);
+        if (p.sweep.axes.size() == 2)
+          draw_cycle_map(context, tables.points, report);
+      }
     report.section("Points");
     report.table(tables.points, "What the growing pairs of each point lead to");
     report.section("Cycles");
     report.table(tables.pairs, "Limit cycles of all growing pairs");
+    if (p.limit_cycle.starts > 0)
+      {
+        report.section("Starts");
+        report.table(tables.starts, "Motions from other starts");
+      }
     context.finish(p.output.report ? &report : nullptr, "");
   }
 } // namespace squeal

@@ -5,6 +5,7 @@
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -53,6 +54,7 @@ namespace squeal
     struct PointRow
     {
       const std::vector<CycleResult> &cycles;
+      const std::vector<MotionTrial> &trials; /**< the last from the cycle */
       CycleOutcome                    outcome;
 
       const CycleResult *
@@ -67,6 +69,15 @@ namespace squeal
         return cycles.empty() ? nullptr : &cycles.front();
       }
     };
+
+    /** Whether the motions of all pairs last without coming back. */
+    bool
+    has_no_period(const std::vector<CycleResult> &cycles)
+    {
+      return std::all_of(cycles.begin(), cycles.end(), [](const auto &c) {
+        return c.coarse.status == CycleStatus::aperiodic;
+      });
+    }
 
     using PointColumn = ColumnOf<PointRow>;
 
@@ -103,6 +114,41 @@ namespace squeal
          count(&CycleOutcome::n_different)},
         {{"n_stable", Type::integer, "", "stable ones"},
          count(&CycleOutcome::n_stable)}};
+    }
+
+    std::vector<PointColumn>
+    trial_columns()
+    {
+      const auto where = [](const Table::Column &declaration, auto value) {
+        return PointColumn{declaration, [value](const PointRow &row) {
+                             return row.trials.empty()
+                                      ? Cell()
+                                      : Cell(value(row.trials));
+                           }};
+      };
+      using Trials = std::vector<MotionTrial>;
+      return {where({"n_starts",
+                     Type::integer,
+                     "",
+                     "motions from other starts that were followed"},
+                    [](const Trials &t) { return t.size() - 1; }),
+              where({"n_ending_in_cycle",
+                     Type::integer,
+                     "",
+                     "those that end in the cycle that is heard"},
+                    [](const Trials &t) -> std::size_t {
+                      return std::count_if(
+                        t.begin(), t.end() - 1, [](const MotionTrial &x) {
+                          return x.ends_in;
+                        });
+                    }),
+              where({"stays",
+                     Type::text,
+                     "",
+                     "whether a motion that starts on that cycle stays there"},
+                    [](const Trials &t) {
+                      return std::string(t.back().ends_in ? "yes" : "no");
+                    })};
     }
 
     std::vector<PointColumn>
@@ -173,6 +219,8 @@ namespace squeal
            &PointRow::heard,
            [](const CycleResult &c) { return c.multipliers.uncertainty(); })};
       result.insert(result.end(), more.begin(), more.end());
+      const std::vector<PointColumn> trials = trial_columns();
+      result.insert(result.end(), trials.begin(), trials.end());
       return result;
     }
   } // namespace
@@ -184,8 +232,6 @@ namespace squeal
   {
     CycleOutcome     result;
     std::vector<int> different;
-    std::size_t      n_open = 0;
-    int              open   = -1;
     for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
       if (cycles[i].has_converged())
         {
@@ -204,28 +250,37 @@ namespace squeal
                 result.heard = i;
             }
           else if (!cycles[i].multipliers.is_unstable())
-            {
-              ++n_open;
-              open = i;
-            }
+            result.open.push_back(i);
         }
     result.n_different = different.size();
-    if (result.n_stable == 0 && n_open == 1)
-      result.heard = open;
-    result.text = cycles.empty()            ? "steady sliding"
-                  : result.n_stable > 1     ? "several stable limit cycles"
-                  : result.n_stable == 1    ? "stable limit cycle"
-                  : n_open > 0              ? "limit cycle, stability open"
-                  : result.n_converged == 0 ? "no limit cycle found"
-                                            : "limit cycles found are unstable";
+    if (result.n_stable == 0 && result.open.size() == 1)
+      result.heard = result.open.front();
+    result.text = cycles.empty()           ? "steady sliding"
+                  : result.n_stable > 1    ? "several stable limit cycles"
+                  : result.n_stable == 1   ? "stable limit cycle"
+                  : !result.open.empty()   ? "limit cycle, stability open"
+                  : result.n_converged > 0 ? "limit cycles found are unstable"
+                  : has_no_period(cycles)  ? "no period"
+                                           : "no limit cycle found";
     return result;
   }
 
   Table
-  outcome_table(const std::vector<CycleResult> &cycles)
+  outcome_table(const std::vector<CycleResult> &cycles,
+                const PointTrials              &trials)
   {
+    CycleOutcome outcome = outcome_of(cycles);
+    const bool   all_end_there =
+      trials.cycle >= 0 &&
+      std::all_of(trials.motions.begin(),
+                  trials.motions.end(),
+                  [](const MotionTrial &x) { return x.ends_in; });
+    if (trials.cycle >= 0 && (all_end_there || !outcome.open.empty()))
+      outcome.heard = trials.cycle;
+    if (all_end_there && outcome.n_stable == 0)
+      outcome.text = "limit cycle, stable in time";
     return table_of(columns(),
-                    std::vector<PointRow>{{cycles, outcome_of(cycles)}});
+                    std::vector<PointRow>{{cycles, trials.motions, outcome}});
   }
 
   Table
@@ -234,6 +289,8 @@ namespace squeal
     CycleOutcome outcome;
     outcome.text = "no steady sliding";
     const std::vector<CycleResult> none;
-    return table_of(columns(), std::vector<PointRow>{{none, outcome}});
+    const std::vector<MotionTrial> not_followed;
+    return table_of(columns(),
+                    std::vector<PointRow>{{none, not_followed, outcome}});
   }
 } // namespace squeal

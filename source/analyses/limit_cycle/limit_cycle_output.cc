@@ -136,6 +136,45 @@ namespace squeal
          [](const CycleResult &c) { return Cell(c.recurrence); }}};
     }
 
+    /** Of the run before; nothing without one. */
+    CycleColumn
+    of_run(const Table::Column &declaration, double RunFigures::*number)
+    {
+      return {declaration, [number](const CycleResult &c) {
+                return c.run.time > 0. ? Cell(c.run.*number) : Cell();
+              }};
+    }
+
+    std::vector<CycleColumn>
+    run_columns()
+    {
+      return {
+        of_run({"run_time_s", Type::real, "s", "of the run before the search"},
+               &RunFigures::time),
+        of_run({"run_line_hz",
+                Type::real,
+                "Hz",
+                "largest line of the normal force at its end"},
+               &RunFigures::line),
+        of_run({"run_rms_normal_n",
+                Type::real,
+                "N",
+                "of the normal force in its last part"},
+               &RunFigures::rms_normal),
+        of_run({"run_repetition",
+                Type::real,
+                "",
+                "of the normal force in its last three parts",
+                3},
+               &RunFigures::repetition),
+        of_run({"run_recurrence",
+                Type::real,
+                "",
+                "its nearest return over the mean distance",
+                3},
+               &RunFigures::recurrence)};
+    }
+
     std::string
     rounded(const double value, const double error)
     {
@@ -169,6 +208,7 @@ namespace squeal
       columns.push_back(common<CycleResult>(name));
     add(step_columns(n_harmonics));
     add(energy_columns());
+    add(run_columns());
     return table_of(columns, cycles);
   }
 

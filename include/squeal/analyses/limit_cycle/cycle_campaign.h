@@ -2,7 +2,8 @@
 #ifndef squeal_analyses_limit_cycle_cycle_campaign_h
 #define squeal_analyses_limit_cycle_cycle_campaign_h
 
-#include <squeal/cycle/cycle_search.h>
+#include <squeal/cycle/cycle_trial.h>
+#include <squeal/model/pressed_model.h>
 #include <squeal/parameters/parameters.h>
 #include <squeal/results/table.h>
 #include <squeal/transient/linearized_motion.h>
@@ -13,6 +14,7 @@
 namespace squeal
 {
   class RunContext;
+  class HtmlReport;
 
   /** Growing pairs of the band, the fastest first. */
   std::vector<Eigen::Index> growing_pairs(const LinearizedMotion &linear,
@@ -35,6 +37,8 @@ namespace squeal
     /** The stable one of the largest rms of the normal force; else the only one
      * whose stability is left open; else -1. */
     int heard = -1;
+    /** Different ones whose stability is left open. */
+    std::vector<int> open;
   };
 
   /** @p cycles: one for each growing pair; none: steady sliding is stable. Two
@@ -42,8 +46,47 @@ namespace squeal
    * 1 %. */
   CycleOutcome outcome_of(const std::vector<CycleResult> &cycles);
 
-  /** Columns of what a point comes to, without those of the axes; one row. */
-  Table outcome_table(const std::vector<CycleResult> &cycles);
+  /** Motions from other starts beside one of the cycles of a point. */
+  struct PointTrials
+  {
+    int cycle = -1; /**< which; -1: none */
+    /** The last one from that cycle itself. */
+    std::vector<MotionTrial> motions;
+  };
+
+  /**
+   * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
+   * the largest stable ones, and one from the cycle itself, beside the cycle of
+   * a point that is heard. Where several are left whose stability is open that
+   * is the first on which a motion stays, or the first of all; where all are
+   * unstable it is the one of the least multiplier. The first motions go on
+   * from where the runs from the growing pairs have ended, the others start
+   * from impulses at points of all bodies of 1, 4, 1/4, 16, 1/16 ... times the
+   * energy at which half of the nodes open or stick, in turn to either side.
+   * None without starts and where no cycle was found.
+   */
+  PointTrials trials_of(const SteadyModel              &about,
+                        const PeriodMap                &map,
+                        const std::vector<CycleResult> &cycles,
+                        const LimitCycleParameters     &settings,
+                        const double                    step);
+
+  /** A row for each motion, with the cycle beside it. */
+  Table trial_table_of(const PointTrials              &trials,
+                       const std::vector<CycleResult> &cycles);
+
+  /** Columns of what a point comes to, without those of the axes; one row. A
+   * cycle that all motions of @p trials end in is heard, whatever multipliers
+   * near to 1 say. */
+  Table outcome_table(const std::vector<CycleResult> &cycles,
+                      const PointTrials              &trials = {});
+
+  /** Of the points of two axes, for each top: which outcome, and the kHz of the
+   * cycle that is heard. */
+  void draw_cycle_map(RunContext  &context,
+                      const Table &points,
+                      HtmlReport  &report);
+
   /** The row of a point without steady sliding. */
   Table outcome_without_sliding();
 } // namespace squeal

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_cycle_leading_run_h
+#define squeal_cycle_leading_run_h
+
+#include <squeal/cycle/motion_fate.h>
+
+#include <utility>
+#include <vector>
+
+namespace squeal
+{
+  /** What a motion does at the end of the time that it was followed for. */
+  struct RunFigures
+  {
+    double time       = 0.; /**< s, that it was followed for; 0: not */
+    double rms_normal = 0.; /**< of the normal resultant in the last part, N */
+    double line       = 0.; /**< Hz, largest of its spectrum; 0: none */
+    double frequency  = 0.; /**< Hz, of its period by the spectrum */
+    double repetition = 0.; /**< as repetition() of a signal */
+    double recurrence = 1.; /**< nearest return, over the mean distance */
+    bool   lasts      = false; /**< the forces of the last three parts agree */
+  };
+
+  /**
+   * A motion on its way to what it ends in, part by part.
+   *
+   * Its steps are those of PeriodMap::run_plainly(), as in a transient: located
+   * changes of status make motions with many impacts gain energy where the
+   * steps are as long as here.
+   */
+  class LeadingRun
+  {
+  public:
+    /** References are kept. @p step: of time, at most the largest stable one, s;
+     * @p part: length of a part, rounded to whole steps, s; @p longest: of all
+     * parts, s, of which there are at least two; @p shortest: the shortest
+     * time that counts as a return, s. */
+    LeadingRun(const PeriodMap &map,
+               MotionPlace      start,
+               const double     step,
+               const double     part,
+               const double     longest,
+               const double     shortest);
+
+    /** Another part; false where the time is over. Throws ComputationError
+     * where a step has no solution. */
+    bool advance();
+
+    /** Whether the last part comes back to within a tenth of the mean distance
+     * and its forces are within 2 % of those of the part before. */
+    bool has_settled() const;
+
+    /** Whether the forces of the last three parts are within a tenth of their
+     * mean. */
+    bool lasts() const;
+
+    /** See recurrences(), of the last part. */
+    const std::vector<std::pair<double, double>> &
+    returns() const
+    {
+      return last_returns;
+    }
+    /** The nearest of them, over the mean distance; 1 without. */
+    double nearest_return() const;
+
+    const MotionPlace &
+    end() const
+    {
+      return place;
+    }
+
+    /** Resultants of the last three parts at most, 3 x steps, N. */
+    Eigen::MatrixXd resultants() const;
+
+    RunFigures figures() const;
+
+  private:
+    const PeriodMap   &map;
+    MotionPlace        place;
+    const double       dt;
+    const unsigned int n_steps; /**< of a part */
+    const double       longest, shortest;
+    /** Root of the mean squares of the normal and the tangential resultant
+     * about their means in each part, N. */
+    std::vector<double>                    rms_forces;
+    std::vector<Eigen::MatrixXd>           last_forces; /**< of three parts */
+    std::vector<std::pair<double, double>> last_returns;
+    double                                 time = 0.; /**< of all parts */
+  };
+} // namespace squeal
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Whether motions from other starts end in the cycle that is heard.
+
+#include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/base/number_text.h>
+#include <squeal/results/column_of.h>
+#include <squeal/transient/modal_step.h>
+
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    using Type = Table::Type;
+
+    /** A motion may go on for so many times the run before. */
+    constexpr double longest_over_run = 2.;
+
+    /** 1, 4, 1/4, 16, 1/16 ... */
+    double
+    energy_ratio(const unsigned int i)
+    {
+      return std::pow(4., (i % 2 == 1 ? 1. : -1.) * ((i + 1) / 2));
+    }
+
+    struct TrialRow
+    {
+      const MotionTrial &trial;
+      const CycleResult &cycle;
+    };
+
+    using TrialColumn = ColumnOf<TrialRow>;
+
+    std::vector<TrialColumn>
+    columns_of_trials()
+    {
+      const auto of_motion = [](const Table::Column &declaration,
+                                double RunFigures::*number) {
+        return TrialColumn{declaration, [number](const TrialRow &row) {
+                             return Cell(row.trial.figures.*number);
+                           }};
+      };
+      return {
+        {{"start", Type::text, "", "of the motion"},
+         [](const TrialRow &row) { return Cell(row.trial.start); }},
+        {{"ends_in_cycle",
+          Type::text,
+          "",
+          "line within 1 % and rms within 5 % of the cycle's in 48 periods"},
+         [](const TrialRow &row) {
+           return Cell(std::string(row.trial.ends_in ? "yes" : "no"));
+         }},
+        {{"time_s", Type::real, "s", "that the motion was followed for"},
+         [](const TrialRow &row) { return Cell(row.trial.time); }},
+        {{"frequency_hz",
+          Type::real,
+          "Hz",
+          "its largest line over the number of the cycle's nearest harmonic",
+          6},
+         [](const TrialRow &row) { return Cell(row.trial.frequency); }},
+        of_motion({"rms_normal_n", Type::real, "N", "of its normal force"},
+                  &RunFigures::rms_normal),
+        of_motion(
+          {"run_line_hz", Type::real, "Hz", "largest line of its normal force"},
+          &RunFigures::line),
+        of_motion({"repetition", Type::real, "", "of its normal force", 3},
+                  &RunFigures::repetition),
+        {{"cycle_frequency_hz",
+          Type::real,
+          "Hz",
+          "1/shortest period of the cycle",
+          6},
+         [](const TrialRow &row) {
+           return Cell(row.cycle.figures.repetitions() *
+                       row.cycle.figures.frequency);
+         }},
+        {{"cycle_rms_normal_n", Type::real, "N", "of the cycle's normal force"},
+         [](const TrialRow &row) {
+           return Cell(row.cycle.figures.rms_normal);
+         }}};
+    }
+
+    /** The cycle that is heard, or those whose stability is open, or the one
+     * whose largest multiplier is least. */
+    std::vector<int>
+    candidates_of(const std::vector<CycleResult> &cycles)
+    {
+      const CycleOutcome outcome = outcome_of(cycles);
+      if (outcome.heard >= 0)
+        return {outcome.heard};
+      if (!outcome.open.empty())
+        return outcome.open;
+      int least = -1;
+      for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
+        if (cycles[i].has_converged() &&
+            (least < 0 ||
+             cycles[i].multipliers.largest < cycles[least].multipliers.largest))
+          least = i;
+      return least < 0 ? std::vector<int>() : std::vector<int>{least};
+    }
+
+    /** Without the one from the cycle itself. */
+    std::vector<MotionTrial>
+    from_other_starts(const SteadyModel              &about,
+                      const CycleTrials              &beside,
+                      const std::vector<CycleResult> &cycles,
+                      const CycleResult              &cycle,
+                      const LimitCycleParameters     &settings)
+    {
+      std::vector<MotionTrial> result;
+      for (const CycleResult &c : cycles)
+        if (result.size() < settings.starts && c.run.time > 0.)
+          result.push_back(beside.follow(
+            "pair at " + rounded_text(c.pair.imag() / (2. * M_PI), 5) + " Hz",
+            c.run_end));
+      for (unsigned int i = 0; result.size() < settings.starts; ++i)
+        {
+          const double sign = i % 2 == 0 ? 1. : -1.,
+                       energy =
+                         energy_ratio(i) * std::pow(cycle.half_change, 2);
+          const Eigen::VectorXd v = sign * about.pressed.disturbance(energy);
+          result.push_back(beside.follow(
+            "impulse of " + rounded_text(sign * energy, 3) + " J",
+            {{about.sliding.coordinates, v, about.sliding.forces}, {}, 0.}));
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  PointTrials
+  trials_of(const SteadyModel              &about,
+            const PeriodMap                &map,
+            const std::vector<CycleResult> &cycles,
+            const LimitCycleParameters     &settings,
+            const double                    step)
+  {
+    PointTrials            result;
+    const std::vector<int> candidates = candidates_of(cycles);
+    if (settings.starts == 0 || candidates.empty())
+      return result;
+    const auto beside = [&](const int cycle) {
+      return CycleTrials(map,
+                         cycles[cycle].figures,
+                         largest_stable_step(map.reduced_model(), step),
+                         longest_over_run * settings.run_time);
+    };
+    MotionTrial from_cycle;
+    for (const int k : candidates)
+      {
+        const MotionTrial next = beside(k).follow_cycle(cycles[k].motion);
+        if (result.cycle < 0 || next.ends_in)
+          {
+            result.cycle = k;
+            from_cycle   = next;
+          }
+        if (next.ends_in)
+          break;
+      }
+    result.motions = from_other_starts(
+      about, beside(result.cycle), cycles, cycles[result.cycle], settings);
+    result.motions.push_back(from_cycle);
+    return result;
+  }
+
+  Table
+  trial_table_of(const PointTrials              &trials,
+                 const std::vector<CycleResult> &cycles)
+  {
+    std::vector<TrialRow> rows;
+    for (const MotionTrial &trial : trials.motions)
+      rows.push_back({trial, cycles[trials.cycle]});
+    return table_of(columns_of_trials(), rows);
+  }
+} // namespace squeal

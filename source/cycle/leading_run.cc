@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/cycle/leading_run.h>
+#include <squeal/cycle/orbit_forces.h>
+#include <squeal/cycle/shooting.h>
+#include <squeal/transient/spectrum.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** A motion has settled where it comes back as near as this, over the mean
+     * distance, and where its forces change by no more than this share from
+     * part to part. */
+    constexpr double settled_return = 0.1, settled_forces = 0.02;
+    /** What lasts has forces that differ by no more than this share. */
+    constexpr double lasting_forces = 0.1;
+    /** Parts that tell what a motion is. */
+    constexpr std::size_t n_told = 3;
+
+    std::vector<double>
+    normal_of(const Eigen::MatrixXd &resultants)
+    {
+      std::vector<double> result(resultants.cols());
+      for (Eigen::Index i = 0; i < resultants.cols(); ++i)
+        result[i] = resultants(0, i);
+      return result;
+    }
+  } // namespace
+
+
+
+  LeadingRun::LeadingRun(const PeriodMap &m,
+                         MotionPlace      start,
+                         const double     step,
+                         const double     part,
+                         const double     last,
+                         const double     first)
+    : map(m)
+    , place(std::move(start))
+    , dt(step)
+    , n_steps(static_cast<unsigned int>(
+        std::max(2., std::ceil(std::min(part, .5 * last) / step))))
+    , longest(last)
+    , shortest(first)
+  {
+  }
+
+  bool
+  LeadingRun::advance()
+  {
+    const double length = n_steps * dt;
+    const Orbit run = map.run_plainly(place.state, length, n_steps, place.past);
+    place           = {run.end(), run.past_of(n_steps), place.time + length};
+    time += length;
+    last_forces.push_back(resultants_of(run));
+    if (last_forces.size() > n_told)
+      last_forces.erase(last_forces.begin());
+    const auto            f = last_forces.back().topRows<2>();
+    const Eigen::Vector2d variance =
+      (f.colwise() - f.rowwise().mean()).rowwise().squaredNorm() / n_steps;
+    rms_forces.push_back(std::sqrt(variance.sum()));
+    last_returns = recurrences(map.reduced_model(), run, shortest, length);
+    return time + .5 * length < longest;
+  }
+
+  double
+  LeadingRun::nearest_return() const
+  {
+    return last_returns.empty() ? 1. : last_returns.back().second;
+  }
+
+
+
+  bool
+  LeadingRun::has_settled() const
+  {
+    const std::size_t n = rms_forces.size();
+    return n > 1 && nearest_return() < settled_return &&
+           std::abs(rms_forces[n - 1] - rms_forces[n - 2]) <=
+             settled_forces * rms_forces[n - 1];
+  }
+
+  bool
+  LeadingRun::lasts() const
+  {
+    if (rms_forces.size() < n_told)
+      return false;
+    double mean = 0.;
+    for (auto r = rms_forces.end() - n_told; r != rms_forces.end(); ++r)
+      mean += *r / n_told;
+    return std::all_of(
+      rms_forces.end() - n_told, rms_forces.end(), [&](const double r) {
+        return std::abs(r - mean) <= lasting_forces * mean;
+      });
+  }
+
+
+
+  Eigen::MatrixXd
+  LeadingRun::resultants() const
+  {
+    Eigen::MatrixXd result(3, n_steps * last_forces.size());
+    for (std::size_t i = 0; i < last_forces.size(); ++i)
+      result.middleCols(i * n_steps, n_steps) = last_forces[i];
+    return result;
+  }
+
+  RunFigures
+  LeadingRun::figures() const
+  {
+    RunFigures result;
+    result.time = time;
+    if (last_forces.empty())
+      return result;
+    const Eigen::VectorXd last   = last_forces.back().row(0);
+    const auto            signal = normal_of(resultants());
+    const double          lowest = 2. / (n_steps * dt), highest = .5 / dt;
+    const Spectrum        spectrum = power_spectrum(signal, dt);
+    result.rms_normal = std::sqrt((last.array() - last.mean()).square().mean());
+    result.line       = spectrum.peak(lowest, highest);
+    result.frequency  = spectrum.fundamental(lowest, highest);
+    if (result.frequency > 0.)
+      result.repetition = repetition(signal, dt, result.frequency);
+    result.recurrence = nearest_return();
+    result.lasts      = lasts();
+    return result;
+  }
+} // namespace squeal

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A motion on its way to the limit cycle of a mass on a belt that lifts off:
+// when it has settled, that the cycle is found from there, and which motions
+// from other starts count as ending in it.
+
+#include "cycle/two_modes.h"
+#include "scenes.h"
+
+#include <squeal/cycle/cycle_trial.h>
+#include <squeal/transient/linearized_motion.h>
+
+#include <cstdio>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  constexpr double friction = .5, speed = 3., step = .02;
+
+  /** Until it settles or the time is over. */
+  unsigned int
+  advance_until_settled(LeadingRun &run)
+  {
+    unsigned int n = 1;
+    while (run.advance() && !run.has_settled())
+      ++n;
+    return n;
+  }
+
+  void
+  settles(const PeriodMap &map, const SteadySliding &steady)
+  {
+    LeadingRun short_run(map, {disturbed(steady), {}, 0.}, step, 25., 75., 2.);
+    advance_until_settled(short_run);
+    check(!short_run.has_settled() && !short_run.lasts(),
+          "a motion that still grows has not settled and does not last");
+    LeadingRun run(map, {disturbed(steady), {}, 0.}, step, 75., 3000., 2.);
+    const unsigned int n = advance_until_settled(run);
+    std::printf(
+      "settled after %u parts, nearest return %.2e\n", n, run.nearest_return());
+    check(run.has_settled() && n < 40, "it settles before its time is over");
+    const RunFigures f = run.figures();
+    check(f.time > 0. && std::abs(run.end().time - f.time) < 1e-9,
+          "its time is that of its end");
+    check(f.repetition > .95, "it repeats itself");
+  }
+
+  CycleResult
+  found_from_the_pair(const PeriodMap        &map,
+                      const SteadySliding    &steady,
+                      const LinearizedMotion &linear)
+  {
+    Eigen::Index k;
+    linear.lambda.real().maxCoeff(&k);
+    LimitCycleParameters settings;
+    settings.run_time   = 3000.;
+    settings.run_steps  = 400;
+    settings.steps      = 1000;
+    const CycleResult c = find_cycle(map, steady, linear, k, settings);
+    std::printf("cycle of %.5f Hz, rms %.4f N after a run of %.0f s\n",
+                c.figures.frequency,
+                c.figures.rms_normal,
+                c.run.time);
+    check(c.status() == "periodic" && c.multipliers.is_stable(),
+          "the pair leads to a stable cycle: " + c.status());
+    check(c.run.time < settings.run_time,
+          "the run ends where the motion has settled");
+    // The run has settled to 2 %, and its steps are of first order.
+    check_close(c.run.rms_normal,
+                c.figures.rms_normal,
+                .03,
+                "rms of the run and of the cycle");
+    return c;
+  }
+
+  void
+  trials(const PeriodMap     &map,
+         const SteadySliding &steady,
+         const CycleResult   &c)
+  {
+    const CycleTrials beside(map, c.figures, step, 2000.);
+    const MotionTrial from_rest =
+      beside.follow("rest", {disturbed(steady), {}, 0.});
+    check(from_rest.ends_in, "a motion from steady sliding ends in the cycle");
+    check_close(from_rest.frequency,
+                c.figures.repetitions() * c.figures.frequency,
+                .01,
+                "with its frequency");
+    const MotionTrial stays = beside.follow_cycle(c.motion);
+    check(stays.ends_in, "a motion from the cycle stays there");
+    check(stays.time < from_rest.time, "which shows earlier");
+    CycleFigures louder = c.figures;
+    louder.rms_normal *= 1.1;
+    check(!CycleTrials(map, louder, step, 600.).follow_cycle(c.motion).ends_in,
+          "a cycle that is a tenth louder is another one");
+    CycleFigures higher = c.figures;
+    higher.frequency *= 1.03;
+    check(!CycleTrials(map, higher, step, 600.).follow_cycle(c.motion).ends_in,
+          "a cycle that is 3 % higher is another one");
+  }
+} // namespace
+
+int
+main()
+{
+  const ReducedContactModel m      = two_modes();
+  const SteadySliding       steady = steady_sliding(m, friction);
+  const LinearizedMotion    linear = linearize(m, steady, friction, speed);
+  const PeriodMap           map(m, friction, speed, 1., 1e-12);
+  settles(map, steady);
+  trials(map, steady, found_from_the_pair(map, steady, linear));
+}
