@@ -38,8 +38,8 @@ namespace squeal::testing
            const double       weight)
       : name(name)
       , specimen(specimen)
-      , is_original(view.name.empty())
-      , lines(view.grey, tribology::filter_ridges(view.grey, 2, narrow_filters))
+      , is_original(view.name.empty() && narrowest == narrow_filters)
+      , lines(view.grey, tribology::filter_ridges(view.grey, 2, narrowest))
     {
       lines.darkness.release();
       if (is_original)
@@ -127,33 +127,60 @@ namespace squeal::testing
 
 
 
-  inline void
-  add_images(Lessons &lessons, const std::filesystem::path &folder)
+  /** An image with its mask; none is no crack. */
+  struct MaskedImage
   {
+    std::string stem;
+    cv::Mat     grey, mask;
+  };
+
+  inline std::vector<MaskedImage>
+  masked_images(const std::filesystem::path &folder)
+  {
+    std::vector<MaskedImage> images;
     for (const char *kind : {"cracks", "negatives"})
       {
         std::vector<cv::String> files;
         cv::glob((folder / kind / "images" / "*.jpg").string(), files);
         for (const std::string &file : files)
           {
-            const std::string stem = std::filesystem::path(file).stem();
-            const cv::Mat     grey = tribology::read_grey(file);
-            const auto        path = folder / kind / "masks" / (stem + ".png");
-            cv::Mat           mask = cv::Mat::zeros(grey.size(), CV_8U);
-            if (std::filesystem::exists(path))
-              mask = cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-            const std::vector<CameraView> views = views_of(grey, mask);
-            const double weight                 = 1. / double(views.size() + 1);
-            const auto   add                    = [&](const CameraView &view,
-                                 const double      narrowest) {
-              lessons.push_back(std::make_unique<Lesson>(
-                stem, specimen_of(stem), view, narrowest, weight));
-            };
-            for (const CameraView &view : views)
-              add(view, narrow_filters);
-            add(views.front(), wide_filters);
+            MaskedImage image;
+            image.stem      = std::filesystem::path(file).stem();
+            image.grey      = tribology::read_grey(file);
+            const auto path = folder / kind / "masks" / (image.stem + ".png");
+            image.mask      = std::filesystem::exists(path)
+                                ? cv::imread(path.string(), cv::IMREAD_GRAYSCALE)
+                                : cv::Mat(cv::Mat::zeros(image.grey.size(), CV_8U));
+            images.push_back(image);
           }
       }
+    return images;
+  }
+
+
+
+  /** The views of each image, and the image in wide filters. */
+  inline void
+  add_images(Lessons &lessons, const std::filesystem::path &folder)
+  {
+    const std::vector<MaskedImage> images = masked_images(folder);
+    std::vector<Lessons>           found(images.size());
+    cv::parallel_for_(cv::Range(0, int(images.size())), [&](const cv::Range r) {
+      for (int i = r.start; i < r.end; ++i)
+        {
+          const auto &[stem, grey, mask]       = images[i];
+          const std::vector<CameraView> views  = views_of(grey, mask);
+          const double                  weight = 1. / double(views.size() + 1);
+          for (const CameraView &view : views)
+            found[i].push_back(std::make_unique<Lesson>(
+              stem, specimen_of(stem), view, narrow_filters, weight));
+          found[i].push_back(std::make_unique<Lesson>(
+            stem, specimen_of(stem), views.front(), wide_filters, weight));
+        }
+    });
+    for (Lessons &of_image : found)
+      for (auto &lesson : of_image)
+        lessons.push_back(std::move(lesson));
   }
 
 

@@ -29,6 +29,7 @@ using namespace squeal::tribology;
 
 namespace
 {
+  constexpr int n_threads     = 2;
   constexpr int n_trees       = 200;
   constexpr int n_inner_folds = 5;
   constexpr int n_folds       = 8; // of specimens that are no tiles
@@ -285,7 +286,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  cv::setNumThreads(1);
+  cv::setNumThreads(n_threads);
   if (argc != 4)
     {
       std::cerr << "give the folders of both sets and a table to write\n";
@@ -296,6 +297,7 @@ main(int argc, char **argv)
   const std::size_t n_first = lessons.size();
   add_images(lessons, argv[2]);
   add_made(lessons);
+  cv::setNumThreads(1);
   const std::string what = argv[3];
   if (what == "leave-out")
     leave_out(lessons, n_first);
