@@ -35,8 +35,8 @@ namespace
   };
 
   const std::map<std::string, Bounds> bounds = {
-    {"first", {0.84, {{"cfd", 0.86}, {"mt", 0.78}, {"uav", 0.78}}, 0.}},
-    {"second", {0.64, {{"cfd", 0.86}, {"mt", 0.44}, {"uav", 0.67}}, 0.64}}};
+    {"first", {0.84, {{"cfd", 0.81}, {"mt", 0.88}, {"uav", 0.81}}}},
+    {"second", {0.83, {{"cfd", 0.89}, {"mt", 0.87}, {"uav", 0.78}}}}};
 
   /** Length in pixels outside of @p ignored. */
   double

@@ -21,7 +21,7 @@
 
 namespace squeal::testing
 {
-  constexpr double narrow_filters = 0.7, wide_filters = 1.; // pixels
+  constexpr double narrow_filters = 0.7; // pixels
 
   /** An image to learn from: its lines, and which of them are cracks. */
   struct Lesson
@@ -34,12 +34,11 @@ namespace squeal::testing
     Lesson(const std::string &name,
            const std::string &specimen,
            const CameraView  &view,
-           const double       narrowest,
            const double       weight)
       : name(name)
       , specimen(specimen)
-      , is_original(view.name.empty() && narrowest == narrow_filters)
-      , lines(view.grey, tribology::filter_ridges(view.grey, 2, narrowest))
+      , is_original(view.name.empty())
+      , lines(view.grey, tribology::filter_ridges(view.grey, 2, narrow_filters))
     {
       lines.darkness.release();
       if (is_original)
@@ -120,8 +119,8 @@ namespace squeal::testing
             scaled_view(grey, mask, 2.),
             gamma_view(grey, mask, 0.7),
             gamma_view(grey, mask, 1.4),
+            jpeg_view(grey, mask, 50),
             quarter_turn_view(grey, mask),
-            turned_view(grey, mask, 35.),
             noisy_view(grey, mask, 4., 77)};
   }
 
@@ -159,7 +158,6 @@ namespace squeal::testing
 
 
 
-  /** The views of each image, and the image in wide filters. */
   inline void
   add_images(Lessons &lessons, const std::filesystem::path &folder)
   {
@@ -168,14 +166,11 @@ namespace squeal::testing
     cv::parallel_for_(cv::Range(0, int(images.size())), [&](const cv::Range r) {
       for (int i = r.start; i < r.end; ++i)
         {
-          const auto &[stem, grey, mask]       = images[i];
-          const std::vector<CameraView> views  = views_of(grey, mask);
-          const double                  weight = 1. / double(views.size() + 1);
+          const auto &[stem, grey, mask]      = images[i];
+          const std::vector<CameraView> views = views_of(grey, mask);
           for (const CameraView &view : views)
             found[i].push_back(std::make_unique<Lesson>(
-              stem, specimen_of(stem), view, narrow_filters, weight));
-          found[i].push_back(std::make_unique<Lesson>(
-            stem, specimen_of(stem), views.front(), wide_filters, weight));
+              stem, specimen_of(stem), view, 1. / double(views.size())));
         }
     });
     for (Lessons &of_image : found)
@@ -205,12 +200,8 @@ namespace squeal::testing
         const tribology::Specimen made = tribology::make_specimen(settings);
         cv::Mat                   grey;
         made.image.convertTo(grey, CV_32F);
-        lessons.push_back(
-          std::make_unique<Lesson>("made",
-                                   "",
-                                   CameraView{"made", grey, made.cracks},
-                                   narrow_filters,
-                                   weight));
+        lessons.push_back(std::make_unique<Lesson>(
+          "made", "", CameraView{"made", grey, made.cracks}, weight));
       }
     for (unsigned int i = 0; i < 8; ++i)
       {
@@ -219,7 +210,6 @@ namespace squeal::testing
           "straight",
           "",
           CameraView{"drawn", scene.grey, scene.cracks},
-          narrow_filters,
           weight));
       }
   }
