@@ -180,37 +180,48 @@ namespace squeal::testing
 
 
 
+  /** A made specimen, with cracks or without. */
+  inline void
+  add_made(Lessons           &lessons,
+           const unsigned int seed,
+           const double       pixel_size,
+           const bool         has_cracks)
+  {
+    tribology::SpecimenSettings settings;
+    settings.seed       = seed;
+    settings.pixel_size = pixel_size;
+    settings.data_bar   = false;
+    if (!has_cracks)
+      settings.crack_density = 0.;
+    if (pixel_size < 1.)
+      {
+        settings.width  = 512.;
+        settings.height = 384.;
+      }
+    const tribology::Specimen made = tribology::make_specimen(settings);
+    cv::Mat                   grey;
+    made.image.convertTo(grey, CV_32F);
+    lessons.push_back(std::make_unique<Lesson>(
+      "made", "", CameraView{"made", grey, made.cracks}, 0.5));
+  }
+
+
+
   /** Made specimens and drawn scenes, which are of no specimen. */
   inline void
   add_made(Lessons &lessons)
   {
-    constexpr double weight = 0.5;
-    unsigned int     seed   = 900000;
+    unsigned int seed = 900000;
     for (const double pixel_size : {1., 1., 1., 2., 2., 0.5, 0.5, 0.5})
-      {
-        tribology::SpecimenSettings settings;
-        settings.seed       = seed++;
-        settings.pixel_size = pixel_size;
-        settings.data_bar   = false;
-        if (pixel_size < 1.)
-          {
-            settings.width  = 512.;
-            settings.height = 384.;
-          }
-        const tribology::Specimen made = tribology::make_specimen(settings);
-        cv::Mat                   grey;
-        made.image.convertTo(grey, CV_32F);
-        lessons.push_back(std::make_unique<Lesson>(
-          "made", "", CameraView{"made", grey, made.cracks}, weight));
-      }
+      add_made(lessons, seed++, pixel_size, true);
+    seed = 900200;
+    for (const double pixel_size : {1., 1., 2., 0.5})
+      add_made(lessons, seed++, pixel_size, false);
     for (unsigned int i = 0; i < 8; ++i)
       {
         const StraightScene scene = straight_scene(900100 + i, i % 2 == 1);
         lessons.push_back(std::make_unique<Lesson>(
-          "straight",
-          "",
-          CameraView{"drawn", scene.grey, scene.cracks},
-          weight));
+          "straight", "", CameraView{"drawn", scene.grey, scene.cracks}, 0.5));
       }
   }
 } // namespace squeal::testing
