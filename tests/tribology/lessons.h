@@ -180,7 +180,8 @@ namespace squeal::testing
 
 
 
-  /** A made specimen, with cracks or without. */
+  /** A made specimen, with cracks or without. The weights of lines are shares
+   * of the true ones: where there are none they would count for many. */
   inline void
   add_made(Lessons           &lessons,
            const unsigned int seed,
@@ -201,8 +202,11 @@ namespace squeal::testing
     const tribology::Specimen made = tribology::make_specimen(settings);
     cv::Mat                   grey;
     made.image.convertTo(grey, CV_32F);
-    lessons.push_back(std::make_unique<Lesson>(
-      "made", "", CameraView{"made", grey, made.cracks}, 0.5));
+    lessons.push_back(
+      std::make_unique<Lesson>("made",
+                               "",
+                               CameraView{"made", grey, made.cracks},
+                               has_cracks ? 0.5 : 0.1));
   }
 
 
