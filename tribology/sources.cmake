@@ -42,11 +42,13 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/decoder_messages.cc
     source/images/image_files.cc
     source/images/image_size.cc
+    source/images/line_context.cc
     source/images/line_features.cc
     source/images/line_graph.cc
     source/images/line_judge.cc
     source/images/line_judge_table.cc
     source/images/line_length.cc
+    source/images/line_objection.cc
     source/images/line_position.cc
     source/images/line_smoothing.cc
     source/images/metadata.cc

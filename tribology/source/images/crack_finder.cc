@@ -2,6 +2,7 @@
 #include <squeal/tribology/images/agreement.h>
 #include <squeal/tribology/images/crack_finder.h>
 #include <squeal/tribology/images/crack_growth.h>
+#include <squeal/tribology/images/line_objection.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -21,20 +22,6 @@ namespace squeal::tribology
     constexpr double to_belong  = -0.5;
     constexpr double counts     = -1.;
     constexpr double needed_sum = 45.;
-    // A line that is plainly dark and goes on needs no odds in its favour, but
-    // for straight ones: contrasts in units of noise, darkness of the flank.
-    constexpr double plain_contrast = 3.2, plain_path = 2.7;
-    constexpr double plain_darkness = 0.045, plain_odds = -2.;
-    constexpr double plain_counts = 2.;  // contrast that adds up
-    constexpr double plain_share  = 0.6; // of needed_sum, for a unit of it
-    // In wide filters a long wavy line is a crack although each piece of it is
-    // faint.
-    constexpr double faint_contrast = 2.7, faint_path = 2.2,
-                     faint_coarse   = 1.95;
-    constexpr double faint_darkness = 0.07, faint_odds = -4.;
-    constexpr double faint_waviness = 0.011; // of its length
-    constexpr double faint_length   = 60.;   // pixels
-    constexpr double faint_sum      = 46.;   // over them, above needed_sum
     // Log odds, of lines that are listed although they are left out.
     constexpr double worth_a_word = -3.;
     // In pixels.
@@ -75,84 +62,18 @@ namespace squeal::tribology
 
 
 
-    /** What speaks most against a line. */
-    Exclusion
-    main_objection(const LogOdds<n_all_features>            &odds,
-                   const std::array<double, n_all_features> &features)
-    {
-      using F = LineFeature;
-      // Sums over the features that tell one kind from cracks.
-      double groove = 0., border = 0., faint = 0., alone = 0.;
-      for (int k = 0; k < n_all_features; ++k)
-        {
-          const double part =
-            odds.weight[k] *
-            std::clamp(
-              (features[k] - odds.mean[k]) / odds.deviation[k], -3., 3.);
-          if (k >= n_line_features)
-            {
-              // Its own odds tell nothing about why.
-              if (k > n_line_features)
-                alone += part;
-              continue;
-            }
-          switch (F(k))
-            {
-            case F::waviness:
-            case F::straight_run:
-            case F::parallels:
-            case F::turning:
-            case F::lay:
-            case F::groove:
-            case F::through:
-              groove += part;
-              break;
-            case F::asymmetry:
-            case F::far_asymmetry:
-            case F::narrowness:
-            case F::breadth:
-            case F::level:
-              border += part;
-              break;
-            case F::contrast:
-            case F::path:
-            case F::coarse_path:
-            case F::peak_contrast:
-            case F::weak_contrast:
-            case F::darkness:
-            case F::weak_darkness:
-            case F::length:
-            case F::texture:
-            case F::clutter:
-            case F::continuity:
-            case F::depth_in_texture:
-            case F::depth:
-              faint += part;
-              break;
-            }
-        }
-      const double least = std::min({groove, border, faint, alone});
-      return least == groove   ? Exclusion::groove
-             : least == border ? Exclusion::border
-             : least == faint  ? Exclusion::faint
-                               : Exclusion::alone;
-    }
-
-
-
     /** Cracks in the judged lines of an image. */
     class Search
     {
     public:
       Search(const cv::Mat    &grey,
              const RidgeField &ridges,
-             const LineJudge  &judge,
-             const bool        with_faint)
+             const LineJudge  &judge)
         : ridges(ridges)
         , judge(judge)
-        , with_faint(with_faint)
-        , lines(grey, this->ridges, judge)
+        , lines(grey, this->ridges)
       {
+        lines.judge(judge);
         choose();
         start = lines.graph.draw(kept);
         remove_hooks();
@@ -230,10 +151,9 @@ namespace squeal::tribology
           {
             const int  length = int(lines.cores[i].size());
             const bool is_end = lines.graph.edges[i].nodes.size() < 2;
-            kept.push_back((!is_end && length <= shortest_bridge) ||
-                           ((lines.log_odds[i] >= to_belong || is_plain(i) ||
-                             is_faint_crack(i)) &&
-                            length >= shortest_end));
+            kept.push_back(
+              (!is_end && length <= shortest_bridge) ||
+              (lines.log_odds[i] >= to_belong && length >= shortest_end));
           }
         drop_shallow_lines();
         part = lines.graph.parts(kept);
@@ -312,43 +232,11 @@ namespace squeal::tribology
                std::log1p(longest_straight / 20.);
       }
 
-      /** Dark and coherent beyond doubt, and nothing speaks clearly against
-       * it. */
-      bool
-      is_plain(const std::size_t i) const
-      {
-        return lines.log_odds[i] >= plain_odds && !is_straight(i) &&
-               feature(i, LineFeature::contrast) >= plain_contrast &&
-               feature(i, LineFeature::path) >= plain_path &&
-               feature(i, LineFeature::darkness) >= plain_darkness;
-      }
-
-      /** Faint, but long and not straight. */
-      bool
-      is_faint_crack(const std::size_t i) const
-      {
-        return with_faint && lines.log_odds[i] >= faint_odds &&
-               !is_straight(i) &&
-               double(lines.cores[i].size()) >= faint_length &&
-               feature(i, LineFeature::contrast) >= faint_contrast &&
-               feature(i, LineFeature::path) >= faint_path &&
-               feature(i, LineFeature::coarse_path) >= faint_coarse &&
-               feature(i, LineFeature::darkness) >= faint_darkness &&
-               feature(i, LineFeature::waviness) >= faint_waviness;
-      }
-
       /** What each pixel of a line adds to its crack. */
       double
       evidence(const std::size_t i) const
       {
-        double odds = std::max(0., lines.log_odds[i] - counts);
-        if (is_faint_crack(i))
-          odds = std::max(odds, faint_sum / double(lines.cores[i].size()));
-        return is_plain(i)
-                 ? std::max(odds,
-                            plain_share * (feature(i, LineFeature::contrast) -
-                                           plain_counts))
-                 : odds;
+        return std::max(0., lines.log_odds[i] - counts);
       }
 
       /** Where straight lines run that are no cracks. */
@@ -395,7 +283,7 @@ namespace squeal::tribology
                  p,
                  lines.log_odds[i] >= to_belong
                    ? Exclusion::small
-                   : main_objection(judge.in_context, lines.features[i])});
+                   : main_objection(judge, lines.features[i])});
           }
         result.doubt.unsettled = std::sqrt(square);
         cv::Mat led            = result.centre_line.clone();
@@ -405,8 +293,7 @@ namespace squeal::tribology
 
       const RidgeField  ridges;
       const LineJudge  &judge;
-      const bool        with_faint; /**< faint lines may be cracks */
-      const JudgedLines lines;
+      JudgedLines       lines;
       std::vector<char> kept;
       std::vector<int>  part;
       cv::Mat           start;
@@ -415,40 +302,17 @@ namespace squeal::tribology
 
 
 
-  const char *
-  name_of(const Exclusion reason)
-  {
-    switch (reason)
-      {
-      case Exclusion::groove:
-        return "groove or scratch";
-      case Exclusion::border:
-        return "border of a stain or joint";
-      case Exclusion::faint:
-        return "faint or broken";
-      case Exclusion::alone:
-        return "nothing goes on from it";
-      case Exclusion::small:
-        return "too little in all";
-      case Exclusion::rim:
-        return "rim of an exfoliation";
-      }
-    return "";
-  }
-
-
-
   CrackLines
   find_cracks(const cv::Mat &grey, const int n_octaves, const LineJudge &judge)
   {
     const Search narrow(
-      grey, filter_ridges(grey, n_octaves, narrow_filters), judge, false);
+      grey, filter_ridges(grey, n_octaves, narrow_filters), judge);
     if (narrow.is_empty())
       return narrow.finished();
     const RidgeField ridges = filter_ridges(grey, n_octaves);
     if (narrow.strength_in(ridges) < stronger)
       return narrow.finished();
-    const Search wide(grey, ridges, judge, true);
+    const Search wide(grey, ridges, judge);
     return wide.all_evidence() < more_evidence * narrow.all_evidence()
              ? narrow.finished()
              : wide.finished();

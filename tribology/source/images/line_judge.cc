@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/line_judge.h>
-#include <squeal/tribology/images/path_evidence.h>
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <functional>
+#include <locale>
+#include <numeric>
+#include <sstream>
+#include <type_traits>
 
 namespace squeal::tribology
 {
@@ -15,10 +18,9 @@ namespace squeal::tribology
     constexpr double crest       = 2.; // contrast
     constexpr double core_counts = 2.; // contrast of a core
     constexpr int    crest_spur  = 4;  // pixels
-    // Log odds of a place without a line, and what a direction or a place
-    // beside the line costs.
-    constexpr double no_line = -1., beside_cost = 0.3;
-    constexpr double no_neighbour = -3., largest_odds = 3.;
+    constexpr int    long_line   = 12; // pixels, of those to compare with
+    constexpr int    n_longer    = 3;  // of them
+    constexpr double least_share = 1e-4;
 
     cv::Mat
     find_crests(const RidgeField &ridges)
@@ -56,24 +58,92 @@ namespace squeal::tribology
 
 
 
-    void
-    raise(cv::Mat &plane, const cv::Point &p, const double odds)
+    /** The median of @p values, each as often as it has pixels. */
+    double
+    median_by_length(const std::vector<double> &values,
+                     const std::vector<double> &lengths)
     {
-      constexpr double unit  = OrientedContrast::per_unit;
-      const double     value = std::clamp(
-        odds, double(OrientedContrast::least), double(OrientedContrast::most));
-      auto &old = plane.at<std::int16_t>(p);
-      old       = std::max(old, std::int16_t(std::lround(unit * value)));
+      std::vector<std::size_t> order(values.size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return values[a] < values[b];
+      });
+      double sum = 0.;
+      for (const double n : lengths)
+        sum += 0.5 * n;
+      for (const std::size_t i : order)
+        if ((sum -= lengths[i]) <= 0.)
+          return values[i];
+      return 0.;
+    }
+
+
+
+    /** The third largest of the long lines, or what comes next to it: a crack
+     * is often two lines. */
+    double
+    usual_largest(const std::vector<double> &values,
+                  const std::vector<double> &lengths)
+    {
+      std::vector<double> longer;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (lengths[i] >= long_line)
+          longer.push_back(values[i]);
+      if (longer.empty())
+        return *std::max_element(values.begin(), values.end());
+      std::sort(longer.begin(), longer.end(), std::greater<>());
+      return longer[std::min<std::size_t>(n_longer, longer.size()) - 1];
+    }
+
+
+
+    BoostedTrees
+    parsed(const char *text)
+    {
+      BoostedTrees       result;
+      std::istringstream in(text);
+      in.imbue(std::locale::classic());
+      in >> result.offset;
+      const auto read_all = [&](auto &values) {
+        for (auto &value : values)
+          {
+            double number = 0.;
+            in >> number;
+            value = std::remove_reference_t<decltype(value)>(number);
+          }
+      };
+      for (BoostedTrees::Tree tree; in; result.trees.push_back(tree))
+        {
+          read_all(tree.feature);
+          read_all(tree.cut);
+          read_all(tree.leaf);
+          if (!in)
+            break;
+        }
+      return result;
     }
   } // namespace
 
 
 
-  JudgedLines::JudgedLines(const cv::Mat    &grey,
-                           const RidgeField &ridges,
-                           const LineJudge  &judge)
+  LineJudge::LineJudge(const char *alone,
+                       const char *in_context,
+                       const char *typical)
+    : alone(parsed(alone))
+    , in_context(parsed(in_context))
+  {
+    std::istringstream in(typical);
+    in.imbue(std::locale::classic());
+    for (double &value : this->typical)
+      in >> value;
+  }
+
+
+
+  JudgedLines::JudgedLines(const cv::Mat &grey, const RidgeField &ridges)
     : crests(find_crests(ridges))
     , graph(crests)
+    , direction(ridges.direction)
   {
     const LineMeter meter(grey, ridges, crests);
     for (const LineGraph::Edge &edge : graph.edges)
@@ -84,119 +154,65 @@ namespace squeal::tribology
         std::copy(own.begin(), own.end(), features.back().begin());
       }
     darkness = meter.darkness();
-    this->judge(ridges, judge);
+    if (!features.empty())
+      compare();
   }
 
 
 
   void
-  JudgedLines::judge(const RidgeField &ridges, const LineJudge &judge)
+  JudgedLines::compare()
   {
-    std::vector<double> alone;
-    for (const auto &f : features)
+    const std::size_t   n = features.size();
+    std::vector<double> lengths, values(n);
+    double              all = 0.;
+    for (const PixelPath &core : cores)
       {
-        LineFeatures own;
-        std::copy(f.begin(), f.begin() + n_line_features, own.begin());
-        alone.push_back(judge.alone(own));
+        lengths.push_back(double(core.size()));
+        all += lengths.back();
       }
-    add_context(ridges, alone);
+    std::size_t to = n_line_features;
+    for (const LineFeature k : compared_features)
+      {
+        for (std::size_t i = 0; i < n; ++i)
+          values[i] = features[i][std::size_t(k)];
+        const double middle  = median_by_length(values, lengths);
+        const double largest = usual_largest(values, lengths);
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            features[i][to]     = values[i] - middle;
+            features[i][to + 1] = values[i] - largest;
+          }
+        to += 2;
+      }
+    const double share = all / double(crests.total());
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double contrast = features[i][std::size_t(LineFeature::contrast)];
+        features[i][to]       = std::log1p(lengths[i] * std::max(0., contrast));
+        features[i][to + 1]   = std::log(share + least_share);
+      }
+  }
+
+
+
+  std::vector<double>
+  JudgedLines::odds_alone(const BoostedTrees &trees) const
+  {
+    std::vector<double> odds;
+    for (const auto &f : features)
+      odds.push_back(trees(f));
+    return odds;
+  }
+
+
+
+  void
+  JudgedLines::judge(const LineJudge &judge)
+  {
+    add_context(odds_alone(judge.alone));
     log_odds.clear();
     for (const auto &f : features)
       log_odds.push_back(judge.in_context(f));
-  }
-
-
-
-  void
-  JudgedLines::add_context(const RidgeField          &ridges,
-                           const std::vector<double> &alone)
-  {
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      features[i][n_line_features + int(ContextFeature::alone)] = alone[i];
-    add_paths(ridges, alone, 2, ContextFeature::path);
-    add_paths(ridges, alone, 4, ContextFeature::long_path);
-    add_ends(alone);
-  }
-
-
-
-  void
-  JudgedLines::add_paths(const RidgeField          &ridges,
-                         const std::vector<double> &alone,
-                         const int                  reduction,
-                         const ContextFeature       feature)
-  {
-    constexpr int    n = OrientedContrast::n_directions;
-    OrientedContrast odds;
-    const cv::Size   size((crests.cols + reduction - 1) / reduction,
-                        (crests.rows + reduction - 1) / reduction);
-    for (cv::Mat &plane : odds.planes)
-      plane =
-        cv::Mat(size, CV_16S, cv::Scalar(no_line * OrientedContrast::per_unit));
-    const cv::Rect inside({0, 0}, size);
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      for (const cv::Point &p : graph.edges[i].piece.pixels)
-        for (int turn = -1; turn <= 1; ++turn)
-          {
-            const int       t = (ridges.direction.at<uchar>(p) + turn + n) % n;
-            const cv::Point q(p.x / reduction, p.y / reduction);
-            raise(odds.planes[t], q, alone[i] - beside_cost * std::abs(turn));
-            for (int k = 0; k < 8; k += 2)
-              if (inside.contains(q + neighbour_steps[k]))
-                raise(odds.planes[t],
-                      q + neighbour_steps[k],
-                      alone[i] - beside_cost * (1 + std::abs(turn)));
-          }
-    const cv::Mat best = integrate_paths(odds).mean;
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      {
-        double sum = 0.;
-        for (const cv::Point &p : cores[i])
-          sum += best.at<float>(p.y / reduction, p.x / reduction);
-        features[i][n_line_features + int(feature)] =
-          sum / double(cores[i].size());
-      }
-  }
-
-
-
-  void
-  JudgedLines::add_ends(const std::vector<double> &alone)
-  {
-    // The two best edges at each junction: one may be the edge itself.
-    struct Best
-    {
-      int    edge  = -1;
-      double first = no_neighbour, second = no_neighbour;
-    };
-    std::vector<Best> best(graph.junctions.size());
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      for (const int node : graph.edges[i].nodes)
-        {
-          Best &b = best[node];
-          if (b.edge < 0 || alone[i] > b.first)
-            {
-              b.second = b.edge < 0 ? no_neighbour : b.first;
-              b.first  = alone[i];
-              b.edge   = int(i);
-            }
-          else
-            b.second = std::max(b.second, alone[i]);
-        }
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      {
-        std::array<double, 2> ends{{no_neighbour, no_neighbour}};
-        const auto           &nodes = graph.edges[i].nodes;
-        for (std::size_t k = 0; k < std::min<std::size_t>(2, nodes.size()); ++k)
-          {
-            const Best &b = best[nodes[k]];
-            ends[k]       = std::clamp(b.edge == int(i) ? b.second : b.first,
-                                 no_neighbour,
-                                 largest_odds);
-          }
-        const auto [low, high] = std::minmax(ends[0], ends[1]);
-        features[i][n_line_features + int(ContextFeature::weaker_end)] = low;
-        features[i][n_line_features + int(ContextFeature::better_end)] = high;
-      }
   }
 } // namespace squeal::tribology

@@ -2,24 +2,10 @@
 #ifndef squeal_tribology_images_crack_finder_h
 #define squeal_tribology_images_crack_finder_h
 
-#include <squeal/tribology/images/line_judge.h>
+#include <squeal/tribology/images/line_objection.h>
 
 namespace squeal::tribology
 {
-  /** Why a dark line is no crack. */
-  enum class Exclusion
-  {
-    groove, /**< straight, with others alongside or through the image */
-    border, /**< of a stain, a joint or an area: unlike flanks, broad */
-    faint,  /**< little contrast over noise, or broken */
-    alone,  /**< nothing around it goes on */
-    small,  /**< too little in all with what it is connected to */
-    rim     /**< runs along an area that is a feature itself */
-  };
-
-  /** The words for it. */
-  const char *name_of(Exclusion reason);
-
   /** A dark line that was looked at and left out. */
   struct ExcludedLine
   {
@@ -73,8 +59,7 @@ namespace squeal::tribology
    * stops being dark.
    *
    * Filters are narrow. Where wide ones see the cracks stronger and bring half
-   * as much evidence again, as on coarse grains, they are used instead; there
-   * long wavy lines count although they are faint.
+   * as much evidence again, as on coarse grains, they are used instead.
    *
    * Nothing depends on quantiles of the evidence: an image without cracks
    * gives none. @p grey is CV_32F; for @p n_octaves see filter_ridges().
