@@ -173,6 +173,45 @@ namespace squeal
       ring.other_side   = other_side(mesh, body, ring);
       return ring;
     }
+
+    /** Where pads slide on a body; of two sides the upper one, in whichever
+     * order the pairs are. */
+    std::optional<DiscRing>
+    ring_of_target(const SceneParameters &scene,
+                   const CoarseMesh      &mesh,
+                   const unsigned int     body)
+    {
+      std::optional<DiscRing> result;
+      for (const auto &contact : scene.contacts)
+        if (contact.target_body == scene.bodies[body].name)
+          {
+            const auto ring = ring_on_face(
+              mesh,
+              body,
+              face_id(mesh, scene, contact.target_body, contact.target_face));
+            if (ring && (!result || ring->other_side < ring->face))
+              result = ring;
+          }
+      return result;
+    }
+
+    /** Of all faces with names the ring that reaches out farthest; of two such
+     * the upper one. */
+    std::optional<DiscRing>
+    widest_ring(const CoarseMesh &mesh, const unsigned int body)
+    {
+      std::optional<DiscRing> result;
+      for (unsigned int f = 0; f < mesh.face_names[body].size(); ++f)
+        if (const auto ring = ring_on_face(mesh, body, face_id(body, f)))
+          {
+            const double wider =
+              result ? ring->outer_radius / result->outer_radius - 1. : 1.;
+            if (wider > 1e-6 ||
+                (wider > -1e-6 && ring->other_side < ring->face))
+              result = ring;
+          }
+      return result;
+    }
   } // namespace
 
 
@@ -238,17 +277,8 @@ namespace squeal
       if (scene.bodies[b].shape == BodyParameters::Shape::annulus)
         rings[b] = ring_of_annulus(scene, b);
       else if (scene.bodies[b].has_mesh_file())
-        for (const auto &contact : scene.contacts)
-          if (contact.target_body == scene.bodies[b].name)
-            {
-              const auto ring = ring_on_face(
-                mesh,
-                b,
-                face_id(mesh, scene, contact.target_body, contact.target_face));
-              // Of two sides the upper one, in whichever order the pairs are.
-              if (ring && (!rings[b] || ring->other_side < ring->face))
-                rings[b] = ring;
-            }
+        rings[b] = scene.contacts.empty() ? widest_ring(mesh, b)
+                                          : ring_of_target(scene, mesh, b);
     return rings;
   }
 

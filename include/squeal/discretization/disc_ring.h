@@ -47,7 +47,8 @@ namespace squeal
    * The rings of all bodies, none for a body that is no disc. An annulus is
    * one; so is a body from a mesh file that is the target of a contact, the
    * face of which is flat and a whole circular ring, to within 5 % of its area
-   * for what facets cut off.
+   * for what facets cut off. In a scene without a contact any named face
+   * counts, the one that reaches out farthest.
    */
   std::vector<std::optional<DiscRing>> disc_rings(
     const Discretization &discretization);
