@@ -133,6 +133,12 @@ namespace
                 1e-12,
                 "of its radii, axis, thickness and centre");
 
+    SceneParameters alone = meshed(brake(), {});
+    alone.bodies.pop_back();
+    alone.supports.pop_back();
+    alone.contacts.clear();
+    check(ring_of(alone).has_value(), "a disc alone has a ring");
+
     // A face that is a cone, and one with corners.
     SceneParameters cone = meshed(brake(), {});
     AnnulusFile(brake().bodies[0], 27).write_2("disc.msh", [](auto x) {
