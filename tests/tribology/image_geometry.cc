@@ -9,6 +9,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
+
 #include "check.h"
 
 using namespace squeal;
@@ -18,6 +20,48 @@ using namespace squeal::tribology;
 namespace
 {
   using T = SegmentationParameters::Transform;
+
+  /** A dark spot of an image lies in the picture where the pad has it: x to
+   * the right, y upwards, as in maps. */
+  void
+  check_axes_of_pad()
+  {
+    const double c = std::cos(0.4), s = std::sin(0.4);
+    const std::pair<std::string, cv::Matx33d> cases[] = {
+      {"by stage, y downwards", {2., 0., -80., 0., 2., 50., 0., 0., 1.}},
+      {"y upwards", {2., 0., -80., 0., -2., 50., 0., 0., 1.}},
+      {"a quarter turn", {0., 2., 10., -2., 0., 50., 0., 0., 1.}},
+      {"mirrored on a diagonal", {0., 2., 10., 2., 0., 50., 0., 0., 1.}},
+      {"upside down", {-2., 0., 10., 0., -2., 50., 0., 0., 1.}},
+      {"turned by 23 degrees",
+       {2. * c, -2. * s, 0., 2. * s, 2. * c, 0., 0., 0., 1.}}};
+    for (const auto &[name, matrix] : cases)
+      {
+        const Placement placement{matrix, 0.};
+        cv::Mat1b       image(60, 100, uchar(200));
+        const cv::Rect  spot(12, 7, 5, 5);
+        image(spot).setTo(0);
+        const PadView view = in_axes_of_pad(image, placement);
+        check(std::abs(view.pixel_size - 2.) < 1e-12, name + ": pixels");
+        cv::Mat1b         dark = view.image < 100;
+        const cv::Moments m    = cv::moments(dark, true);
+        check(m.m00 > 15. && m.m00 < 36., name + ": one spot");
+        const cv::Point2d found(
+          view.upper_left.x + view.pixel_size * (m.m10 / m.m00 + 0.5),
+          view.upper_left.y - view.pixel_size * (m.m01 / m.m00 + 0.5));
+        check(cv::norm(found - placement({14.5, 9.5})) < 0.3,
+              name + ": its place in the picture is that on the pad");
+      }
+    cv::Mat1b corner(60, 100, uchar(200));
+    corner(cv::Rect(0, 0, 10, 10)).setTo(0);
+    const cv::Mat1b view =
+      in_axes_of_pad(corner, {{2., 0., -80., 0., 2., 50., 0., 0., 1.}, 0.})
+        .image;
+    check(view(view.rows - 1, 0) == 0 && view(0, 0) == 200,
+          "what a stage with y downwards has above is below in maps");
+  }
+
+
 
   void
   check_transforms()
@@ -140,6 +184,7 @@ namespace
 int
 main()
 {
+  check_axes_of_pad();
   check_transforms();
   check_mosaic();
   check_section();

@@ -293,7 +293,11 @@ namespace squeal::tribology
         write_png(file("_cracks.png"), full.cracks.area);
         write_png(file("_exfoliation.png"), full.areas.exfoliation);
         write_png(file("_plateaus.png"), full.areas.plateau);
-        write_png(file("_overlay.png"), draw_overlay(m.grey, full));
+        const cv::Mat overlay = draw_overlay(m.grey, full);
+        write_png(file("_overlay.png"), overlay);
+        if (pad)
+          write_png(file("_on_pad.png"),
+                    in_axes_of_pad(overlay(m.frame), placement_of(m)).image);
         gather(m, found, i == 0);
         record.images.push_back(entry);
       }

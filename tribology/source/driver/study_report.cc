@@ -163,9 +163,10 @@ namespace squeal::tribology
   StudyRuns::add_images(HtmlReport &report, Context &context) const
   {
     report.paragraph(
-      "Each image lies on the pad by its stage position and is cut into the "
-      "nodal cells of the damage map. y points down in images: the leading "
-      "edge of the pad is above, in maps below.");
+      "Each image lies on the pad by its stage position or by points known in "
+      "both, and is cut into the nodal cells of the damage map. Pictures show "
+      "it in the axes of the maps, with the leading edge below, however it was "
+      "taken.");
     for (const bool pictures : {false, true})
       for (const Run &run : runs)
         {
@@ -192,9 +193,12 @@ namespace squeal::tribology
     for (std::size_t i = 0; i < std::min(n_shown, table.n_rows()); ++i)
       {
         const std::string stem = table.text(i, "image");
+        // Images without a place on the pad are as they were taken.
+        const std::string on_pad = run.directory + "/" + stem + "_on_pad.png";
         report.figure(
           reduced_picture(
-            run.directory + "/" + stem + "_overlay.png",
+            fs::exists(on_pad) ? on_pad
+                               : run.directory + "/" + stem + "_overlay.png",
             context.output.file("plots/" + name + "_" + stem + ".png")),
           run.record.scene + ", " + stem +
             ": cracks in red, outlines of exfoliations in purple, of contact "

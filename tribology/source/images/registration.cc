@@ -184,6 +184,48 @@ namespace squeal::tribology
 
 
 
+  PadView
+  in_axes_of_pad(const cv::Mat &image, const Placement &placement)
+  {
+    const double             w = image.cols, h = image.rows;
+    std::vector<cv::Point2d> corners;
+    for (const cv::Point2d &corner : {cv::Point2d(0., 0.),
+                                      cv::Point2d(w, 0.),
+                                      cv::Point2d(w, h),
+                                      cv::Point2d(0., h)})
+      corners.push_back(placement(corner));
+    cv::Point2d lower = corners[0], upper = corners[0];
+    double      twice_area = 0.;
+    for (std::size_t i = 0; i < 4; ++i)
+      {
+        lower.x = std::min(lower.x, corners[i].x);
+        lower.y = std::min(lower.y, corners[i].y);
+        upper.x = std::max(upper.x, corners[i].x);
+        upper.y = std::max(upper.y, corners[i].y);
+        twice_area += corners[i].cross(corners[(i + 1) % 4]);
+      }
+    PadView result;
+    result.pixel_size   = std::sqrt(0.5 * std::abs(twice_area) / (w * h));
+    result.upper_left   = {lower.x, upper.y};
+    const double      s = result.pixel_size;
+    const cv::Matx33d to_view(
+      1. / s, 0., -lower.x / s, 0., -1. / s, upper.y / s, 0., 0., 1.);
+    // Pixels have their centre at whole numbers there, at halves here.
+    const cv::Matx33d to_centre(1., 0., 0.5, 0., 1., 0.5, 0., 0., 1.),
+      from_centre(1., 0., -0.5, 0., 1., -0.5, 0., 0., 1.);
+    cv::warpPerspective(image,
+                        result.image,
+                        from_centre * to_view * placement.to_pad * to_centre,
+                        {std::max(1, cvRound((upper.x - lower.x) / s)),
+                         std::max(1, cvRound((upper.y - lower.y) / s))},
+                        cv::INTER_LINEAR,
+                        cv::BORDER_CONSTANT,
+                        cv::Scalar::all(255));
+    return result;
+  }
+
+
+
   std::optional<cv::Point2d>
   refine_shift(const cv::Mat     &fixed,
                const cv::Mat     &moving,

@@ -34,6 +34,19 @@ namespace squeal::tribology
    * when its metadata has none. */
   Placement place_by_stage(const Micrograph &micrograph);
 
+  /** An image as it lies on the pad, in the axes that maps are drawn in: x to
+   * the right, y upwards. */
+  struct PadView
+  {
+    cv::Mat     image;           /**< white beside the frame */
+    cv::Point2d upper_left;      /**< um on the pad: least x, largest y */
+    double      pixel_size = 0.; /**< um */
+  };
+
+  /** Turns and mirrors @p image (the frame that @p placement is of, 8 bit) into
+   * the axes of the pad; pixels keep their size on the mean. */
+  PadView in_axes_of_pad(const cv::Mat &image, const Placement &placement);
+
   /**
    * Shift (pixels) that takes @p moving onto @p fixed by maximising their
    * correlation from @p start on; nothing when it does not converge, when the
