@@ -22,6 +22,9 @@ namespace squeal::tribology
     constexpr double to_belong  = -0.5;
     constexpr double counts     = -1.;
     constexpr double needed_sum = 45.;
+    // Depth against flanks at 6 pixels over that at 4. Of the straight lines in
+    // 63 images with cracks, none of those that are kept has more than 1.7.
+    constexpr double band_breadth = 2.;
     // Log odds, of lines that are listed although they are left out.
     constexpr double worth_a_word = -3.;
     // In pixels.
@@ -151,9 +154,9 @@ namespace squeal::tribology
           {
             const int  length = int(lines.cores[i].size());
             const bool is_end = lines.graph.edges[i].nodes.size() < 2;
-            kept.push_back(
-              (!is_end && length <= shortest_bridge) ||
-              (lines.log_odds[i] >= to_belong && length >= shortest_end));
+            kept.push_back((!is_end && length <= shortest_bridge) ||
+                           (lines.log_odds[i] >= to_belong &&
+                            length >= shortest_end && !is_band(i)));
           }
         drop_shallow_lines();
         part = lines.graph.parts(kept);
@@ -232,6 +235,16 @@ namespace squeal::tribology
                std::log1p(longest_straight / 20.);
       }
 
+      /** The middle of a straight dark band that is wider than the flanks which
+       * a line is compared with: deeper the farther one looks. A band of
+       * grooves or a joint, whatever the trees make of depths near zero. */
+      bool
+      is_band(const std::size_t i) const
+      {
+        return is_straight(i) &&
+               feature(i, LineFeature::breadth) > band_breadth;
+      }
+
       /** What each pixel of a line adds to its crack. */
       double
       evidence(const std::size_t i) const
@@ -281,7 +294,8 @@ namespace squeal::tribology
               result.excluded.push_back(
                 {core,
                  p,
-                 lines.log_odds[i] >= to_belong
+                 is_band(i) ? Exclusion::border
+                 : lines.log_odds[i] >= to_belong
                    ? Exclusion::small
                    : main_objection(judge, lines.features[i])});
           }
