@@ -64,7 +64,7 @@ namespace squeal
       }
     catch (const ComputationError &)
       {
-        result.ends_in = false;
+        result.has_failed = true;
       }
     result.time = start.time + result.figures.time;
     return result;

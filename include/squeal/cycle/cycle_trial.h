@@ -11,9 +11,10 @@ namespace squeal
   /** What a motion from some start comes to beside a limit cycle. */
   struct MotionTrial
   {
-    std::string start;           /**< in words */
-    bool        ends_in = false; /**< the cycle, by CycleTrials::advance() */
-    double      time    = 0.;    /**< s, that it was followed for */
+    std::string start;              /**< in words */
+    bool        ends_in    = false; /**< the cycle, by CycleTrials::follow() */
+    bool        has_failed = false; /**< a step of it had no solution */
+    double      time       = 0.;    /**< s, that it was followed for */
     /** Hz: its largest line over the harmonic of the cycle that is nearest. */
     double     frequency = 0.;
     RunFigures figures; /**< of its last parts */
@@ -36,8 +37,8 @@ namespace squeal
                 const double        step,
                 const double        longest);
 
-    /** A motion that has no solution at some step has not ended in the cycle.
-     */
+    /** A motion that has no solution at some step has failed: where it would
+     * have ended is not known. */
     MotionTrial follow(const std::string &name, const MotionPlace &start) const;
 
     /** From a state of the cycle @p motion. */

@@ -5,6 +5,7 @@
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/html_report.h>
+#include <squeal/results/marked_series.h>
 #include <squeal/run/campaign_runs.h>
 #include <squeal/run/run_context.h>
 
@@ -19,36 +20,24 @@ namespace squeal
     std::vector<ChartSeries>
     series_of_outcomes()
     {
-      using Marker        = ChartSeries::Marker;
-      const auto of_label = [](const std::string &label,
-                               const Marker       marker,
-                               const double       size,
-                               const Ink          ink,
-                               const bool         hollow) {
-        ChartSeries s;
-        s.label       = label;
-        s.marker      = marker;
-        s.marker_size = size;
-        s.ink         = ink;
-        s.hollow      = hollow;
-        return s;
-      };
+      using Marker = ChartSeries::Marker;
       return {
-        of_label("steady sliding", Marker::circle, .6, Ink::grey, false),
-        of_label("stable limit cycle", Marker::circle, 2., Ink::blue, false),
-        of_label(
+        marked_series("steady sliding", Marker::circle, .6, Ink::grey, false),
+        marked_series(
+          "stable limit cycle", Marker::circle, 2., Ink::blue, false),
+        marked_series(
           "several stable limit cycles", Marker::square, 2., Ink::blue, false),
-        of_label(
+        marked_series(
           "limit cycle, stable in time", Marker::circle, 2., Ink::green, false),
-        of_label(
+        marked_series(
           "limit cycle, stability open", Marker::circle, 2., Ink::blue, true),
-        of_label("limit cycles found are unstable",
-                 Marker::square,
-                 2.,
-                 Ink::vermillion,
-                 true),
-        of_label("no period", Marker::square, 2., Ink::vermillion, false),
-        of_label(
+        marked_series("limit cycles found are unstable",
+                      Marker::square,
+                      2.,
+                      Ink::vermillion,
+                      true),
+        marked_series("no period", Marker::square, 2., Ink::vermillion, false),
+        marked_series(
           "no limit cycle found", Marker::circle, 2., Ink::orange, false)};
     }
 
@@ -70,14 +59,19 @@ namespace squeal
         {
           if (points.has_column("top") && points.text(i, "top") != top)
             continue;
-          const auto s =
-            std::find_if(chart.series.begin(),
-                         chart.series.end(),
-                         [&](const ChartSeries &c) {
-                           return c.label == points.text(i, "outcome");
-                         });
+          auto s = std::find_if(chart.series.begin(),
+                                chart.series.end(),
+                                [&](const ChartSeries &c) {
+                                  return c.label == points.text(i, "outcome");
+                                });
+          // No point is left out, whatever it is called.
           if (s == chart.series.end())
-            continue;
+            s = chart.series.insert(s,
+                                    marked_series(points.text(i, "outcome"),
+                                                  ChartSeries::Marker::square,
+                                                  1.,
+                                                  Ink::grey,
+                                                  true));
           const double line = points.real(i, "dominant_line_hz");
           s->x.push_back(points.real(i, x));
           s->y.push_back(points.real(i, y));

@@ -50,7 +50,9 @@ namespace squeal
           "",
           "line within 1 % and rms within 5 % of the cycle's in 48 periods"},
          [](const TrialRow &row) {
-           return Cell(std::string(row.trial.ends_in ? "yes" : "no"));
+           return Cell(std::string(row.trial.ends_in      ? "yes"
+                                   : row.trial.has_failed ? "no solution"
+                                                          : "no"));
          }},
         {{"time_s", Type::real, "s", "that the motion was followed for"},
          [](const TrialRow &row) { return Cell(row.trial.time); }},

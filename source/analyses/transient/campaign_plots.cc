@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/marked_series.h>
 #include <squeal/run/campaign_runs.h>
 #include <squeal/run/run_context.h>
 
@@ -93,33 +94,24 @@ namespace squeal
       Chart chart;
       chart.title = (top.empty() ? "" : "top " + top + ": ") + "unstable";
       const std::string &x = sweep.axes[0].name, &y = sweep.axes[1].name;
-      chart.x.label     = shown_title(sweep.axes[0], scene);
-      chart.y.label     = shown_title(sweep.axes[1], scene);
-      chart.legend      = is_first ? Chart::Legend::above : Chart::Legend::none;
-      const auto series = [](const std::string        &label,
-                             const ChartSeries::Marker marker,
-                             const double              size,
-                             const Ink                 ink,
-                             const bool                hollow) {
-        ChartSeries s;
-        s.label       = label;
-        s.marker      = marker;
-        s.marker_size = size;
-        s.ink         = ink;
-        s.hollow      = hollow;
-        return s;
-      };
-      using Marker = ChartSeries::Marker;
-      ChartSeries
-        full =
-          series("full contact, linear", Marker::circle, 4.5, Ink::blue, true),
-        real = series("contact of steady sliding, linear",
-                      Marker::square,
-                      3.,
-                      Ink::green,
-                      true),
-        time = series("in time", Marker::circle, 1.3, Ink::vermillion, false),
-        none = series("stable in time", Marker::circle, .5, Ink::grey, false);
+      chart.x.label    = shown_title(sweep.axes[0], scene);
+      chart.y.label    = shown_title(sweep.axes[1], scene);
+      chart.legend     = is_first ? Chart::Legend::above : Chart::Legend::none;
+      using Marker     = ChartSeries::Marker;
+      ChartSeries full = marked_series("full contact, linear",
+                                       Marker::circle,
+                                       4.5,
+                                       Ink::blue,
+                                       true),
+                  real = marked_series("contact of steady sliding, linear",
+                                       Marker::square,
+                                       3.,
+                                       Ink::green,
+                                       true),
+                  time = marked_series(
+                    "in time", Marker::circle, 1.3, Ink::vermillion, false),
+                  none = marked_series(
+                    "stable in time", Marker::circle, .5, Ink::grey, false);
       const auto grows = [&](const std::size_t i, const std::string &column) {
         return table.real(i, column) > 0.;
       };
