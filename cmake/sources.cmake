@@ -42,6 +42,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/allowed.cc
     source/parameters/check_body.cc
     source/parameters/check_contacts.cc
+    source/parameters/check_damping_in_time.cc
     source/parameters/check_imported.cc
     source/parameters/check_layers.cc
     source/parameters/check_means.cc

@@ -235,10 +235,9 @@ namespace squeal
             return Eigen::VectorXd(model.load -
                                    model.participation.transpose() * f);
           };
-          const Eigen::VectorXd q = half.q_q.cwiseProduct(a.coordinates) +
-                                    half.q_v.cwiseProduct(a.velocities) +
-                                    half.q_f0.cwiseProduct(modal(a.forces)) +
-                                    half.q_f1.cwiseProduct(modal(lambda));
+          const Eigen::VectorXd q =
+            half.q_q * a.coordinates + half.q_v * a.velocities +
+            half.q_f0 * modal(a.forces) + half.q_f1 * modal(lambda);
           const Eigen::VectorXd u = model.participation * q +
                                     model.load_motion -
                                     model.flexibility * lambda;

@@ -119,21 +119,28 @@ namespace squeal
 
 
 
-  Eigen::VectorXcd
+  HarmonicBalance::Receptance
   HarmonicBalance::receptance(const unsigned int    k,
                               const HarmonicMotion &m) const
   {
-    Eigen::VectorXcd result(model.n_modes());
+    Eigen::VectorXcd stiffness(model.n_modes());
     const double     w = k * m.omega;
-    for (Eigen::Index j = 0; j < result.size(); ++j)
+    for (Eigen::Index j = 0; j < stiffness.size(); ++j)
+      stiffness[j] =
+        Complex(model.omega_squared[j] - w * w,
+                w * (model.damping[j] + (k > 0 ? m.excess_damping : 0.)));
+    if (k > 0 && model.has_coupled_damping())
+      {
+        Eigen::MatrixXcd coupled = Complex(0., w) * model.damping_coupling;
+        coupled.diagonal() += stiffness;
+        return Receptance(coupled);
+      }
+    for (Eigen::Index j = 0; j < stiffness.size(); ++j)
       if (k == 0 && model.omega_squared[j] == 0.)
-        result[j] = 0.;
+        stiffness[j] = 0.;
       else
-        result[j] =
-          1. /
-          Complex(model.omega_squared[j] - w * w,
-                  w * (model.damping[j] + (k > 0 ? m.excess_damping : 0.)));
-    return result;
+        stiffness[j] = 1. / stiffness[j];
+    return Receptance(std::move(stiffness));
   }
 
   Eigen::MatrixXcd
@@ -143,7 +150,7 @@ namespace squeal
       -(model.participation.transpose() * harmonics_of(m.forces));
     q.col(0) += model.load;
     for (Eigen::Index k = 0; k < q.cols(); ++k)
-      q.col(k) = q.col(k).cwiseProduct(receptance(k, m)).eval();
+      q.col(k) = receptance(k, m) * q.col(k);
     for (std::size_t i = 0; i < free.size(); ++i)
       q(free[i], 0) = m.positions[i];
     return q;
@@ -275,10 +282,11 @@ namespace squeal
     const double           period = 2. * M_PI / m.omega, dt = period / n;
     const Eigen::MatrixXcd q = modal_harmonics(m);
     for (Eigen::Index k = 1; k < q.cols(); ++k)
-      e.damping += period * 2. * std::pow(k * m.omega, 2) *
-                   (model.damping.array() + m.excess_damping)
-                     .matrix()
-                     .dot(q.col(k).cwiseAbs2());
+      e.damping +=
+        period * 2. * std::pow(k * m.omega, 2) *
+        (q.col(k).dot(model.damping_forces(Eigen::VectorXcd(q.col(k)))) +
+         m.excess_damping * q.col(k).squaredNorm())
+          .real();
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < model.n_nodes(); ++j)
         {

@@ -89,11 +89,11 @@ namespace squeal
       rate_by_force = by_force;
       for (Eigen::Index k = 0; k <= H; ++k)
         {
-          const Eigen::VectorXcd d   = b.receptance(k, m);
           const Eigen::MatrixXd &Psi = b.model.participation;
-          Eigen::MatrixXd        re =
-            Psi * d.real().asDiagonal() * Psi.transpose() + b.model.flexibility;
-          Eigen::MatrixXd im = Psi * d.imag().asDiagonal() * Psi.transpose();
+          const Eigen::MatrixXcd q =
+            b.receptance(k, m) * Psi.transpose().cast<Complex>();
+          const Eigen::MatrixXd re = Psi * q.real() + b.model.flexibility,
+                                im = Psi * q.imag();
           for (unsigned int s = 0; s < b.n; ++s)
             {
               const double angle = 2. * M_PI * double(k * s % b.n) / b.n;
@@ -187,17 +187,17 @@ namespace squeal
                    const double       size_wanted,
                    const Held         held)
     {
-      const Eigen::Index at  = rhs.size() - 2;
-      const Complex response = b.receptance(1, m)[mode] * std::conj(direction);
-      Eigen::VectorXcd by    = Eigen::VectorXcd::Zero(rhs.size());
+      const Eigen::Index     at = rhs.size() - 2;
+      const Eigen::VectorXcd response =
+        std::conj(direction) *
+        (b.receptance(1, m) * b.model.participation.transpose().cast<Complex>())
+          .row(mode);
+      Eigen::VectorXcd by = Eigen::VectorXcd::Zero(rhs.size());
       for (std::size_t c = 0; c < closed.size(); ++c)
         {
           const Complex turn =
-            -response *
-            std::polar(1. / b.n, -2. * M_PI * closed[c].sample / b.n);
-          by.segment<3>(3 * c) =
-            turn *
-            b.model.participation.col(mode).segment<3>(3 * closed[c].node);
+            -std::polar(1. / b.n, -2. * M_PI * closed[c].sample / b.n);
+          by.segment<3>(3 * c) = turn * response.segment<3>(3 * closed[c].node);
         }
       const auto component = [&](const HarmonicMotion &x) {
         return std::conj(direction) * b.modal_harmonics(x)(mode, 1);

@@ -78,8 +78,8 @@ namespace squeal
           const auto Psi = model.participation.middleRows<3>(3 * j);
           if (result.size() == 0)
             result = Eigen::VectorXd::Zero(model.n_modes());
-          result -= m.q_f0.cwiseProduct(Psi.transpose() * x.at_start) +
-                    m.q_f1.cwiseProduct(Psi.transpose() * x.at_end);
+          result -= m.q_f0 * Eigen::VectorXd(Psi.transpose() * x.at_start) +
+                    m.q_f1 * Eigen::VectorXd(Psi.transpose() * x.at_end);
         }
     return result;
   }
@@ -100,10 +100,11 @@ namespace squeal
           start.segment<3>(3 * j) = x.at_start;
           end.segment<3>(3 * j)   = x.at_end;
         }
-    return -step_of_modes().v_f0.cwiseProduct(model.participation.transpose() *
-                                              start) -
-           step_of_modes().v_f1.cwiseProduct(model.participation.transpose() *
-                                             end);
+    const auto modal = [this](const Eigen::VectorXd &f) {
+      return Eigen::VectorXd(model.participation.transpose() * f);
+    };
+    return -(step_of_modes().v_f0 * modal(start)) -
+           step_of_modes().v_f1 * modal(end);
   }
 
 

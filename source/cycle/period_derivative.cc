@@ -43,18 +43,14 @@ namespace squeal
               added(x.contact, c.weight_before, columns);
             !columns.empty())
           x.force.noalias() += more * x.unknowns(columns, Eigen::all);
-        Eigen::MatrixXd q = modes.q_q.asDiagonal() * x.q +
-                            modes.q_v.asDiagonal() * x.v +
-                            modes.q_f0.asDiagonal() * x.force;
-        x.v = modes.v_q.asDiagonal() * x.q + modes.v_v.asDiagonal() * x.v +
-              modes.v_f0.asDiagonal() * x.force;
+        Eigen::MatrixXd q =
+          modes.q_q * x.q + modes.q_v * x.v + modes.q_f0 * x.force;
+        x.v = modes.v_q * x.q + modes.v_v * x.v + modes.v_f0 * x.force;
         x.q = std::move(q);
         if (at_start.size() > 0)
           {
-            x.q += modes.q_f0.asDiagonal() * at_start +
-                   modes.q_f1.asDiagonal() * at_end;
-            x.v += modes.v_f0.asDiagonal() * at_start +
-                   modes.v_f1.asDiagonal() * at_end;
+            x.q += modes.q_f0 * at_start + modes.q_f1 * at_end;
+            x.v += modes.v_f0 * at_start + modes.v_f1 * at_end;
           }
         x.contact_before  = x.contact;
         x.unknowns_before = std::move(x.unknowns);
@@ -68,8 +64,8 @@ namespace squeal
             Eigen::MatrixXd force = x.force;
             if (!columns.empty())
               force.noalias() += more * x.unknowns(columns, Eigen::all);
-            x.q += modes.q_f1.asDiagonal() * force;
-            x.v += modes.v_f1.asDiagonal() * force;
+            x.q += modes.q_f1 * force;
+            x.v += modes.v_f1 * force;
           }
         else
           x.force.setZero();
@@ -145,8 +141,7 @@ namespace squeal
         Eigen::MatrixXd       A   = c.rows_of(c.times_forces(W));
         if (!columns.empty())
           {
-            const Eigen::MatrixXd moved =
-              Psi * (modes.q_f1.asDiagonal() * more);
+            const Eigen::MatrixXd moved = Psi * (modes.q_f1 * more);
             for (std::size_t k = 0; k < columns.size(); ++k)
               A.col(columns[k]) -= moved.col(k);
           }

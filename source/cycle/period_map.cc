@@ -145,7 +145,7 @@ namespace squeal
   PeriodMap::acceleration(const MotionState &state) const
   {
     return model.load - model.participation.transpose() * state.forces -
-           model.damping.cwiseProduct(state.velocities) -
+           model.damping_forces(state.velocities) -
            model.omega_squared.cwiseProduct(state.coordinates);
   }
 } // namespace squeal

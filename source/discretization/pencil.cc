@@ -138,6 +138,38 @@ namespace squeal
 
 
 
+  bool
+  Pencil::is_viscously_damped() const
+  {
+    for (const auto &part : all_parts)
+      if (part.coefficients.stiffness.imag() != 0. ||
+          (part.coefficients.damping != 0. && !part.symmetric))
+        return false;
+    return true;
+  }
+
+  Pencil
+  Pencil::combined(const double mass,
+                   const double damping,
+                   const double stiffness) const
+  {
+    Pencil result;
+    result.row_space = row_space;
+    for (const auto &part : all_parts)
+      if (part.symmetric)
+        {
+          const auto      &c = part.coefficients;
+          TermCoefficients sum;
+          sum.stiffness = mass * c.mass + damping * c.damping +
+                          stiffness * c.stiffness.real();
+          if (!is_zero(sum))
+            result.all_parts.push_back({part.matrix, sum, true});
+        }
+    return result;
+  }
+
+
+
   Pencil::Products
   Pencil::apply(const ComplexBlock &X, const bool transposed) const
   {
@@ -217,6 +249,13 @@ namespace squeal
   {
     return multiply_symmetric(X,
                               [](const TermCoefficients &c) { return c.mass; });
+  }
+
+  Block
+  Pencil::multiply_damping(const Block &X) const
+  {
+    return multiply_symmetric(
+      X, [](const TermCoefficients &c) { return c.damping; });
   }
 
   Block

@@ -466,6 +466,8 @@ namespace squeal
         }
       if (p.analysis == Analysis::preload)
         check_stiffness(p);
+      else if (is_pressed)
+        check_damping_in_time(p.scene);
       if (p.analysis == Analysis::limit_cycle)
         {
           check_limit_cycle(p);

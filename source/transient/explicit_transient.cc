@@ -34,6 +34,14 @@ namespace squeal
                          "bodies");
       return mass;
     }
+
+    /** The largest eigenvalue of M^-1 C, 1/s: with the largest of M^-1 K it
+     * bounds the step from below, whatever the two have in common. */
+    double
+    largest_damping(const Pencil &pencil, const Eigen::VectorXd &mass)
+    {
+      return std::pow(largest_frequency(pencil.combined(0., 1., 0.), mass), 2);
+    }
   } // namespace
 
 
@@ -99,10 +107,11 @@ namespace squeal
     : FullTransient(std::move(m), time_step, std::move(d))
     , beta_2(b)
     , mass(diagonal_mass(*model.pencil))
-    , stable_step(critical_step(largest_frequency(*model.pencil, mass),
-                                alpha,
-                                beta,
-                                beta_2))
+    , stable_step(critical_step(
+        largest_frequency(*model.pencil, mass),
+        has_damping_matrix ? largest_damping(*model.pencil, mass) : alpha,
+        beta,
+        beta_2))
     , stiffness(model.pencil->undamped_entries(0.), mass.size())
   {
     if (dt > stable_step)
@@ -143,6 +152,8 @@ namespace squeal
   {
     K_u               = stiffness_times(u);
     Eigen::VectorXd f = applied(0., lambda) - K_u - beta * stiffness_times(v);
+    if (has_damping_matrix)
+      f -= damping_matrix_times(v);
     if (model.inertia)
       f += inertial_force(0.);
     a                = f.cwiseQuotient(mass) - alpha * v;
@@ -185,6 +196,7 @@ namespace squeal
     const double          t     = time();
     const Eigen::VectorXd f     = external_force(t);
     const Eigen::VectorXd g     = inertial_force(t);
+    const Eigen::VectorXd C_w   = damping_matrix_times(w);
     const double          reach = (beta_2 + 0.5) * dt * dt;
     const Eigen::Index    n     = u.size();
     multiply_by_stiffness();
@@ -195,6 +207,8 @@ namespace squeal
         a_now[i] = (f[i] - K_u[i] - beta * K_w[i]) / mass[i] - alpha * w[i];
         if (g.size() > 0)
           a_now[i] += g[i] / mass[i];
+        if (has_damping_matrix)
+          a_now[i] -= C_w[i] / mass[i];
         predicted[i] = u[i] + dt * w[i] + reach * a_now[i];
       }
     ContactStep step = contact_step(t + dt);
@@ -225,6 +239,8 @@ namespace squeal
         a_now[i] = a_i;
       }
     energies.damping += damping;
+    if (has_damping_matrix)
+      energies.damping += moved.dot(C_w);
     energies.load += load;
     if (g.size() > 0)
       energies.driving += moved.dot(g);

@@ -48,10 +48,10 @@ namespace squeal
     if (model.pencil->space()->n_ranks() > 1)
       throw InputError("Transient/Integrator: implicit and explicit run on one "
                        "rank");
-    if (!model.pencil->is_rayleigh_damped(alpha, beta))
-      throw InputError("Scene/Damping: a transient needs Model = whole model "
-                       "or none, without structural damping: damping in the "
-                       "time domain is viscous");
+    check_time_domain_damping(*model.pencil);
+    has_damping_matrix = !model.pencil->is_rayleigh_damped(alpha, beta);
+    if (has_damping_matrix)
+      alpha = beta = 0.;
   }
 
 
@@ -99,6 +99,14 @@ namespace squeal
   FullTransient::stiffness_times(const Eigen::VectorXd &x) const
   {
     return model.pencil->multiply_undamped_stiffness(x);
+  }
+
+  Eigen::VectorXd
+  FullTransient::damping_matrix_times(const Eigen::VectorXd &x) const
+  {
+    return has_damping_matrix
+             ? Eigen::VectorXd(model.pencil->multiply_damping(x))
+             : Eigen::VectorXd();
   }
 
 

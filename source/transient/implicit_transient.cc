@@ -20,8 +20,14 @@ namespace squeal
     : FullTransient(std::move(m), time_step, std::move(d))
     , stiffness_factor(0.5 * dt * beta + 0.25 * dt * dt)
   {
-    inverse = std::make_unique<ShiftedInverse>(
-      *model.pencil, -(1. + 0.5 * dt * alpha) / stiffness_factor);
+    if (has_damping_matrix)
+      inverse = std::make_unique<ShiftedInverse>(
+        model.pencil->combined(
+          1. / stiffness_factor, 0.5 * dt / stiffness_factor, 1.),
+        0.);
+    else
+      inverse = std::make_unique<ShiftedInverse>(
+        *model.pencil, -(1. + 0.5 * dt * alpha) / stiffness_factor);
     const Eigen::Index n = B->n_rows();
     if (model.turning)
       compliance = std::make_unique<ContactCompliance>(
@@ -136,6 +142,8 @@ namespace squeal
 
     energies.damping +=
       dt * (0.5 * alpha * v_h.dot(M_v + M_v1) + beta * v_h.dot(K_vh));
+    if (has_damping_matrix)
+      energies.damping += dt * v_h.dot(damping_matrix_times(v_h));
     energies.load += dt * v_h.dot(f);
     if (model.inertia)
       energies.driving += dt * v_h.dot(of_turning);

@@ -240,6 +240,8 @@ namespace squeal
         }
       A.block(n, n, n, n) = v_by_slip * slip_by_v;
       A.block(n, n, n, n).diagonal() -= c.model.damping;
+      if (c.model.has_coupled_damping())
+        A.block(n, n, n, n) -= c.model.damping_coupling;
       if (n_s > 0)
         {
           // What the slope adds to u_s changes with the rate of the slip.

@@ -76,7 +76,43 @@ namespace squeal
             G(3 * i + along, 3 * j + along) = G(3 * i, 3 * j);
       return G;
     }
+
+    void
+    set_damping(const Pencil         &pencil,
+                const ReductionBasis &basis,
+                ReducedContactModel  &model)
+    {
+      check_time_domain_damping(pencil);
+      double alpha, beta;
+      if (pencil.is_rayleigh_damped(alpha, beta))
+        {
+          model.damping = (alpha + beta * model.omega_squared.array()).matrix();
+          return;
+        }
+      const Eigen::MatrixXd D =
+        inner_products(*pencil.space(),
+                       basis.shapes,
+                       pencil.multiply_damping(Block(basis.shapes)));
+      model.damping          = D.diagonal();
+      model.damping_coupling = 0.5 * (D + D.transpose());
+      model.damping_coupling.diagonal().setZero();
+    }
   } // namespace
+
+
+
+  void
+  check_time_domain_damping(const Pencil &pencil)
+  {
+    if (!pencil.is_viscously_damped())
+      throw InputError(
+        "damping in the time domain is viscous: a transient takes mass "
+        "damping, "
+        "stiffness damping and dashpots of the whole model or of its parts, "
+        "but "
+        "no loss factors ('Structural damping', modulus tables) and no "
+        "gyroscopic matrices");
+  }
 
 
 
@@ -90,15 +126,10 @@ namespace squeal
                        const Flexibility     flexibility)
   {
     ReducedContactModel model;
-    double              alpha, beta;
-    if (!pencil.is_rayleigh_damped(alpha, beta))
-      throw InputError("Scene/Damping: a transient needs Model = whole model "
-                       "or none, without structural damping: damping in the "
-                       "time domain is viscous");
-    const RowSpace &space = *pencil.space();
-    model.cut_off         = cut_off;
-    model.omega_squared   = basis.omega_squared;
-    model.damping = (alpha + beta * model.omega_squared.array()).matrix();
+    const RowSpace     &space = *pencil.space();
+    model.cut_off             = cut_off;
+    model.omega_squared       = basis.omega_squared;
+    set_damping(pencil, basis, model);
 
     const Functionals B = nodes.relative_motion();
     model.participation = B.apply(basis.shapes);

@@ -26,6 +26,22 @@ namespace squeal
               2. * v0 * v1) /
              30.;
     }
+
+    /** The same of all coordinates with the symmetric matrix @p D between
+     * them, @p d being their mean slopes. */
+    double
+    slope_product(const Eigen::MatrixXd &D,
+                  const Eigen::VectorXd &d,
+                  const Eigen::VectorXd &v0,
+                  const Eigen::VectorXd &v1,
+                  const double           h)
+    {
+      const Eigen::VectorXd D_d = D * d, D_v0 = D * v0, D_v1 = D * v1;
+      return h *
+             (36. * d.dot(D_d) - 6. * (v0 + v1).dot(D_d) +
+              4. * (v0.dot(D_v0) + v1.dot(D_v1)) - 2. * v0.dot(D_v1)) /
+             30.;
+    }
   } // namespace
 
 
@@ -158,9 +174,8 @@ namespace squeal
     const double          t      = dt * (n_steps + 1);
     const Eigen::VectorXd load   = external_forces(t);
     const Eigen::VectorXd motion = external_motion(t);
-    const Eigen::VectorXd q_free =
-      modes.q_q.cwiseProduct(q) + modes.q_v.cwiseProduct(v) +
-      modes.q_f0.cwiseProduct(total_force) + modes.q_f1.cwiseProduct(load);
+    const Eigen::VectorXd q_free = modes.q_q * q + modes.q_v * v +
+                                   modes.q_f0 * total_force + modes.q_f1 * load;
     ContactStep step;
     step.free_motion = motion;
     step.free_motion.noalias() += model.participation * q_free;
@@ -175,9 +190,9 @@ namespace squeal
     const Eigen::VectorXd force =
       load - model.participation.transpose() * guess;
     const Eigen::VectorXd q_before = q, v_before = v, u_before = u;
-    v = modes.v_q.cwiseProduct(q_before) + modes.v_v.cwiseProduct(v_before) +
-        modes.v_f0.cwiseProduct(total_force) + modes.v_f1.cwiseProduct(force);
-    q           = q_free + modes.q_f1.cwiseProduct(force - load);
+    v = modes.v_q * q_before + modes.v_v * v_before + modes.v_f0 * total_force +
+        modes.v_f1 * force;
+    q           = q_free + modes.q_f1 * Eigen::VectorXd(force - load);
     lambda_2    = lambda_1;
     lambda_1    = lambda;
     lambda      = guess;
@@ -230,6 +245,9 @@ namespace squeal
       energies.damping +=
         model.damping[k] *
         slope_product(q_before[k], v_before[k], q[k], v[k], dt);
+    if (model.has_coupled_damping())
+      energies.damping += slope_product(
+        model.damping_coupling, (q - q_before) / dt, v_before, v, dt);
     const double speed = drive.speed(time() - 0.5 * dt);
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
@@ -312,7 +330,7 @@ namespace squeal
   Eigen::VectorXd
   ReducedTransient::observed_accelerations() const
   {
-    return model.observed.modes * (total_force - model.damping.cwiseProduct(v) -
+    return model.observed.modes * (total_force - model.damping_forces(v) -
                                    model.omega_squared.cwiseProduct(q));
   }
 

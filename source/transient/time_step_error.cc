@@ -18,13 +18,12 @@ namespace squeal
         // A force e^(lambda t) between straight lines acts on a motion of its
         // own lambda as (sinh(z/2)/(z/2))^2 = 1 + z^2/12 of it, z = lambda dt;
         // the contact's forces are (lambda^2 + lambda D + Omega^2) q.
-        const Eigen::VectorXcd q        = linear.right.col(k).head(n);
-        Complex                by_force = 0.;
-        for (Eigen::Index i = 0; i < n; ++i)
-          by_force +=
-            linear.left(k, n + i) *
-            (lambda * (lambda + model.damping[i]) + model.omega_squared[i]) *
-            q[i];
+        const Eigen::VectorXcd q = linear.right.col(k).head(n);
+        const Complex          by_force =
+          (linear.left.row(k).segment(n, n) *
+           (lambda * (lambda * q + model.damping_forces(q)) +
+            model.omega_squared.cwiseProduct(q)))
+            .value();
         // A force across the sliding at the end of a step belongs to the slip
         // rate of its middle.
         const Complex by_lag = (linear.left.row(k).tail(n_s) * linear.across *

@@ -47,7 +47,7 @@ namespace squeal
    * the unknowns are the contact forces at N = 2 H + 1 equal parts of the
    * period, whose response is taken harmonic by harmonic,
    *   u_k = a_k - H(k omega) lambda_k,
-   *   H(w) = Psi diag(1/(omega_m^2 - w^2 + i w c_m)) Psi^T + G,
+   *   H(w) = Psi (diag(omega_m^2) - w^2 + i w D)^-1 Psi^T + G,
    * statics for k = 0, where motions that nothing holds keep their mean
    * position as an unknown and their mean force balances the load. The exact
    * law holds at all N samples (collocation) with the slip rate by the spectral
@@ -104,9 +104,9 @@ namespace squeal
   private:
     struct Law;
     struct Jacobian;
+    class Receptance;
 
-    Eigen::VectorXcd receptance(const unsigned int    k,
-                                const HarmonicMotion &m) const;
+    Receptance receptance(const unsigned int k, const HarmonicMotion &m) const;
     Eigen::MatrixXcd relative_motion(const Eigen::MatrixXcd &q,
                                      const Eigen::MatrixXcd &lambda) const;
     Law              law_at(const unsigned int     node,

@@ -110,6 +110,9 @@ namespace squeal
      * kappa M x.
      */
     bool is_rayleigh_damped(double &alpha, double &beta) const;
+    /** True where damping is a force -C u' with a symmetric C: no complex
+     * stiffness, and nothing gyroscopic. */
+    bool is_viscously_damped() const;
 
     /** M X, C X and K X (imaginary part of K left out of the real ones). */
     struct Products
@@ -122,6 +125,8 @@ namespace squeal
     /** M_0 X, the symmetric part of the mass (the multipliers of an eliminated
      * contact add a non-symmetric one). */
     Block multiply_mass(const Block &X) const;
+    /** C_0 X, the symmetric part of the damping. */
+    Block multiply_damping(const Block &X) const;
     /** K_0 X, the real symmetric part of the stiffness (no friction). */
     Block multiply_undamped_stiffness(const Block &X) const;
 
@@ -132,6 +137,12 @@ namespace squeal
     /** Lower triangle of K_0 - shift M_0 of the undamped, frictionless
      * problem. */
     Triplets undamped_entries(const double shift) const;
+
+    /** The symmetric parts with mass, damping and stiffness as one stiffness,
+     * mass M + damping C + stiffness K, and nothing else. Real ones only. */
+    Pencil combined(const double mass,
+                    const double damping,
+                    const double stiffness) const;
 
     /** All entries of Q(lambda). */
     void quadratic_entries(const std::complex<double>         lambda,

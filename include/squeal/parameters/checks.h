@@ -43,6 +43,10 @@ namespace squeal
     /** Preload and transient: one contact, a load, times in order. */
     void check_transient(const Parameters &parameters);
 
+    /** Damping that has no motion in time: loss factors, and that of contact.
+     */
+    void check_damping_in_time(const SceneParameters &scene);
+
     /** Blows of 'Analysis = triggers' and how motions are judged. */
     void check_triggers(const Parameters &parameters);
 

@@ -12,7 +12,7 @@ namespace squeal
 {
   /**
    * The bodies without contact in all their unknowns, M u'' + C u' + K u = f -
-   * B^T lambda with C = alpha M + beta K, and the contact nodes as in
+   * B^T lambda with viscous damping, and the contact nodes as in
    * ReducedContactModel. On one rank.
    */
   struct FullContactModel
@@ -102,6 +102,8 @@ namespace squeal
                             const Eigen::VectorXd &contact_forces) const;
     Eigen::VectorXd mass_times(const Eigen::VectorXd &x) const;
     Eigen::VectorXd stiffness_times(const Eigen::VectorXd &x) const;
+    /** C x where damping has a matrix of its own; empty elsewhere. */
+    Eigen::VectorXd damping_matrix_times(const Eigen::VectorXd &x) const;
     ContactStep     contact_step(const double end) const;
     Eigen::VectorXd extrapolated_forces() const;
     /** Keeps the forces of a step and ends it at position @p next. */
@@ -119,10 +121,13 @@ namespace squeal
                             const Eigen::VectorXd &contact_forces,
                             const Eigen::VectorXd &motion_of_nodes);
 
-    const FullContactModel         model;
-    const double                   dt;
-    const TransientDrive           drive;
-    double                         alpha, beta; /**< of the damping */
+    const FullContactModel model;
+    const double           dt;
+    const TransientDrive   drive;
+    /** C = alpha M + beta K, or a matrix of its own where it is not; alpha and
+     * beta are zero then. */
+    double                         alpha = 0., beta = 0.;
+    bool                           has_damping_matrix = false;
     std::unique_ptr<ContactSolver> solver;
     LaggedFriction                 friction;
     Eigen::VectorXd                u_start; /**< of the unknowns, m */

@@ -2,6 +2,7 @@
 #ifndef squeal_transient_modal_step_h
 #define squeal_transient_modal_step_h
 
+#include <squeal/transient/modal_operator.h>
 #include <squeal/transient/reduced_contact_model.h>
 
 namespace squeal
@@ -9,18 +10,23 @@ namespace squeal
   /**
    * The exact motion of all modes over a step under forces F that change
    * linearly from its start to its end:
-   *   q_1 = q_q q_0 + q_v v_0 + q_0 F_0 + q_1 F_1, and so for v_1,
-   * mode by mode.
+   *   q_1 = q_q q_0 + q_v v_0 + q_f0 F_0 + q_f1 F_1, and so for v_1,
+   * mode by mode, and of all together where damping couples them.
    */
   struct ModalStep
   {
     ModalStep(const ReducedContactModel &model, const double time_step);
 
-    Eigen::VectorXd q_q, q_v, q_f0, q_f1, v_q, v_v, v_f0, v_f1;
+    ModalOperator q_q, q_v, q_f0, q_f1, v_q, v_v, v_f0, v_f1;
 
     /** W with u_1 = a - W lambda_1: the motion of the nodes at the end of the
      * step by forces there, the massless flexibility included, m/N. */
     Eigen::MatrixXd delassus(const ReducedContactModel &model) const;
+
+  private:
+    void set_mode_by_mode(const ReducedContactModel &model,
+                          const double               time_step);
+    void set_coupled(const ReducedContactModel &model, const double time_step);
   };
 
   /**

@@ -18,7 +18,8 @@ namespace squeal
    * interleaved) act as -B^T lambda on the bodies. The relative motion of the
    * nodes, target minus source, is
    *   B u = Psi q + (residual motion by the load) - G lambda,
-   *   q'' + diag(damping) q' + diag(omega^2) q = phi^T f - Psi^T lambda,
+   *   q'' + D q' + diag(omega^2) q = phi^T f - Psi^T lambda,
+   *   D = phi^T C phi,
    * with mass-normalised modes phi, Psi = B phi and
    *   G = B K^-1 B^T - Psi diag(omega^-2) Psi^T,
    * so that statics are exact for any basis (Craig and Chang's residual
@@ -28,8 +29,12 @@ namespace squeal
   struct ReducedContactModel
   {
     Eigen::VectorXd omega_squared; /**< (rad/s)^2; 0 for rigid motions */
-    Eigen::VectorXd damping;       /**< c_k = alpha + beta omega_k^2, 1/s, and
+    Eigen::VectorXd damping;       /**< diagonal of D, 1/s: alpha + beta omega^2
+                                      where the whole model has one damping, and
                                       that of the cut-off */
+    /** D without its diagonal, 1/s: what damping of single bodies and dashpots
+     * makes of one mode in another. Empty where there is nothing. */
+    Eigen::MatrixXd damping_coupling;
     Eigen::MatrixXd participation; /**< Psi: 3 nodes x modes */
     Eigen::MatrixXd flexibility;   /**< G: 3 nodes x 3 nodes, m/N, symmetric */
     Eigen::VectorXd load;          /**< phi^T f at full load */
@@ -60,12 +65,30 @@ namespace squeal
     {
       return omega_squared.size();
     }
+    bool
+    has_coupled_damping() const
+    {
+      return damping_coupling.size() > 0;
+    }
+    /** D v for rates @p v of the coordinates. */
+    template <typename Vector>
+    Vector
+    damping_forces(const Vector &v) const
+    {
+      Vector result = damping.cwiseProduct(v);
+      if (has_coupled_damping())
+        result += damping_coupling * v;
+      return result;
+    }
     unsigned int
     n_nodes() const
     {
       return initial_gap.size();
     }
   };
+
+  /** Throws InputError where the damping of @p pencil is not viscous. */
+  void check_time_domain_damping(const Pencil &pencil);
 
   /** What of the flexibility G is computed. */
   enum class Flexibility
@@ -83,11 +106,11 @@ namespace squeal
    * of all pairs, and the springs between their faces, under the nodal forces
    * @p load.
    *
-   * @param pencil     symmetric, whole-model Rayleigh damping
+   * @param pencil     symmetric, viscously damped
    * @param basis      the motions that carry mass
    * @param cut_off    Hz
    * @param observers  columns l of motions l^T u to be observed
-   * Throws InputError where the damping is not alpha M + beta K.
+   * Throws InputError where the damping is not viscous.
    */
   ReducedContactModel reduce_contact_model(
     const Pencil         &pencil,
