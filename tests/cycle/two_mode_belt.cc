@@ -68,14 +68,13 @@ namespace
   }
 
   void
-  derivative()
+  derivative(const ReducedContactModel &m)
   {
-    const ReducedContactModel m      = two_modes();
-    const SteadySliding       steady = steady_sliding(m, friction);
-    const PeriodMap           map(m, friction, .3, 1., 1e-13);
-    const MotionState         start  = later(map, disturbed(steady), 200., .02);
-    const double              coarse = derivative_error(map, start, 200),
-                 fine                = derivative_error(map, start, 1600);
+    const SteadySliding steady = steady_sliding(m, friction);
+    const PeriodMap     map(m, friction, .3, 1., 1e-13);
+    const MotionState   start  = later(map, disturbed(steady), 200., .02);
+    const double        coarse = derivative_error(map, start, 200),
+                 fine          = derivative_error(map, start, 1600);
     // Of second order in the mean: single steps depend on where changes lie.
     check_below(fine, coarse / 30., "derivative of the motion: second order");
     check_below(fine, 1e-4, "derivative of the motion");
@@ -198,12 +197,13 @@ namespace
   }
 
   void
-  cycle(const double speed, const std::string &name)
+  cycle(const ReducedContactModel &m,
+        const double               speed,
+        const std::string         &name)
   {
-    const ReducedContactModel m      = two_modes();
-    const SteadySliding       steady = steady_sliding(m, friction);
-    const LinearizedMotion    linear = linearize(m, steady, friction, speed);
-    Eigen::Index              k;
+    const SteadySliding    steady = steady_sliding(m, friction);
+    const LinearizedMotion linear = linearize(m, steady, friction, speed);
+    Eigen::Index           k;
     std::printf("%s: sigma %.4f at %.4f rad/s\n",
                 name.c_str(),
                 linear.lambda.real().maxCoeff(&k),
@@ -245,7 +245,7 @@ namespace
       s.rms, transient.rms, 1e-3, name + ": rms of shooting and transient");
     const double largest = multipliers(map, x, settings, name);
     decay(map, x, largest, name);
-    if (name == "separating")
+    if (name != "sticking")
       harmonics(m, x, speed, transient.frequency, name);
   }
 } // namespace
@@ -255,11 +255,17 @@ main(int argc, char *argv[])
 {
   const std::string which = argc > 1 ? argv[1] : "";
   if (which == "derivative")
-    derivative();
+    derivative(two_modes());
+  else if (which == "derivative_coupled")
+    derivative(two_coupled_modes());
   else if (which == "separating")
-    cycle(3., which);
+    cycle(two_modes(), 3., which);
+  else if (which == "separating_coupled")
+    cycle(two_coupled_modes(), 3., which);
   else if (which == "sticking")
-    cycle(.3, which);
+    cycle(two_modes(), .3, which);
   else
-    check(false, "an argument: derivative, separating or sticking");
+    check(false,
+          "an argument: derivative, separating (both with _coupled) or "
+          "sticking");
 }

@@ -37,6 +37,17 @@ namespace squeal
       return m;
     }
 
+    /** The same with a dashpot that couples the two modes. */
+    inline ReducedContactModel
+    two_coupled_modes()
+    {
+      ReducedContactModel m = two_modes();
+      m.damping << .03, .08, .05;
+      m.damping_coupling       = Eigen::Matrix3d::Zero();
+      m.damping_coupling(0, 1) = m.damping_coupling(1, 0) = .03;
+      return m;
+    }
+
     struct Figures
     {
       double frequency = 0., mean = 0., rms = 0.;

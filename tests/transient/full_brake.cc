@@ -4,6 +4,7 @@
 // explicit integrator beside the eigenvalues of the same matrices, energies,
 // and the largest stable step.
 
+#include "transient/hand_made.h"
 #include "transient/pressed_brake.h"
 #include "worst.h"
 
@@ -11,6 +12,8 @@
 #include <squeal/transient/explicit_transient.h>
 #include <squeal/transient/growth.h>
 #include <squeal/transient/implicit_transient.h>
+#include <squeal/transient/modal_step.h>
+#include <squeal/transient/reduced_transient.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -123,6 +126,78 @@ namespace
     compare("implicit", r, s, run, 7.);
   }
 
+  /** Each body with a damping of its own, which couples the modes, in all three
+   * integrators. */
+  void
+  damping_of_parts()
+  {
+    SceneParameters scene             = squealing_brake();
+    scene.damping                     = {};
+    scene.damping.model               = DampingParameters::Model::per_part;
+    scene.bodies[0].stiffness_damping = 2e-8;
+    scene.bodies[1].stiffness_damping = 1e-6;
+    scene.bodies[2].mass_damping      = 40.;
+    const Reduced r(scene, 24e3, 0., true);
+    check(r.model.has_coupled_damping(), "bodies of their own couple modes");
+    const SteadySliding s = steady_sliding(r.model, mu);
+
+    const Reduced       undamped(squealing_brake(), 24e3, 0., true);
+    const SteadySliding other = steady_sliding(undamped.model, mu);
+    const double        with  = whole_model(r, s).real().maxCoeff(),
+                 without      = whole_model(undamped, other).real().maxCoeff();
+    std::printf(
+      "damping of parts takes %.2f of %.2f 1/s\n", without - with, without);
+    check(without - with > 30., "the damping of the parts counts");
+
+    const double     nodal = load / r.model.n_nodes();
+    ReducedTransient reduced(r.model, 1.5e-6, drive(), nodal);
+    compare("parts, reduced", r, s, reduced, 7.);
+    ImplicitTransient implicit_run(full_model(r), 2e-6, drive(), nodal);
+    compare("parts, implicit", r, s, implicit_run, 5.);
+    ExplicitTransient explicit_run(full_model(r), 5e-8, drive(), nodal);
+    compare("parts, explicit", r, s, explicit_run, 4.5);
+    check(explicit_run.largest_step() > 5e-8, "the largest step is stated");
+  }
+
+  /** Modes of one frequency, damped along other directions than their own: the
+   * step turned into those directions is that of each by itself. */
+  void
+  coupled_step()
+  {
+    constexpr double dt = 3e-6;
+    for (const double c : {10., 1e3, 1e6})
+      {
+        ReducedContactModel own = empty_model(1, 3), turned = own;
+        own.omega_squared << 4e10, 4e10, 1e11;
+        own.damping << c, .1 * c, .3 * c;
+        Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+        R.topLeftCorner<2, 2>() << .6, -.8, .8, .6;
+        turned.omega_squared    = own.omega_squared;
+        const Eigen::Matrix3d D = R * own.damping.asDiagonal() * R.transpose();
+        turned.damping          = D.diagonal();
+        turned.damping_coupling = D;
+        turned.damping_coupling.diagonal().setZero();
+        const ModalStep       a(own, dt), b(turned, dt);
+        const Eigen::MatrixXd I    = Eigen::Matrix3d::Identity();
+        const auto            same = [&](const char          *name,
+                              const ModalOperator &x,
+                              const ModalOperator &y) {
+          const Eigen::MatrixXd expected = R * (x * I) * R.transpose();
+          check_below((y * I - expected).norm() / expected.norm(),
+                      1e-13,
+                      "damping of " + number(c) + " 1/s: " + name);
+        };
+        same("q by q", a.q_q, b.q_q);
+        same("q by v", a.q_v, b.q_v);
+        same("q by the force at the start", a.q_f0, b.q_f0);
+        same("q by the force at the end", a.q_f1, b.q_f1);
+        same("v by q", a.v_q, b.v_q);
+        same("v by v", a.v_v, b.v_v);
+        same("v by the force at the start", a.v_f0, b.v_f0);
+        same("v by the force at the end", a.v_f1, b.v_f1);
+      }
+  }
+
   void
   explicit_scheme()
   {
@@ -226,11 +301,17 @@ main(int argc, char *argv[])
     implicit();
   else if (which == "explicit")
     explicit_scheme();
+  else if (which == "damping_of_parts")
+    {
+      coupled_step();
+      damping_of_parts();
+    }
   else if (which == "energies")
     {
       stability_limit();
       flight();
     }
   else
-    check(false, "an argument: implicit, explicit or energies");
+    check(false,
+          "an argument: implicit, explicit, energies or damping_of_parts");
 }
