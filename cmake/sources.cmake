@@ -356,6 +356,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/sweep/sweep_plots.cc
     source/analyses/sweep/sweep_residuals.cc
     source/analyses/sweep/sweep_scatter.cc
+    source/analyses/sweep/sweep_scene_check.cc
     source/analyses/sweep/sweep_scenes.cc
     source/analyses/sweep/sweep_sensitivity.cc
     source/analyses/sweep/sweep_solution.cc

@@ -92,17 +92,17 @@ namespace squeal
     const NodalShares slope = shares_of_largest(
       [&](const double ratio) { return sliding_slope(contact, ratio); },
       geometry.speed_ratio);
-    if (sliding_slope(contact, slope.speed_ratio) != 0.)
-      system.terms.push_back(
-        {"friction slope of " + contact.name,
-         std::make_shared<LowRankMatrix>(geometry.tangential,
-                                         force.cwiseProduct(slope.share),
-                                         geometry.tangential),
-         [number, slope](const SceneParameters &s) {
-           const auto &c = s.contacts[number];
-           return TermCoefficients{
-             0., c.normal_force * sliding_slope(c, slope.speed_ratio), 0.};
-         }});
+    // Also where it is zero in this scene: sweeps may change that.
+    system.terms.push_back(
+      {"friction slope of " + contact.name,
+       std::make_shared<LowRankMatrix>(geometry.tangential,
+                                       force.cwiseProduct(slope.share),
+                                       geometry.tangential),
+       [number, slope](const SceneParameters &s) {
+         const auto &c = s.contacts[number];
+         return TermCoefficients{
+           0., c.normal_force * sliding_slope(c, slope.speed_ratio), 0.};
+       }});
   }
 
 

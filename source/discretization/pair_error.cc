@@ -7,6 +7,8 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <limits>
+
 namespace squeal
 {
   using Complex = std::complex<double>;
@@ -69,6 +71,18 @@ namespace squeal
           }
       }
     return W;
+  }
+
+
+
+  PairErrors
+  PairErrors::unknown(const Eigen::Index n)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    PairErrors       result;
+    result.lambda = result.at_points =
+      Eigen::VectorXcd::Constant(n, std::complex<double>(nan, nan));
+    return result;
   }
 
 

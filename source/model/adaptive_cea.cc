@@ -56,9 +56,7 @@ namespace squeal
       order.resize(n);
       const PairErrors some =
         pair_mesh_errors(model, pencil, select_pairs(pairs, order));
-      PairErrors result;
-      result.lambda    = Eigen::VectorXcd::Constant(pairs.size(), std::nan(""));
-      result.at_points = result.lambda;
+      PairErrors result = PairErrors::unknown(pairs.size());
       for (std::size_t i = 0; i < n; ++i)
         {
           result.lambda[order[i]]    = some.lambda[i];
@@ -268,8 +266,7 @@ namespace squeal
               log);
           }
         else
-          result.errors.lambda =
-            Eigen::VectorXcd::Constant(pairs.size(), std::nan(""));
+          result.errors = PairErrors::unknown(pairs.size());
         if (!is_adaptive(p))
           return result;
 

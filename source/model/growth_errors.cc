@@ -167,13 +167,16 @@ namespace squeal
         const double ratio =
           std::abs(errors.lambda[k].imag()) /
           std::abs(pairs.lambda[k].imag() - coarser.lambda[i].imag());
-        if (std::isnan(ratio))
-          continue;
-        const double change = (pairs.sigma(k) - coarser.lambda[i].real()) *
-                              std::clamp(ratio, least, largest_ratio),
-                     floor = least_share * pairs.sigma(k) *
-                             std::abs(errors.lambda[k].imag()) /
-                             std::abs(pairs.lambda[k]);
+        // Where the error of the frequency is not known (bodies that turn) all
+        // of the change may be left.
+        const double change =
+          (pairs.sigma(k) - coarser.lambda[i].real()) *
+          (std::isnan(ratio) ? 1. : std::clamp(ratio, least, largest_ratio));
+        const double floor = std::isnan(ratio)
+                               ? 0.
+                               : least_share * pairs.sigma(k) *
+                                   std::abs(errors.lambda[k].imag()) /
+                                   std::abs(pairs.lambda[k]);
         result[k] = std::copysign(std::max(std::abs(change), floor), change);
       }
     return result;

@@ -3,7 +3,6 @@
 #include <squeal/model/point_forces.h>
 #include <squeal/model/turning_modes.h>
 
-#include <limits>
 
 namespace squeal
 {
@@ -72,12 +71,7 @@ namespace squeal
     const Discretization *d = model.discretization();
     if (!d || !d->has_mesh() || has_turning_body(model.parameters().scene) ||
         pairs.left.cols() != pairs.right.cols())
-      {
-        PairErrors unknown;
-        unknown.lambda = unknown.at_points = Eigen::VectorXcd::Constant(
-          pairs.size(), std::numeric_limits<double>::quiet_NaN());
-        return unknown;
-      }
+      return PairErrors::unknown(pairs.size());
     PairShapes shapes;
     shapes.lambda       = pairs.lambda;
     shapes.right        = expanded(model, pairs.right);

@@ -142,7 +142,8 @@ namespace squeal
 
 
       /** The sense of sliding is looked at in the scene as it stands: where a
-       * body turns, an axis must not reverse what belongs to it. */
+       * body turns, an axis must not reverse what belongs to it, and a body
+       * that stands still there has no matrices of its turning. */
       void
       require_same_sense(const Parameters          &p,
                          const SweepAxisParameters &a,
@@ -151,8 +152,8 @@ namespace squeal
         const auto turns = [](const BodyParameters &body) {
           return body.rotation_speed != 0.;
         };
-        if (std::none_of(p.scene.bodies.begin(), p.scene.bodies.end(), turns))
-          return;
+        const bool something_turns =
+          std::any_of(p.scene.bodies.begin(), p.scene.bodies.end(), turns);
         const auto turns_body = [](const std::string &path) {
           return generic_path(path) == "Scene/Body <name>/Rotation speed";
         };
@@ -164,7 +165,7 @@ namespace squeal
             values.insert(values.end(), a.to.begin(), a.to.end());
           }
         for (const auto &path : a.entries)
-          if (is_friction_entry(path) || turns_body(path))
+          if (turns_body(path) || (something_turns && is_friction_entry(path)))
             for (const double value : values)
               if (value * get_number(p, path) < 0. ||
                   (value != 0. && get_number(p, path) == 0.))
@@ -175,6 +176,25 @@ namespace squeal
                                " in the scene and " + format_number(value) +
                                " in the sweep: where a body turns it must "
                                "have one sign in both");
+      }
+
+
+
+      /** Loads press pairs whose contact is that of steady sliding. */
+      void
+      require_effect_of_normal_force(const SceneParameters &scene,
+                                     const std::string     &section,
+                                     const std::string     &name,
+                                     const std::string     &path)
+      {
+        for (const ContactParameters &c : scene.contacts)
+          if (c.state == ContactParameters::State::preload &&
+              path == "Scene/Contact " + c.name + "/Normal force")
+            refuse_entry(section,
+                         name,
+                         "contains " + in_quotes(path) +
+                           ", which has no effect: with 'Contact state = "
+                           "preload' the loads of the scene press the pair");
       }
 
 
@@ -214,7 +234,11 @@ namespace squeal
                        "is empty: name a number of the scene, such as 'Scene/"
                        "Body pad/Young modulus'");
         for (const auto &path : a.entries)
-          require_number(parameters, section, "Entries", path);
+          {
+            require_number(parameters, section, "Entries", path);
+            require_effect_of_normal_force(
+              parameters.scene, section, "Entries", path);
+          }
         require_same_sense(parameters, a, section);
         if (a.scale == Scale::list)
           {
@@ -308,7 +332,11 @@ namespace squeal
                      "ask for " + format_number(n_points) +
                        " points: at most 1e7 are allowed");
       for (const auto &path : s.sensitivities)
-        require_number(parameters, "Sweep", "Sensitivities", path);
+        {
+          require_number(parameters, "Sweep", "Sensitivities", path);
+          require_effect_of_normal_force(
+            parameters.scene, "Sweep", "Sensitivities", path);
+        }
       if (s.suggestions > 0 && s.sensitivities.empty())
         refuse_entry("Sweep",
                      "Suggestions",

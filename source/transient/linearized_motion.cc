@@ -276,4 +276,39 @@ namespace squeal
     result.rows_across           = closed.rows.across;
     return result;
   }
+
+
+
+  Eigen::VectorXcd
+  reduction_error(const ReducedContactModel &model,
+                  const SteadySliding       &steady,
+                  const NodalFriction       &friction,
+                  const double               speed,
+                  const LinearizedMotion    &linear)
+  {
+    // Of the flexibility, in which the state matrix is not linear.
+    constexpr double      increment = 1e-5;
+    const Eigen::MatrixXd A =
+      state_matrix(ClosedContact(model, steady, friction, speed));
+    ReducedContactModel other = model;
+    // Of every eigenvalue for a change of the flexibility.
+    const auto derivative = [&](const Eigen::MatrixXd &change) {
+      Eigen::VectorXcd result = Eigen::VectorXcd::Zero(linear.lambda.size());
+      if (change.size() == 0 || change.isZero(0.))
+        return result;
+      const double share = increment * model.flexibility.norm() / change.norm();
+      other.flexibility  = model.flexibility + share * change;
+      const Eigen::MatrixXd changed =
+        state_matrix(ClosedContact(other, steady, friction, speed)) - A;
+      result = (linear.left * changed)
+                 .cwiseProduct(linear.right.transpose())
+                 .rowwise()
+                 .sum() /
+               share;
+      return result;
+    };
+    return -linear.lambda.cwiseProduct(derivative(model.residual_damping)) -
+           linear.lambda.cwiseProduct(linear.lambda)
+             .cwiseProduct(derivative(model.residual_inertia));
+  }
 } // namespace squeal

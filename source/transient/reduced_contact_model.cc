@@ -27,7 +27,10 @@ namespace squeal
       if (of_nodes[j])
         sign.segment(3 * j + 1, 2).setConstant(-1.);
     participation = (sign.asDiagonal() * participation).eval();
-    flexibility = (sign.asDiagonal() * flexibility * sign.asDiagonal()).eval();
+    for (Eigen::MatrixXd *x :
+         {&flexibility, &residual_inertia, &residual_damping})
+      if (x->size() > 0)
+        *x = (sign.asDiagonal() * *x * sign.asDiagonal()).eval();
     load_motion = sign.cwiseProduct(load_motion).eval();
     if (observed.contact.size() > 0)
       observed.contact = (observed.contact * sign.asDiagonal()).eval();
@@ -141,9 +144,15 @@ namespace squeal
       flexibility == Flexibility::complete
         ? ResidualResponse(pencil, basis)
         : ResidualResponse(pencil, basis, shift_of_sliding * cut_off);
-    model.flexibility = flexibility == Flexibility::complete
-                          ? residual_response.flexibility(B)
-                          : flexibility_of_sliding(residual_response, B, nodes);
+    if (flexibility == Flexibility::complete)
+      {
+        ResidualFlexibility residual = residual_response.flexibility(B);
+        model.flexibility            = std::move(residual.flexibility);
+        model.residual_inertia       = std::move(residual.inertia);
+        model.residual_damping       = std::move(residual.damping);
+      }
+    else
+      model.flexibility = flexibility_of_sliding(residual_response, B, nodes);
     // Springs give way: their compliance adds to that of the bodies.
     model.flexibility.diagonal() += nodes.compliance();
     model.load_motion = B.apply(residual_response(load));

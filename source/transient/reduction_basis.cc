@@ -136,12 +136,14 @@ namespace squeal
   }
 
 
-  Eigen::MatrixXd
+  ResidualFlexibility
   ResidualResponse::flexibility(const Functionals &B) const
   {
-    const Eigen::Index n = B.n_rows();
-    Block              x(space.n_owned(), n);
-    Eigen::MatrixXd    G(n, n);
+    const Eigen::Index  n = B.n_rows();
+    Block               x(space.n_owned(), n);
+    ResidualFlexibility result;
+    Eigen::MatrixXd    &G = result.flexibility;
+    G.resize(n, n);
     // Columns in groups: whole blocks of forces and products beside the
     // responses would take four times the memory.
     for (Eigen::Index first = 0; first < n; first += columns_at_once)
@@ -156,23 +158,45 @@ namespace squeal
     // The second round of the operator answers to -shift M x. As both sides are
     // the same functionals, its products with these are those of x with it: no
     // solve. Those of one half are enough.
+    result.inertia =
+      products(x, [this](const Block &y) { return pencil.multiply_mass(y); });
+    G = Eigen::MatrixXd(G.selfadjointView<Eigen::Lower>()) -
+        inverse.shift() * result.inertia;
+    const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
+    const auto         ritz   = basis.shapes.rightCols(n_ritz);
+    if (n_ritz > 0)
+      {
+        const Eigen::MatrixXd Psi = B.apply(Block(ritz));
+        const auto W = basis.omega_squared.tail(n_ritz).cwiseInverse();
+        const Eigen::MatrixXd static_ritz = Psi * W.asDiagonal();
+        G -= static_ritz * Psi.transpose();
+        result.inertia -= static_ritz * static_ritz.transpose();
+        x.noalias() -= ritz * static_ritz.transpose();
+      }
+    double alpha, beta;
+    if (pencil.is_rayleigh_damped(alpha, beta))
+      result.damping = alpha * result.inertia + beta * G;
+    else
+      result.damping = products(
+        x, [this](const Block &y) { return pencil.multiply_damping(y); });
+    return result;
+  }
+
+  Eigen::MatrixXd
+  ResidualResponse::products(
+    const Block                               &x,
+    const std::function<Block(const Block &)> &multiply) const
+  {
+    const Eigen::Index n = x.cols();
+    Eigen::MatrixXd    result(n, n);
     for (Eigen::Index first = 0; first < n; first += columns_at_once)
       {
         const Eigen::Index m = std::min(columns_at_once, n - first);
-        const Block M_x = pencil.multiply_mass(Block(x.middleCols(first, m)));
-        G.block(first, first, n - first, m) -=
-          inverse.shift() * inner_products(space, x.rightCols(n - first), M_x);
+        result.block(first, first, n - first, m) =
+          inner_products(space,
+                         x.rightCols(n - first),
+                         multiply(Block(x.middleCols(first, m))));
       }
-    G = Eigen::MatrixXd(G.selfadjointView<Eigen::Lower>());
-    const Eigen::Index n_ritz = basis.omega_squared.size() - basis.n_modes;
-    if (n_ritz > 0)
-      {
-        const Eigen::MatrixXd ritz =
-          B.apply(Block(basis.shapes.rightCols(n_ritz)));
-        G -= ritz *
-             basis.omega_squared.tail(n_ritz).cwiseInverse().asDiagonal() *
-             ritz.transpose();
-      }
-    return G;
+    return result.selfadjointView<Eigen::Lower>();
   }
 } // namespace squeal

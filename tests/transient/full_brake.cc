@@ -54,7 +54,8 @@ namespace
           const Reduced       &r,
           const SteadySliding &s,
           TransientIntegrator &run,
-          const double         e_foldings)
+          const double         e_foldings,
+          const double         share = .02)
   {
     const LinearizedMotion linear = linearize(r.model, s, mu, speed);
     Eigen::Index           worst;
@@ -109,7 +110,7 @@ namespace
                 n / seconds);
     check(same_status, name + ": the contact state stays");
     check_below(std::abs(fit.rate - exact.real()),
-                std::max(.02 * exact.real(), 3.),
+                std::max(share * exact.real(), 3.),
                 name + ": growth rate");
     check_below(std::abs(fit.frequency / f - 1.), 2e-3, name + ": frequency");
     // An identity of the scheme, to rounding in forces that add up for long.
@@ -124,6 +125,38 @@ namespace
     ImplicitTransient   run(
       full_model(r), 2e-6, drive(), load / r.model.n_nodes());
     compare("implicit", r, s, run, 7.);
+  }
+
+  /** What the model says that the motions above its cut-off add to the growing
+   * pair is what they add. */
+  void
+  reduction_is_stated(const Reduced &r, const SteadySliding &s)
+  {
+    const NodalFriction uniform = NodalFriction::uniform(mu, r.model.n_nodes());
+    const LinearizedMotion linear = linearize(r.model, s, uniform, speed);
+    const Eigen::VectorXcd stated =
+      reduction_error(r.model, s, uniform, speed, linear);
+    Eigen::Index k, i;
+    linear.lambda.real().maxCoeff(&k);
+    const Eigen::VectorXcd whole = whole_model(r, s);
+    (whole.array() - linear.lambda[k]).abs().minCoeff(&i);
+    const Complex found = whole[i] - linear.lambda[k];
+    std::printf("motions above the cut-off: stated %+.2f 1/s, %+.3f Hz; found "
+                "%+.2f 1/s, %+.3f Hz
+                ",
+                stated[k]
+                  .real(),
+                stated[k].imag() / (2. * M_PI),
+                found.real(),
+                found.imag() / (2. * M_PI));
+    check_close(stated[k].real(),
+                found.real(),
+                .2,
+                "what the cut-off does to the growth rate");
+    check_close(stated[k].imag(),
+                found.imag(),
+                .2,
+                "what the cut-off does to the frequency");
   }
 
   /** Each body with a damping of its own, which couples the modes, in all three
@@ -149,9 +182,11 @@ namespace
       "damping of parts takes %.2f of %.2f 1/s\n", without - with, without);
     check(without - with > 30., "the damping of the parts counts");
 
-    const double     nodal = load / r.model.n_nodes();
+    const double nodal = load / r.model.n_nodes();
+    reduction_is_stated(r, s);
     ReducedTransient reduced(r.model, 1.5e-6, drive(), nodal);
-    compare("parts, reduced", r, s, reduced, 7.);
+    // The pad is soft: much of its damping is in motions above the cut-off.
+    compare("parts, reduced", r, s, reduced, 7., .2);
     ImplicitTransient implicit_run(full_model(r), 2e-6, drive(), nodal);
     compare("parts, implicit", r, s, implicit_run, 5.);
     ExplicitTransient explicit_run(full_model(r), 5e-8, drive(), nodal);

@@ -35,6 +35,10 @@ namespace squeal
     /** One row a pair, one column an active cell: what the cell gives to
      * `lambda`, 1/s; zero on cells of other ranks. */
     Eigen::MatrixXcd cell;
+
+    /** Of @p n pairs whose errors are not known: NaN, real and imaginary
+     * parts alike. */
+    static PairErrors unknown(const Eigen::Index n);
   };
 
   /**

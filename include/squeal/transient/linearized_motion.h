@@ -62,6 +62,17 @@ namespace squeal
                              const SteadySliding       &steady,
                              const double               friction,
                              const double               speed);
+
+  /**
+   * What the inertia and damping of the flexibility, which the reduced model
+   * leaves out, would add to the eigenvalues of @p linear, 1/s, to first order:
+   * those of all unknowns less these. Zero where the model does not know them.
+   */
+  Eigen::VectorXcd reduction_error(const ReducedContactModel &model,
+                                   const SteadySliding       &steady,
+                                   const NodalFriction       &friction,
+                                   const double               speed,
+                                   const LinearizedMotion    &linear);
 } // namespace squeal
 
 #endif

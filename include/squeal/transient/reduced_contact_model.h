@@ -37,9 +37,12 @@ namespace squeal
     Eigen::MatrixXd damping_coupling;
     Eigen::MatrixXd participation; /**< Psi: 3 nodes x modes */
     Eigen::MatrixXd flexibility;   /**< G: 3 nodes x 3 nodes, m/N, symmetric */
-    Eigen::VectorXd load;          /**< phi^T f at full load */
-    Eigen::VectorXd load_motion;   /**< residual motion of the nodes, m */
-    Eigen::VectorXd initial_gap;   /**< of every node, m */
+    /** What the flexibility leaves out, see ResidualFlexibility; empty where
+     * the model is that of steady sliding. */
+    Eigen::MatrixXd residual_inertia, residual_damping;
+    Eigen::VectorXd load;        /**< phi^T f at full load */
+    Eigen::VectorXd load_motion; /**< residual motion of the nodes, m */
+    Eigen::VectorXd initial_gap; /**< of every node, m */
     /** Observed motions: modes q + load share * load - contact lambda. */
     struct Observation
     {

@@ -6,6 +6,8 @@
 #include <squeal/discretization/affine_system.h>
 #include <squeal/eigen/undamped_modes.h>
 
+#include <functional>
+
 namespace squeal
 {
   /**
@@ -32,6 +34,17 @@ namespace squeal
                                  const Functionals   &relative_motion,
                                  const double         interface_cut_off = 0.);
 
+  /** What forces on functionals B move there by the motions that a basis leaves
+   * out, quasi-statically, and to the next order: with x = A B^T,
+   * B u = (flexibility - lambda damping - lambda^2 inertia) f for e^(lambda t).
+   */
+  struct ResidualFlexibility
+  {
+    Eigen::MatrixXd flexibility; /**< B A B^T, m/N, symmetric */
+    Eigen::MatrixXd inertia;     /**< x^T M x, m s^2/N */
+    Eigen::MatrixXd damping;     /**< x^T C x, m s/N */
+  };
+
   /** Static responses to forces without their share in a basis, on a factor
    * just below zero, where rigid motions do no harm. */
   class ResidualResponse
@@ -47,14 +60,18 @@ namespace squeal
      * with half of the work. */
     Block approximate(const Block &forces) const;
 
-    /** B A B^T, symmetric: what forces on @p functionals move there, A being
-     * the operator above. A solve a column, where the operator takes two. */
-    Eigen::MatrixXd flexibility(const Functionals &functionals) const;
+    /** What forces on @p functionals move there, A being the operator above. A
+     * solve a column, where the operator takes two. */
+    ResidualFlexibility flexibility(const Functionals &functionals) const;
 
   private:
     /** Without the share of the modes. */
     Block without_modes(const Block &forces) const;
     void  subtract_ritz_vectors(const Block &forces, Block &x) const;
+    /** x^T A x of a symmetric operator. */
+    Eigen::MatrixXd products(
+      const Block                               &x,
+      const std::function<Block(const Block &)> &multiply) const;
 
     const RowSpace       &space;
     const ReductionBasis &basis;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/sweep/sweep_model.h>
+#include <squeal/analyses/sweep/sweep_scene_check.h>
 #include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
@@ -211,6 +212,11 @@ namespace squeal
   SweepModel::build(RunContext &context, Block *vectors)
   {
     const double start = cpu_seconds();
+    {
+      Timers::Section section(context.timers, "Assemble: end of the axes");
+      check_scene_of_sweep(
+        parameters, sweep_grid, parts, contact_states, context.timers);
+    }
     BasisOptions options;
     options.band                = band();
     options.frequency_tolerance = parameters.sweep.frequency_tolerance;

@@ -157,20 +157,28 @@ namespace squeal
     std::vector<std::pair<std::string, std::string>>
     figures_of_run(const Table            &summary,
                    const TransientFigures &f,
-                   const TriggerOutcome   &trigger)
+                   const TriggerOutcome   &trigger,
+                   const bool              is_reduced)
     {
       const auto shown = [&](const std::string &name) {
         return summary.display(0, summary.column_index(name));
       };
-      const bool has_fit = !summary.is_missing(0, "growth_rate_per_s");
+      const bool        has_fit = !summary.is_missing(0, "growth_rate_per_s");
+      const std::string reduction =
+        f.leading < 0 || !is_reduced
+          ? ""
+          : "; motions above the cut-off would add " +
+              shown("sigma_error_reduction_per_s") + " 1/s, " +
+              shown("frequency_error_reduction_hz") + " Hz";
       std::vector<std::pair<std::string, std::string>> figures = {
         {"verdict", explained_verdict(f, trigger)},
         {"growth rate",
-         has_fit ? shown("growth_rate_per_s") + " +- " +
-                     shown("growth_rate_ci_per_s") + " 1/s at " +
-                     shown("growth_frequency_hz") +
-                     " Hz (fit and time step; mesh error not estimated)"
-                 : reason_for_no_rate(f)},
+         has_fit
+           ? shown("growth_rate_per_s") + " +- " +
+               shown("growth_rate_ci_per_s") + " 1/s at " +
+               shown("growth_frequency_hz") +
+               " Hz (fit and time step; mesh error not estimated)" + reduction
+           : reason_for_no_rate(f)},
         {"linearised about steady sliding",
          shown("sigma_linear_per_s") + " 1/s at " +
            shown("frequency_linear_hz") + " Hz"},
@@ -230,9 +238,13 @@ namespace squeal
       write_files(context, prepared, record, f, history);
       const TriggerOutcome trigger  = evaluate_trigger(record, p.transient);
       const std::string    left_out = left_out_text(f);
-      context.record.figures = figures_of_run(tables.summary, f, trigger);
-      const bool  has_ramp   = p.transient.final_speed_ratio != 1.;
-      const Table speeds     = speed_table(prepared, record, p);
+      context.record.figures        = figures_of_run(
+        tables.summary,
+        f,
+        trigger,
+        p.transient.integrator == TransientParameters::Integrator::reduced);
+      const bool  has_ramp = p.transient.final_speed_ratio != 1.;
+      const Table speeds   = speed_table(prepared, record, p);
       if (has_ramp)
         context.write_table("speeds.csv", speeds);
       const Block motion =
@@ -321,6 +333,34 @@ namespace squeal
 
 
 
+    /** Warns where what the reduced model leaves out counts for a growing pair
+     * of the band. */
+    void
+    report_reduction(const PreparedTransient &prepared,
+                     const Parameters        &p,
+                     RunLog                  &log)
+    {
+      if (p.transient.integrator != TransientParameters::Integrator::reduced)
+        return;
+      for (const unsigned int k : prepared.branches)
+        {
+          const std::complex<double> lambda = prepared.linear.lambda[k],
+                                     error  = prepared.reduction_errors[k];
+          if (lambda.real() > 0. &&
+              std::abs(error.real()) > std::max(3., .02 * lambda.real()))
+            log.warning("the motions above the cut-off, without mass and "
+                        "damping here, would add about " +
+                        rounded_text(error.real(), 2) + " 1/s to the " +
+                        rounded_text(lambda.real(), 3) +
+                        " 1/s of the pair at " +
+                        rounded_text(lambda.imag() / (2. * M_PI), 6) +
+                        " Hz: raise 'Transient/Cut-off' or 'Interface "
+                        "cut-off'");
+        }
+    }
+
+
+
     /** What grows fastest in the reduced model about steady sliding, in the
      * band or not. */
     void
@@ -376,6 +416,7 @@ namespace squeal
        {"pairs in the band", std::to_string(prepared.branches.size())}});
     report_cut_off_damping(prepared, p, context.log);
     report_fastest(prepared.linear, p, context.log);
+    report_reduction(prepared, p, context.log);
     SavedTransient saved(prepared.pressed.nodes(), context);
     TransientRun   run(prepared.pressed,
                      prepared.steady,

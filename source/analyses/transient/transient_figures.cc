@@ -133,12 +133,15 @@ namespace squeal
         {
           const auto   lambda = prepared.linear.lambda[prepared.branches[k]];
           BranchResult b;
-          b.sigma         = lambda.real();
-          b.frequency     = lambda.imag() / (2. * M_PI);
-          b.sigma_cea     = not_known;
-          b.frequency_cea = not_known;
-          const auto a    = record.branch(k, n);
-          b.fit           = fit_linear_phase(times, a, linear, lambda);
+          b.sigma             = lambda.real();
+          b.frequency         = lambda.imag() / (2. * M_PI);
+          b.sigma_cea         = not_known;
+          b.frequency_cea     = not_known;
+          const auto left_out = prepared.reduction_errors[prepared.branches[k]];
+          b.sigma_reduction   = left_out.real();
+          b.frequency_reduction = left_out.imag() / (2. * M_PI);
+          const auto a          = record.branch(k, n);
+          b.fit                 = fit_linear_phase(times, a, linear, lambda);
           b.fit.include(errors[k]);
           // In the linear phase a pair turns at its own frequency. What does
           // not is a trace of other motions, and its slope nobody's rate.
@@ -325,6 +328,11 @@ namespace squeal
     Timers::Section section(timers, "Solve: linearised motion");
     linear = linearize(
       pressed.model(), steady, pressed.sliding_friction(), pressed.speed());
+    reduction_errors = reduction_error(pressed.model(),
+                                       steady,
+                                       pressed.sliding_friction(),
+                                       pressed.speed(),
+                                       linear);
     for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
       if (const double f = linear.lambda[k].imag() / (2. * M_PI);
           f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency &&

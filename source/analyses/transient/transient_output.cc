@@ -31,6 +31,10 @@ namespace squeal
       return std::isfinite(value) ? Json(value) : Json();
     }
 
+    constexpr const char *reduction_text =
+      "estimated: with the motions above the cut-off less without them, about "
+      "steady sliding";
+
     std::vector<Table::Column>
     transient_columns()
     {
@@ -85,7 +89,9 @@ namespace squeal
          Type::real,
          "",
          "correlation of the normal force periods later",
-         3}};
+         3},
+        {"sigma_error_reduction_per_s", Type::real, "1/s", reduction_text, 2},
+        {"frequency_error_reduction_hz", Type::real, "Hz", reduction_text, 2}};
     }
 
 
@@ -135,7 +141,9 @@ namespace squeal
               f.n_inversions,
               or_missing(f.frequency_ci),
               f.largest_line,
-              f.repetition};
+              f.repetition,
+              known(b.sigma_reduction),
+              known(b.frequency_reduction)};
     }
   } // namespace
 
@@ -170,7 +178,9 @@ namespace squeal
        {"window_start_s", Type::real, "s", "of the fit", 4},
        {"window_end_s", Type::real, "s", "of the fit", 4},
        {"e_foldings", Type::real, "", "within the window", 3},
-       {"rms_amplitude_sqrt_j", Type::real, "J^0.5", "second half", 3}});
+       {"rms_amplitude_sqrt_j", Type::real, "J^0.5", "second half", 3},
+       {"sigma_error_reduction_per_s", Type::real, "1/s", reduction_text, 2},
+       {"frequency_error_reduction_hz", Type::real, "Hz", reduction_text, 2}});
     for (std::size_t k = 0; k < f.branches.size(); ++k)
       {
         const BranchResult &b      = f.branches[k];
@@ -188,7 +198,9 @@ namespace squeal
                        fitted(b.fit.start),
                        fitted(b.fit.end),
                        fitted(b.fit.e_foldings()),
-                       b.last_amplitude});
+                       b.last_amplitude,
+                       b.sigma_reduction,
+                       b.frequency_reduction});
       }
     return table;
   }

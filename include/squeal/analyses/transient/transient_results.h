@@ -24,9 +24,11 @@ namespace squeal
   /** All that a transient is started from. */
   struct PreparedTransient
   {
-    PressedModel              pressed;
-    SteadySliding             steady;
-    LinearizedMotion          linear;
+    PressedModel     pressed;
+    SteadySliding    steady;
+    LinearizedMotion linear;
+    /** What the motions above the cut-off would add to its eigenvalues, 1/s. */
+    Eigen::VectorXcd          reduction_errors;
     std::vector<unsigned int> branches; /**< pairs within the band */
 
     PreparedTransient(const PressedModel &pressed,
@@ -46,6 +48,9 @@ namespace squeal
     double frequency = 0.;           /**< Hz */
     double sigma_cea, frequency_cea; /**< of the whole model; NaN if not
                                         computed */
+    /** What the reduced model leaves out adds to `sigma` and `frequency`,
+     * estimated: the model of all unknowns less this one, 1/s and Hz. */
+    double    sigma_reduction = 0., frequency_reduction = 0.;
     GrowthFit fit;
     double    last_amplitude = 0.; /**< rms over the second half of the run,
                                       sqrt(J) */
