@@ -270,6 +270,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/shape_plot.cc
     source/results/shape_view.cc
     source/results/shape_writer.cc
+    source/results/signature.cc
     source/results/surface_quads.cc
     source/results/table.cc
     source/results/universal_file.cc

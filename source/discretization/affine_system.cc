@@ -11,6 +11,30 @@ namespace squeal
   {
     using Row = Functionals::Row;
 
+    /** Factor of the mass matrix of body @p b: its density, kg/m^3; 1 of a
+     * rigid body. */
+    std::function<double(const SceneParameters &)>
+    density_of(const SceneParameters &scene, const unsigned int b)
+    {
+      const bool rigid = scene.bodies[b].shape == BodyParameters::Shape::rigid;
+      return [b, rigid](const SceneParameters &s) {
+        return rigid ? 1. : s.bodies[b].density;
+      };
+    }
+
+    AffineTerm
+    mass_term(const SceneParameters &scene,
+              const unsigned int     b,
+              const BodyMatrices    &matrices)
+    {
+      return {"mass of " + scene.bodies[b].name,
+              matrices.mass,
+              [b, density = density_of(scene, b)](const SceneParameters &s) {
+                const double m = density(s);
+                return TermCoefficients{m, mass_damping_of(s, b) * m, 0.};
+              }};
+    }
+
     void
     add_body_terms(const SceneParameters &scene,
                    const unsigned int     b,
@@ -18,17 +42,8 @@ namespace squeal
                    AffineSystem          &system)
     {
       const auto &body    = scene.bodies[b];
-      const bool  rigid   = body.shape == BodyParameters::Shape::rigid;
-      const auto  density = [b, rigid](const SceneParameters &s) {
-        return rigid ? 1. : s.bodies[b].density;
-      };
-      system.terms.push_back(
-        {"mass of " + body.name,
-         matrices.mass,
-         [b, density](const SceneParameters &s) {
-           const double m = density(s);
-           return TermCoefficients{m, mass_damping_of(s, b) * m, 0.};
-         }});
+      const auto  density = density_of(scene, b);
+      system.terms.push_back(mass_term(scene, b, matrices));
       if (matrices.stiffness)
         system.terms.push_back({"stiffness of " + body.name,
                                 matrices.stiffness,
@@ -184,11 +199,11 @@ namespace squeal
 
 
 
-    void
-    add_lumped_mass(const Discretization &d,
-                    const PointEvaluator &evaluator,
-                    const unsigned int    number,
-                    AffineSystem         &system)
+    /** Throws InputError for a point outside the body. */
+    AffineTerm
+    lumped_mass_term(const Discretization &d,
+                     const PointEvaluator &evaluator,
+                     const unsigned int    number)
     {
       const auto            &scene = d.scene();
       const auto            &mass  = scene.lumped_masses[number];
@@ -201,14 +216,13 @@ namespace squeal
       const auto functionals = std::make_shared<const Functionals>(
         d.space(),
         std::vector<Row>(found.rows[0].begin(), found.rows[0].end()));
-      system.terms.push_back(
-        {"lumped mass " + mass.name,
-         std::make_shared<LowRankMatrix>(
-           functionals, Eigen::VectorXd::Ones(3), functionals),
-         [number, body](const SceneParameters &s) {
-           const double m = s.lumped_masses[number].mass;
-           return TermCoefficients{m, mass_damping_of(s, body) * m, 0.};
-         }});
+      return {"lumped mass " + mass.name,
+              std::make_shared<LowRankMatrix>(
+                functionals, Eigen::VectorXd::Ones(3), functionals),
+              [number, body](const SceneParameters &s) {
+                const double m = s.lumped_masses[number].mass;
+                return TermCoefficients{m, mass_damping_of(s, body) * m, 0.};
+              }};
     }
   } // namespace
 
@@ -298,7 +312,26 @@ namespace squeal
     for (unsigned int i = 0; i < scene.springs.size(); ++i)
       add_spring_term(d, evaluator, i, system);
     for (unsigned int i = 0; i < scene.lumped_masses.size(); ++i)
-      add_lumped_mass(d, evaluator, i, system);
+      system.terms.push_back(lumped_mass_term(d, evaluator, i));
     return system;
+  }
+
+
+
+  std::vector<BodyInertia>
+  inertia_of_bodies(const Discretization            &d,
+                    const std::vector<BodyMatrices> &bodies)
+  {
+    std::vector<BodyInertia> result;
+    const auto              &scene = d.scene();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      result.push_back({b, mass_term(scene, b, bodies[b])});
+    if (scene.lumped_masses.empty())
+      return result;
+    const PointEvaluator evaluator(d);
+    for (unsigned int i = 0; i < scene.lumped_masses.size(); ++i)
+      result.push_back({body_index(scene, scene.lumped_masses[i].body),
+                        lumped_mass_term(d, evaluator, i)});
+    return result;
   }
 } // namespace squeal

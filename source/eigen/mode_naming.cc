@@ -179,6 +179,11 @@ namespace squeal
             reduced.insert(
               reduced.end(), rows.begin() + body.first_sample, rows.end());
           }
+        std::string owner = body.name;
+        if (main_body != -1u && main_body != b)
+          owner += "_about_" + scene.bodies[main_body].name;
+        for (unsigned int i = 1; entries.size() < reduced.size(); ++i)
+          entries.push_back(owner + "_" + std::to_string(i));
       }
     if (bodies.empty())
       return;
@@ -192,6 +197,12 @@ namespace squeal
   ModeNamer::signature() const
   {
     return signature_rows;
+  }
+
+  const std::vector<std::string> &
+  ModeNamer::signature_entries() const
+  {
+    return entries;
   }
 
   double

@@ -52,6 +52,16 @@ namespace squeal
         }
       return text;
     }
+
+    /** Columns of sum 1; what does not move has no energy and no shares. */
+    Eigen::MatrixXd
+    shares_of(Eigen::MatrixXd energy)
+    {
+      for (Eigen::Index j = 0; j < energy.cols(); ++j)
+        if (const double total = energy.col(j).sum(); total > 0.)
+          energy.col(j) /= total;
+      return energy;
+    }
   } // namespace
 
 
@@ -98,7 +108,8 @@ namespace squeal
   {
     {
       Timers::Section section(timers, "Assemble: bodies");
-      bodies = assemble_bodies(*space);
+      bodies        = assemble_bodies(*space);
+      inertia_parts = inertia_of_bodies(*space, bodies);
     }
     if (what_contacts_do == Contacts::open)
       {
@@ -128,9 +139,15 @@ namespace squeal
       Timers::Section section(timers, "Setup: import of matrices");
       import_of = std::make_shared<const ImportedModel>(
         read_imported_model(all_parameters.scene));
-      system      = imported_parts(*import_of);
-      names       = import_of->bodies;
-      mass_of_all = imported_mass(*import_of);
+      system = imported_parts(*import_of);
+      names  = import_of->bodies;
+      inertia_parts.clear();
+      const auto mass = imported_mass(*import_of);
+      for (unsigned int b = 0; b < names.size(); ++b)
+        inertia_parts.push_back(
+          {b, {"mass of " + names[b], mass, [](const SceneParameters &) {
+                 return TermCoefficients{1., 0., 0.};
+               }}});
     }
     mode_namer = std::make_unique<ModeNamer>();
     if (what_contacts_do == Contacts::open)
@@ -194,34 +211,39 @@ namespace squeal
 
 
 
+  const std::vector<BodyInertia> &
+  Model::inertia() const
+  {
+    return inertia_parts;
+  }
+
+  Block
+  Model::momentum(const BodyInertia &part, const Block &full) const
+  {
+    Block product = part.term.matrix->multiply(full);
+    if (import_of)
+      for (Eigen::Index i = 0; i < product.rows(); ++i)
+        if (import_of->body_of[i] != part.body)
+          product.row(i).setZero();
+    return product;
+  }
+
+  void
+  Model::sum(Eigen::MatrixXd &values) const
+  {
+    (space ? *space->space() : *system.system.space).sum(values);
+  }
+
   Eigen::MatrixXd
-  Model::energy_shares(const Block &shapes) const
+  Model::energies(const Block &shapes) const
   {
     Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(names.size(), shapes.cols());
-    if (space)
-      {
-        const Block full = system.expand(shapes);
-        for (unsigned int b = 0; b < names.size(); ++b)
-          {
-            const auto  &p = all_parameters.scene.bodies[b];
-            const double density =
-              p.shape == BodyParameters::Shape::rigid ? 1. : p.density;
-            energy.row(b) =
-              density *
-              full.cwiseProduct(bodies[b].mass->multiply(full)).colwise().sum();
-          }
-        space->space()->sum(energy);
-      }
-    else
-      {
-        const Block products =
-          shapes.cwiseProduct(mass_of_all->multiply(shapes));
-        for (Eigen::Index i = 0; i < products.rows(); ++i)
-          energy.row(import_of->body_of[i]) += products.row(i);
-      }
-    for (Eigen::Index j = 0; j < energy.cols(); ++j)
-      if (const double total = energy.col(j).sum(); total > 0.)
-        energy.col(j) /= total;
+    const Block     full   = system.expand(shapes);
+    for (const auto &part : inertia_parts)
+      energy.row(part.body) +=
+        part.term.coefficients(all_parameters.scene).mass *
+        full.cwiseProduct(momentum(part, full)).colwise().sum();
+    sum(energy);
     return energy;
   }
 
@@ -230,46 +252,26 @@ namespace squeal
   {
     std::vector<Eigen::MatrixXd> forms;
     const Block                  full = system.expand(basis);
-    for (unsigned int b = 0; b < names.size(); ++b)
+    for (const auto &part : inertia_parts)
       {
-        Block product;
-        if (space)
-          product = bodies[b].mass->multiply(full);
-        else
-          {
-            product = mass_of_all->multiply(full);
-            for (Eigen::Index i = 0; i < product.rows(); ++i)
-              if (import_of->body_of[i] != b)
-                product.row(i).setZero();
-          }
-        Eigen::MatrixXd form = full.transpose() * product;
-        (space ? *space->space() : *system.system.space).sum(form);
+        Eigen::MatrixXd form = full.transpose() * momentum(part, full);
+        sum(form);
         forms.push_back(0.5 * (form + form.transpose()));
       }
     return forms;
   }
 
   Eigen::MatrixXd
+  Model::energy_shares(const Block &shapes) const
+  {
+    return shares_of(energies(shapes));
+  }
+
+  Eigen::MatrixXd
   Model::energy_shares(const ComplexBlock &shapes) const
   {
-    // |x|^2 is the sum over real and imaginary part; weigh the two shares by
-    // their energies through one common normalisation.
-    Block both(shapes.rows(), 2 * shapes.cols());
-    both << shapes.real(), shapes.imag();
-    const Eigen::MatrixXd shares = energy_shares(both);
-    const RowSpace       &rows   = *system.system.space;
-    const Pencil          pencil(system.system, all_parameters.scene);
-    Eigen::MatrixXd       squares =
-      both.cwiseProduct(pencil.multiply_mass(both)).colwise().sum();
-    rows.sum(squares);
-    const Eigen::Index n = shapes.cols();
-    Eigen::MatrixXd    result(shares.rows(), n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      {
-        const double a = squares(0, j), b = squares(0, n + j);
-        result.col(j) = (a * shares.col(j) + b * shares.col(n + j)) / (a + b);
-      }
-    return result;
+    return shares_of(energies(Block(shapes.real())) +
+                     energies(Block(shapes.imag())));
   }
 
 

@@ -20,8 +20,6 @@ namespace squeal
 
   namespace
   {
-    using Signature = std::vector<std::complex<double>>;
-
     constexpr double smallest_mac         = 0.3;
     constexpr double largest_distance     = 0.1; // relative, other name
     constexpr double cost_of_another_name = 0.05;
@@ -32,6 +30,7 @@ namespace squeal
       std::string                               directory;
       bool                                      has_sigma = false;
       std::map<long, std::vector<ComparedPair>> points;
+      SignatureFile                             signatures;
     };
 
     std::complex<double>
@@ -63,27 +62,6 @@ namespace squeal
              std::all_of(b.begin(), b.end(), fits);
     }
 
-    std::map<long long, Signature>
-    read_signatures(const std::string &path)
-    {
-      std::map<long long, Signature> signatures;
-      std::error_code                ignored;
-      if (!fs::exists(path, ignored))
-        return signatures;
-      const Table table =
-        read_csv(path, {{"index", Table::Type::integer, "", ""}});
-      const std::size_t n = table.columns().size();
-      for (std::size_t r = 0; r < table.n_rows(); ++r)
-        {
-          Signature signature;
-          for (std::size_t c = 1; c + 1 < n; c += 2)
-            signature.emplace_back(table.real(r, table.columns()[c].name),
-                                   table.real(r, table.columns()[c + 1].name));
-          signatures[table.integer(r, "index")] = signature;
-        }
-      return signatures;
-    }
-
     Run
     read_run(const std::string &directory, const bool with_sigma)
     {
@@ -97,11 +75,11 @@ namespace squeal
       if (with_sigma)
         required.push_back({"sigma_per_s", Table::Type::real, "1/s", ""});
       const Table table = read_csv(path, required);
-      const auto  signatures =
-        read_signatures((fs::path(directory) / "signature.csv").string());
 
       Run run;
       run.directory = directory;
+      run.signatures =
+        read_signatures((fs::path(directory) / "signature.csv").string());
       run.has_sigma = with_sigma;
       for (std::size_t r = 0; r < table.n_rows(); ++r)
         {
@@ -118,9 +96,6 @@ namespace squeal
               !table.is_missing(r, "error_estimate_rel"))
             error = std::max(error, table.real(r, "error_estimate_rel"));
           pair.is_unstable = pair.sigma > error * std::abs(eigenvalue(pair));
-          const auto found = signatures.find(pair.index);
-          if (found != signatures.end())
-            pair.signature = found->second;
           const long point =
             table.has_column("point") ? table.integer(r, "point") : 0;
           run.points[point].push_back(pair);
@@ -132,12 +107,55 @@ namespace squeal
           only.key() = 0;
           run.points.insert(std::move(only));
         }
-      // the index is unique within a point only
-      if (run.points.size() > 1)
-        for (auto &[point, pairs] : run.points)
-          for (ComparedPair &pair : pairs)
-            pair.signature.clear();
       return run;
+    }
+
+    /** The records of two runs, if both left one. */
+    std::optional<std::pair<RunRecord, RunRecord>>
+    read_records(const Run &a, const Run &b)
+    {
+      const std::string path_a = (fs::path(a.directory) / "run.json").string();
+      const std::string path_b = (fs::path(b.directory) / "run.json").string();
+      std::error_code   ignored;
+      if (!fs::exists(path_a, ignored) || !fs::exists(path_b, ignored))
+        return {};
+      return std::make_pair(read_run_record(path_a), read_run_record(path_b));
+    }
+
+    /** "" where the record does not tell. */
+    std::string
+    listed_bodies(const RunRecord &record)
+    {
+      for (const auto &[name, value] : record.parameters)
+        if (name == "Scene/Bodies")
+          return value;
+      return "";
+    }
+
+    /** Gives every pair its signature, those of @p b in the order of @p a;
+     * returns why that cannot be done, else "". */
+    std::string
+    give_signatures(
+      Run                                                  &a,
+      Run                                                  &b,
+      const std::optional<std::pair<RunRecord, RunRecord>> &records)
+    {
+      // the index is unique within a point only
+      if (a.points.size() != 1 || b.points.size() != 1)
+        return "";
+      const std::string bodies = records ? listed_bodies(records->first) : "";
+      const std::string reason = align_signatures(
+        a.signatures,
+        b.signatures,
+        !bodies.empty() && bodies == listed_bodies(records->second));
+      for (Run *run : {&a, &b})
+        for (ComparedPair &pair : run->points.begin()->second)
+          {
+            const auto found = run->signatures.of_pair.find(pair.index);
+            if (found != run->signatures.of_pair.end())
+              pair.signature = found->second;
+          }
+      return reason;
     }
 
     Table
@@ -261,18 +279,10 @@ namespace squeal
           add_comparison(result, nullptr, &b[j], point);
     }
 
-    /** The parameters that shape the result and differ, if both runs left a
-     * record. */
-    std::optional<Table>
-    differing_parameters(const Run &a, const Run &b)
+    /** The parameters that shape the result and differ. */
+    Table
+    differing_parameters(const RunRecord &record_a, const RunRecord &record_b)
     {
-      const std::string path_a = (fs::path(a.directory) / "run.json").string();
-      const std::string path_b = (fs::path(b.directory) / "run.json").string();
-      std::error_code   ignored;
-      if (!fs::exists(path_a, ignored) || !fs::exists(path_b, ignored))
-        return {};
-      const RunRecord record_a = read_run_record(path_a);
-      const RunRecord record_b = read_run_record(path_b);
       std::map<std::string, std::pair<std::string, std::string>> values;
       for (const auto &[name, value] : record_a.parameters)
         values[name].first = value;
@@ -310,7 +320,9 @@ namespace squeal
           out << '\n';
           parameters->print(out);
         }
-      out << "\nPairs matched by "
+      out << '\n';
+      print_reason(result, out);
+      out << "Pairs matched by "
           << (result.by_shape ? "shape (MAC)" : "name and nearest eigenvalue")
           << ":\n";
       result.table.print(out);
@@ -321,50 +333,6 @@ namespace squeal
       print_list("Vanished instabilities", result.vanished_instabilities, out);
     }
   } // namespace
-
-
-
-  Table
-  make_signature_table(
-    const std::vector<long long>                         &indices,
-    const std::vector<std::vector<std::complex<double>>> &samples)
-  {
-    Table table({{"index", Table::Type::integer, "", "number of the pair"}});
-    const std::size_t n = samples.empty() ? 0 : samples.front().size();
-    for (std::size_t c = 1; c <= 2 * n; ++c)
-      table.add_column({"c" + std::to_string(c),
-                        Table::Type::real,
-                        "",
-                        "real and imaginary parts of sampled displacements"});
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      {
-        std::vector<Cell> row = {indices.at(i)};
-        for (const std::complex<double> &sample : samples[i])
-          {
-            row.emplace_back(sample.real());
-            row.emplace_back(sample.imag());
-          }
-        table.add_row(row);
-      }
-    return table;
-  }
-
-
-
-  double
-  modal_assurance(const std::vector<std::complex<double>> &a,
-                  const std::vector<std::complex<double>> &b)
-  {
-    std::complex<double> product = 0.;
-    double               aa = 0., bb = 0.;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-      {
-        product += std::conj(a[i]) * b[i];
-        aa += std::norm(a[i]);
-        bb += std::norm(b[i]);
-      }
-    return aa > 0. && bb > 0. ? std::norm(product) / (aa * bb) : 0.;
-  }
 
 
 
@@ -420,11 +388,13 @@ namespace squeal
     const bool with_sigma =
       fs::exists(fs::path(directory_a) / "eigenvalues.csv") &&
       fs::exists(fs::path(directory_b) / "eigenvalues.csv");
-    const Run a = read_run(directory_a, with_sigma);
-    const Run b = read_run(directory_b, with_sigma);
+    Run        a       = read_run(directory_a, with_sigma);
+    Run        b       = read_run(directory_b, with_sigma);
+    const auto records = read_records(a, b);
 
     RunComparison result;
-    const bool    with_point = a.points.size() > 1 || b.points.size() > 1;
+    result.why_not_by_shape = give_signatures(a, b, records);
+    const bool with_point   = a.points.size() > 1 || b.points.size() > 1;
     for (const auto &[point, pairs] : a.points)
       if (!with_point && b.points.size() == 1)
         result.by_shape = have_signatures(pairs, b.points.begin()->second);
@@ -445,8 +415,10 @@ namespace squeal
                       point);
       }
 
-    const std::optional<Table> parameters = differing_parameters(a, b);
-    std::ostringstream         whole;
+    std::optional<Table> parameters;
+    if (records)
+      parameters = differing_parameters(records->first, records->second);
+    std::ostringstream whole;
     print_all(result, parameters, whole);
     const std::string text = whole.str();
     out << "A: " << directory_a << "\nB: " << directory_b << '\n';

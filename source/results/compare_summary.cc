@@ -159,6 +159,15 @@ namespace squeal
 
 
   void
+  print_reason(const RunComparison &comparison, std::ostream &out)
+  {
+    if (!comparison.why_not_by_shape.empty())
+      out << "By name: " << comparison.why_not_by_shape << ".\n";
+  }
+
+
+
+  void
   print_summary(const RunComparison &comparison,
                 const Table         *parameters,
                 std::ostream        &out)
@@ -166,6 +175,7 @@ namespace squeal
     print_parameters(parameters, out);
     if (comparison.table.has_column("point") && have_other_axes(parameters))
       out << "The axes differ: points of one number may have other values.\n";
+    print_reason(comparison, out);
     print_pairs(comparison.table, out);
     if (comparison.table.has_column("dsigma"))
       {

@@ -11,6 +11,10 @@ namespace squeal
   /** Lines that a comparison prints at most unless all is asked for. */
   constexpr std::size_t most_compared_lines = 40;
 
+  /** Prints why shapes are not compared, one line of 80 columns, where both
+   * runs have signatures that do not fit each other. */
+  void print_reason(const RunComparison &comparison, std::ostream &out);
+
   /** Prints what matters of a comparison of two runs in at most
    * most_compared_lines less the two that name the runs. @p parameters that
    * differ: "parameter", "A", "B"; null where they are not known. */

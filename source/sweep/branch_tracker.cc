@@ -66,6 +66,44 @@ namespace squeal
       return overlap > good_match && overlap < 1. / good_match;
     }
 
+    /** What a pair is among those with its vectors. */
+    enum class Role
+    {
+      oscillates,
+      upper, /**< of two real eigenvalues */
+      lower
+    };
+
+    /** @p own: overlaps of the pairs with each other. A partner beyond the band
+     * is the one that decays faster. */
+    std::vector<Role>
+    roles_of(const ComplexPairs &pairs, const Eigen::MatrixXcd &own)
+    {
+      const int         n = pairs.size();
+      std::vector<Role> roles(n, Role::oscillates);
+      for (int i = 0; i < n; ++i)
+        if (is_real(pairs, i))
+          {
+            roles[i] = Role::upper;
+            for (int j = 0; j < n; ++j)
+              if (j != i && is_real(pairs, j) &&
+                  pairs.sigma(j) > pairs.sigma(i) &&
+                  is_like_one(
+                    std::abs(own(i, j) * own(j, i) / (own(i, i) * own(j, j)))))
+                roles[i] = Role::lower;
+          }
+      return roles;
+    }
+
+    /** The two real eigenvalues of one motion have like vectors: only their
+     * order tells them apart. A pair that oscillates turns into the upper one.
+     */
+    bool
+    may_be_one(const Role a, const Role b)
+    {
+      return (a == Role::lower) == (b == Role::lower);
+    }
+
     /** The two pairs in the order that branches keep: by sigma where they have
      * coalesced, by frequency elsewhere. */
     std::pair<int, int>
@@ -88,6 +126,13 @@ namespace squeal
       if (branch[i] == wanted)
         return i;
     return -1;
+  }
+
+  bool
+  is_real(const ComplexPairs &pairs, const int i)
+  {
+    return std::abs(pairs.lambda[i].imag()) <=
+           1e-10 * std::abs(pairs.lambda[i]);
   }
 
   bool
@@ -116,6 +161,8 @@ namespace squeal
     const int      n = a.size(), m = b.size();
     const Overlaps o{
       overlaps(a, b), overlaps(b, a), overlaps(a, a), overlaps(b, b)};
+    const std::vector<Role> role_a = roles_of(a, o.aa),
+                            role_b = roles_of(b, o.bb);
     PairMatches      result{std::vector<int>(n, -1), true};
     std::vector<int> from(m, -1);
     // Alone and without doubt.
@@ -124,7 +171,9 @@ namespace squeal
         int    best = -1;
         double most = 0., second = 0.;
         for (int j = 0; j < m; ++j)
-          if (const double s = o.single(i, j); s > most)
+          if (const double s =
+                may_be_one(role_a[i], role_b[j]) ? o.single(i, j) : 0.;
+              s > most)
             {
               second = most;
               most   = s;
@@ -165,11 +214,14 @@ namespace squeal
               from[r]           = p;
               from[s]           = q;
             }
-    // The rest may leave or enter at the edges of the band only.
+    // The rest may leave or enter at the edges of the band only. What grows
+    // without oscillating does not leave it by its frequency.
     const double margin =
       0.03 * (options.highest_frequency - options.lowest_frequency);
     const auto inside = [&](const ComplexPairs &pairs, const int i) {
       const double f = pairs.frequency(i);
+      if (is_real(pairs, i) && pairs.sigma(i) > 0.)
+        return pairs.sigma(i) < 2. * M_PI * options.highest_frequency;
       return f > options.lowest_frequency + margin &&
              f < options.highest_frequency - margin;
     };

@@ -341,6 +341,10 @@ namespace squeal
             if (k < 0 || l < 0 || is_multiple(line[p].pairs, i, j) ||
                 is_multiple(line[p + 1].pairs, k, l))
               continue;
+            // A rate that passes a frequency is no coalescence.
+            if (is_real(line[p].pairs, i) != is_real(line[p].pairs, j) ||
+                is_real(line[p + 1].pairs, k) != is_real(line[p + 1].pairs, l))
+              continue;
             const double before = squared_split(line[p].pairs, i, j);
             const double after  = squared_split(line[p + 1].pairs, k, l);
             // Two overdamped or far apart pairs do not coalesce by a sign.

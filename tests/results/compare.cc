@@ -5,6 +5,7 @@
 #include <squeal/results/compare.h>
 #include <squeal/results/run_record.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 namespace
 {
   const std::string folder = "compare_test/";
-
-  using Signature = std::vector<std::complex<double>>;
 
   struct Mode
   {
@@ -50,6 +49,17 @@ namespace
     return shape;
   }
 
+  /** Ten samples of body beam, twenty of body pin. */
+  std::vector<std::string>
+  beam_and_pin()
+  {
+    std::vector<std::string> entries;
+    for (int i = 1; i <= 30; ++i)
+      entries.push_back(i <= 10 ? "beam_" + std::to_string(i)
+                                : "pin_" + std::to_string(i - 10));
+    return entries;
+  }
+
   void
   write_run(const std::string       &name,
             const std::vector<Mode> &modes,
@@ -76,7 +86,7 @@ namespace
       }
     table.write_csv(folder + name + "/eigenvalues.csv");
     if (!signatures.empty())
-      make_signature_table(indices, signatures)
+      make_signature_table(indices, beam_and_pin(), signatures)
         .write_csv(folder + name + "/signature.csv");
     RunRecord record;
     record.parameters = {{"Scene/Friction coefficient", friction},
@@ -162,6 +172,151 @@ namespace
             text.find("only in A") != std::string::npos &&
             text.find("only in B") != std::string::npos,
           "the notes say what happened");
+  }
+
+  /** Who writes a signature.csv, and in which order of the bodies. */
+  enum class Samples
+  {
+    beam_first,
+    pin_first,
+    other_pin, /**< other points on it, as many */
+    beam_first_unnamed,
+    pin_first_unnamed /**< by an earlier version, which named no bodies */
+  };
+
+  /** The two shapes of which every other order of the samples makes something
+   * that is more like the other one; @p bodies as in run.json, "" without. */
+  void
+  write_bodies(const std::string &name,
+               const Samples      samples,
+               const std::string &bodies)
+  {
+    const bool is_turned =
+      samples == Samples::pin_first || samples == Samples::pin_first_unnamed;
+    write_run(
+      name, {{1000., 5., "beam 1", 0}, {1010., -5., "beam 1", 0}}, 0., "0.3");
+    std::vector<std::string> entries = beam_and_pin();
+    if (samples == Samples::other_pin)
+      for (std::string &entry : entries)
+        if (entry.find("pin_") == 0)
+          entry = "pin_about_disc_" + entry.substr(4);
+    std::vector<Signature> shapes;
+    for (const bool second : {false, true})
+      {
+        Signature shape(30, second ? -1. : 1.);
+        std::fill(shape.begin(), shape.begin() + 10, 1.);
+        std::fill(shape.begin() + 20, shape.end(), second ? 1. : -1.);
+        if (is_turned)
+          std::rotate(shape.begin(), shape.begin() + 10, shape.end());
+        shapes.push_back(shape);
+      }
+    if (is_turned)
+      std::rotate(entries.begin(), entries.begin() + 10, entries.end());
+    const std::string file = folder + name + "/signature.csv";
+    make_signature_table({1, 2}, entries, shapes).write_csv(file);
+    if (samples == Samples::beam_first_unnamed ||
+        samples == Samples::pin_first_unnamed)
+      {
+        std::ifstream in(file);
+        std::string   line, text = "index";
+        std::getline(in, line);
+        for (int c = 1; c <= 60; ++c)
+          text += ",c" + std::to_string(c);
+        while (std::getline(in, line))
+          text += "\n" + line;
+        in.close();
+        std::ofstream(file) << text << '\n';
+      }
+    fs::remove(folder + name + "/run.json");
+    if (bodies.empty())
+      return;
+    RunRecord record;
+    record.parameters = {{"Scene/Bodies", bodies}};
+    write_run_record(record, folder + name + "/run.json");
+  }
+
+  RunComparison
+  compare_bodies(const Samples      a,
+                 const Samples      b,
+                 const std::string &bodies_a,
+                 const std::string &bodies_b,
+                 std::string       &printed)
+  {
+    write_bodies("bodies_a", a, bodies_a);
+    write_bodies("bodies_b", b, bodies_b);
+    std::ostringstream  out;
+    const RunComparison result =
+      compare_runs(folder + "bodies_a", folder + "bodies_b", out);
+    printed = out.str();
+    return result;
+  }
+
+  void
+  check_equal(const RunComparison &result, const std::string &text)
+  {
+    const Table &t = result.table;
+    check(result.by_shape && t.n_rows() == 2 && t.integer(0, "b") == 1 &&
+            t.integer(1, "b") == 2 && t.real(0, "mac") > 1. - 1e-12 &&
+            t.real(1, "mac") > 1. - 1e-12 && result.new_instabilities.empty() &&
+            result.vanished_instabilities.empty() &&
+            result.why_not_by_shape.empty(),
+          text);
+  }
+
+  void
+  test_order_of_bodies()
+  {
+    std::string printed;
+    check_equal(compare_bodies(Samples::beam_first,
+                               Samples::pin_first,
+                               "beam, pin",
+                               "pin, beam",
+                               printed),
+                "the order of the bodies does not matter");
+    check_equal(
+      compare_bodies(Samples::pin_first, Samples::beam_first, "", "", printed),
+      "nor does it without records of the runs");
+    check(printed.find("By name") == std::string::npos,
+          "and there is no excuse");
+
+    RunComparison other = compare_bodies(Samples::beam_first,
+                                         Samples::other_pin,
+                                         "beam, pin",
+                                         "beam, pin",
+                                         printed);
+    check(!other.by_shape && !other.table.has_column("mac") &&
+            printed.find("By name: the bodies, or the points that are sampled "
+                         "on them, differ.\n") != std::string::npos,
+          "other points on a body: by name, and said so");
+
+    check_equal(compare_bodies(Samples::beam_first_unnamed,
+                               Samples::beam_first,
+                               "beam, pin",
+                               "beam, pin",
+                               printed),
+                "samples without bodies count where both list them alike");
+    for (const auto &bodies : {"pin, beam", ""})
+      {
+        other = compare_bodies(Samples::beam_first_unnamed,
+                               Samples::pin_first_unnamed,
+                               "beam, pin",
+                               bodies,
+                               printed);
+        check(!other.by_shape && other.table.integer(0, "b") == 1 &&
+                other.new_instabilities.empty() &&
+                printed.find("By name: a signature.csv of an earlier version "
+                             "names no bodies.\n") != std::string::npos,
+              "and are not used where they do not, or nothing tells");
+      }
+
+    std::ofstream(folder + "bodies_a/signature.csv") << "index,re_a_1\n1,2\n";
+    check_throws<InputError>(
+      [&] {
+        std::ostringstream out;
+        compare_runs(folder + "bodies_a", folder + "bodies_b", out);
+      },
+      "column 're_a_1' is not the real part of a sample",
+      "a signature of half a sample");
   }
 
   void
@@ -310,6 +465,7 @@ main()
   fs::remove_all(folder);
   test_assurance();
   test_by_shape();
+  test_order_of_bodies();
   test_by_name();
   test_modes_only();
   test_sweep();

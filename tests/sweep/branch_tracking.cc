@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 using namespace squeal;
@@ -295,6 +296,50 @@ namespace
     check(found.size() == 1 && found[0].upper - found[0].lower < 3e-4,
           "a range of 1e-4 between steps of 0.1 is found");
   }
+  /** An oscillator of stiffness k beside one of stiffness 4 with a coupling as
+   * friction makes it: det K = 4 k + 0.01 is negative where it diverges. */
+  ComplexPairs
+  diverging(const double k, const double damping)
+  {
+    Eigen::MatrixXd K(2, 2);
+    K << k, 0.1, -0.1, 4.;
+    return solve(K, damping * Eigen::MatrixXd::Identity(2, 2));
+  }
+
+  void
+  divergence(const double damping)
+  {
+    const std::string with      = " with damping " + std::to_string(damping);
+    const auto        ranges_of = [&](const std::function<double(double)> &k) {
+      const auto solver = [&](const double t) {
+        return diverging(k(t), damping);
+      };
+      BranchTracker tracker(solver, options());
+      const auto    line = tracker.track(steps(-2., 2., 16));
+      return LineStability(solver, options(), 1e-8).ranges(line);
+    };
+    // The damping does not move the edge, at which the stiffness is singular.
+    const auto below = ranges_of([](const double t) { return t; });
+    check(below.size() == 1 && below[0].at_lower_limit &&
+            !below[0].at_upper_limit && below[0].lower == -2.,
+          "divergence up to an edge is one range" + with);
+    check_close(below[0].upper, -0.0025, 1e-4, "its edge: det K = 0" + with);
+    // lambda^2 + c lambda + kappa = 0 with the lower eigenvalue kappa of K
+    const double kappa = 0.5 * (2. - std::sqrt(36. - 0.04));
+    check_close(below[0].peak_sigma,
+                -0.5 * damping + std::sqrt(0.25 * damping * damping - kappa),
+                1e-9,
+                "its growth rate at the end of the axis" + with);
+    check(below[0].peak_frequency == 0., "it does not oscillate" + with);
+
+    const auto middle = ranges_of([](const double t) { return t * t - 1.; });
+    check(middle.size() == 1 && !middle[0].at_lower_limit &&
+            !middle[0].at_upper_limit,
+          "divergence between two edges is one range" + with);
+    const double edge = std::sqrt(1. - 0.0025);
+    check_close(middle[0].lower, -edge, 1e-6, "its lower edge" + with);
+    check_close(middle[0].upper, edge, 1e-6, "its upper edge" + with);
+  }
 } // namespace
 
 int
@@ -305,4 +350,7 @@ main()
   closed_loop();
   doublets();
   ranges_and_edges();
+  // undamped, and overdamped next to the edge
+  divergence(0.);
+  divergence(0.5);
 }

@@ -59,6 +59,21 @@ namespace squeal
   AffineSystem body_system(const Discretization            &discretization,
                            const std::vector<BodyMatrices> &bodies);
 
+  /** Inertia that moves with a body: the mass coefficient times the matrix of
+   * @p term, in the unknowns of the discretisation. */
+  struct BodyInertia
+  {
+    unsigned int body;
+    AffineTerm   term;
+  };
+
+  /** The masses of all bodies in their order, then the lumped masses, each of
+   * which counts for the body that carries it. Throws InputError for a lumped
+   * mass outside its body. */
+  std::vector<BodyInertia> inertia_of_bodies(
+    const Discretization            &discretization,
+    const std::vector<BodyMatrices> &bodies);
+
   /** alpha of C = alpha M + beta K for a body, 1/s, by the damping model. */
   double mass_damping_of(const SceneParameters &scene, const unsigned int body);
 

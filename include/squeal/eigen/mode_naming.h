@@ -135,6 +135,11 @@ namespace squeal
      */
     std::shared_ptr<const Functionals> signature() const;
 
+    /** What every row of signature() belongs to, whatever the order of the
+     * bodies: "pin_3", the third row of body pin; "pin_about_disc_3" where its
+     * points or directions follow the disc that names refer to. */
+    const std::vector<std::string> &signature_entries() const;
+
     /** Angle of the "+" antinode about the disc axis from x towards y, rad. */
     double reference_angle() const;
 
@@ -191,6 +196,7 @@ namespace squeal
     unsigned int                       main_body         = -1u;
     std::optional<DiscRing>            main_ring;
     std::shared_ptr<const Functionals> samples, signature_rows;
+    std::vector<std::string>           entries; /**< of signature_rows */
   };
 } // namespace squeal
 

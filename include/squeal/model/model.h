@@ -53,14 +53,21 @@ namespace squeal
     unsigned int      n_unknowns() const;
     const Parameters &parameters() const;
 
-    /** Share of the kinetic energy of every body in real or complex shapes of
-     * the system: bodies x shapes, columns of sum 1. */
+    /** What the kinetic energy consists of: the inertia of bodies and of the
+     * lumped masses on them. Of an imported model each body has the whole mass
+     * matrix, of which its rows count. */
+    const std::vector<BodyInertia> &inertia() const;
+
+    /** Share of the kinetic energy of every body, the lumped masses that it
+     * carries included, in real or complex shapes of the system: bodies x
+     * shapes, columns of sum 1. Of a complex shape it is the mean over a
+     * period: that of the real plus that of the imaginary part. */
     Eigen::MatrixXd energy_shares(const Block &shapes) const;
     Eigen::MatrixXd energy_shares(const ComplexBlock &shapes) const;
 
-    /** x^T M_b x of every body b on the vectors of a basis, with the densities
-     * taken out: the kinetic energies of combinations follow without the full
-     * vectors. */
+    /** x^T M x of every part of inertia() on the vectors of a basis, with
+     * densities and lumped masses taken out: the kinetic energies of
+     * combinations follow without the full vectors. */
     std::vector<Eigen::MatrixXd> energy_forms(const Block &basis) const;
 
     /** Masses, centres, sizes, contact areas and unknowns. */
@@ -69,17 +76,23 @@ namespace squeal
   private:
     void assemble_bodies_scene(Timers &timers);
     void assemble_imported(Timers &timers);
+    /** M X of a part of inertia(), X in the unknowns of the discretisation. */
+    Block momentum(const BodyInertia &part, const Block &full) const;
+    /** Sums over all ranks. */
+    void sum(Eigen::MatrixXd &values) const;
+    /** Twice the kinetic energies at unit frequency: bodies x shapes. */
+    Eigen::MatrixXd energies(const Block &shapes) const;
 
-    const Parameters                     &all_parameters;
-    const std::vector<ContactStates>      given_states;
-    const Contacts                        what_contacts_do;
-    std::unique_ptr<Discretization>       space;
-    std::vector<BodyMatrices>             bodies;
-    LinearizedSystem                      system;
-    std::unique_ptr<ModeNamer>            mode_namer;
-    std::vector<std::string>              names;
-    std::shared_ptr<const ImportedModel>  import_of; /**< imported models */
-    std::shared_ptr<const LinearOperator> mass_of_all;
+    const Parameters                    &all_parameters;
+    const std::vector<ContactStates>     given_states;
+    const Contacts                       what_contacts_do;
+    std::unique_ptr<Discretization>      space;
+    std::vector<BodyMatrices>            bodies;
+    LinearizedSystem                     system;
+    std::unique_ptr<ModeNamer>           mode_namer;
+    std::vector<std::string>             names;
+    std::shared_ptr<const ImportedModel> import_of; /**< imported models */
+    std::vector<BodyInertia>             inertia_parts;
   };
 } // namespace squeal
 

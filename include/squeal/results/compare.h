@@ -2,9 +2,9 @@
 #ifndef squeal_results_compare_h
 #define squeal_results_compare_h
 
+#include <squeal/results/signature.h>
 #include <squeal/results/table.h>
 
-#include <complex>
 #include <iosfwd>
 #include <string>
 #include <utility>
@@ -12,29 +12,15 @@
 
 namespace squeal
 {
-  /**
-   * signature.csv: for every pair of a run its displacement at sampled points,
-   * by which two runs on different meshes recognise each other's shapes. Each
-   * row is `index,c1,c2,...` with real and imaginary part of one sample after
-   * the other. The phase and size of a shape do not matter.
-   */
-  Table make_signature_table(
-    const std::vector<long long>                         &indices,
-    const std::vector<std::vector<std::complex<double>>> &samples);
-
-  /** |a^H b|^2 / (a^H a b^H b) of two signatures; 0 if one vanishes. */
-  double modal_assurance(const std::vector<std::complex<double>> &a,
-                         const std::vector<std::complex<double>> &b);
-
   /** One eigenpair of a run as the comparison sees it. */
   struct ComparedPair
   {
-    long long                         index     = 0;
-    double                            frequency = 0.; /**< Hz */
-    double                            sigma     = 0.; /**< 1/s */
-    std::string                       name;
-    bool                              is_unstable = false;
-    std::vector<std::complex<double>> signature; /**< may be empty */
+    long long   index     = 0;
+    double      frequency = 0.; /**< Hz */
+    double      sigma     = 0.; /**< 1/s */
+    std::string name;
+    bool        is_unstable = false;
+    Signature   signature; /**< may be empty; of both runs in one order */
   };
 
   /**
@@ -55,12 +41,15 @@ namespace squeal
     std::vector<std::string> new_instabilities;
     std::vector<std::string> vanished_instabilities;
     bool                     by_shape = false; /**< matched by MAC */
+    /** Why the signatures of both runs are not used, else empty. */
+    std::string why_not_by_shape;
   };
 
   /**
    * Reads the results of two runs from their output directories
    * (eigenvalues.csv, or modes.csv if one of them has none), matches the pairs
-   * of equal `point` and prints the table of frequency and sigma changes, the
+   * of equal `point`, by their shapes whatever the order of the bodies, and
+   * prints the table of frequency and sigma changes, the
    * parameters that differ, and new and vanished instabilities. A pair counts
    * as unstable if sigma exceeds its own error estimate. What would take more
    * than 40 lines is summed up in as many: how many pairs are equal, those that

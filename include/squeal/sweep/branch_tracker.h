@@ -45,6 +45,10 @@ namespace squeal
    * that is ambiguous the step is divided. Points are also inserted where two
    * frequencies come closest, so that no lock-in is stepped over.
    *
+   * A conjugate pair that becomes real goes on as the upper one of the two real
+   * eigenvalues, which grows where the stiffness has lost its sign; the lower
+   * one, which has nearly the same vectors, is a branch of its own.
+   *
    * Inside an invariant pair that has coalesced branches are ordered by sigma:
    * the branch with the lower frequency outside has the lower sigma inside. So
    * a branch does not depend on the way it was reached on the line.
@@ -92,6 +96,10 @@ namespace squeal
    * frequencies, negative for a coalesced pair, smooth through the coalescence.
    */
   double squared_split(const ComplexPairs &pairs, const int i, const int j);
+
+  /** Whether an eigenvalue is real, as those of a motion that diverges or is
+   * overdamped: two of them stand in the place of one conjugate pair. */
+  bool is_real(const ComplexPairs &pairs, const int i);
 
   /** Whether two pairs are a multiple eigenvalue with vectors of its own, such
    * as the doublet of a round disc: their difference is rounding, and they do

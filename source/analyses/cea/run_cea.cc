@@ -98,14 +98,16 @@ namespace squeal
       full.imag() = model.linearized().expand(Block(pairs.right.imag()));
       const Eigen::MatrixXcd samples = signature->apply(full);
       std::vector<long long> indices;
-      std::vector<std::vector<std::complex<double>>> rows;
+      std::vector<Signature> rows;
       for (Eigen::Index j = 0; j < samples.cols(); ++j)
         {
           indices.push_back(j + 1);
           rows.emplace_back(samples.col(j).data(),
                             samples.col(j).data() + samples.rows());
         }
-      context.write_table("signature.csv", make_signature_table(indices, rows));
+      context.write_table(
+        "signature.csv",
+        make_signature_table(indices, model.namer().signature_entries(), rows));
     }
 
 

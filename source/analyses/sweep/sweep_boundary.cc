@@ -26,8 +26,11 @@ namespace squeal
       double distance = 0.5;
       for (std::size_t i = 0; i < other.size(); ++i)
         {
+          // what diverges has no frequency
+          const double larger =
+            std::max({other[i].peak_frequency, range.peak_frequency, 1e-300});
           const double d =
-            std::abs(other[i].peak_frequency / range.peak_frequency - 1.) *
+            std::abs(other[i].peak_frequency - range.peak_frequency) / larger *
               10. +
             std::abs(other[i].lower - range.lower) / length;
           if (d < distance)

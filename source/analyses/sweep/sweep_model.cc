@@ -19,6 +19,13 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
+
+    /** Under which the form of the kinetic energy of a part is kept. */
+    std::string
+    form_name(const BodyInertia &part)
+    {
+      return "energy by " + part.term.name;
+    }
   } // namespace
 
 
@@ -269,8 +276,8 @@ namespace squeal
   {
     Timers::Section section(context.timers, "Solve: energies and names");
     const auto      forms = full.energy_forms(basis);
-    for (unsigned int b = 0; b < forms.size(); ++b)
-      small.forms["energy " + full.body_names()[b]] = forms[b];
+    for (unsigned int i = 0; i < forms.size(); ++i)
+      small.forms[form_name(full.inertia()[i])] = forms[i];
     const Block all = full.linearized().expand(basis);
     if (full.namer().n_coordinates() > 0)
       small.functionals["names"] = full.namer().coordinates(all);
@@ -322,20 +329,16 @@ namespace squeal
                             const Eigen::MatrixXcd &vectors) const
   {
     const SceneParameters &scene = sweep_grid.scene(point);
-    Eigen::MatrixXd        shares(full.body_names().size(), vectors.cols());
-    for (unsigned int b = 0; b < shares.rows(); ++b)
-      {
-        const auto &form    = small.forms.at("energy " + full.body_names()[b]);
-        double      density = 1.;
-        if (full.discretization() &&
-            scene.bodies[b].shape != BodyParameters::Shape::rigid)
-          density = scene.bodies[b].density;
-        shares.row(b) = density * vectors.conjugate()
-                                    .cwiseProduct(times(form, vectors))
-                                    .real()
-                                    .colwise()
-                                    .sum();
-      }
+    Eigen::MatrixXd        shares =
+      Eigen::MatrixXd::Zero(full.body_names().size(), vectors.cols());
+    for (const auto &part : full.inertia())
+      shares.row(part.body) +=
+        part.term.coefficients(scene).mass *
+        vectors.conjugate()
+          .cwiseProduct(times(small.forms.at(form_name(part)), vectors))
+          .real()
+          .colwise()
+          .sum();
     for (Eigen::Index j = 0; j < shares.cols(); ++j)
       shares.col(j) /= std::max(shares.col(j).sum(), 1e-300);
     return shares;

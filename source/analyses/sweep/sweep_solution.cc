@@ -243,13 +243,15 @@ namespace squeal
                         : std::nan("");
     }
 
-    /** The larger one of both edges; an end of the line is none. */
+    /** The larger one of both edges; an end of the line is none. NaN for a
+     * range of divergence, at whose edges nothing coalesces with a partner. */
     double
     mesh_error_of_edges(const SweepModel    &model,
                         const SweepLine     &line,
                         const UnstableRange &range)
     {
-      if (range.at_lower_limit && range.at_upper_limit)
+      if ((range.at_lower_limit && range.at_upper_limit) ||
+          range.peak_frequency == 0.)
         return std::nan("");
       double error = 0.;
       if (!range.at_lower_limit)
