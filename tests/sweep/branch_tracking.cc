@@ -350,7 +350,7 @@ main()
   closed_loop();
   doublets();
   ranges_and_edges();
-  // undamped, and overdamped next to the edge
-  divergence(0.);
+  // damped a little, and overdamped next to the edge
+  divergence(1e-3);
   divergence(0.5);
 }
