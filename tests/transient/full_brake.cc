@@ -142,10 +142,8 @@ namespace
     (whole.array() - linear.lambda[k]).abs().minCoeff(&i);
     const Complex found = whole[i] - linear.lambda[k];
     std::printf("motions above the cut-off: stated %+.2f 1/s, %+.3f Hz; found "
-                "%+.2f 1/s, %+.3f Hz
-                ",
-                stated[k]
-                  .real(),
+                "%+.2f 1/s, %+.3f Hz\n",
+                stated[k].real(),
                 stated[k].imag() / (2. * M_PI),
                 found.real(),
                 found.imag() / (2. * M_PI));
