@@ -153,10 +153,11 @@ namespace
           "nine intervals are no pause");
     write_sine("pause.h5", true, .9);
     const std::string record = run_damage("  set File = pause.h5\n");
-    check(has(record,
-              "pause.h5: no sample for 0.901 s after 0.05 s, 901 times the "
-              "median interval: "),
-          "a pause is said with its length and time");
+    check(
+      has(record,
+          "pause.h5: no sample for 0.901 s after 0.0500000 s, 901 times the "
+          "median interval: "),
+      "a pause is said with its length and time");
     check(has(record, "per second are 10.1 times lower than without"),
           "and with what it does");
     check_close(before /
@@ -167,7 +168,7 @@ namespace
     write_sine("silent.h5", true, .9, 20);
     check(has(run_damage("  set File = even.h5\n  set Silent file = "
                          "silent.h5\n"),
-              "silent.h5: no sample for 0.901 s after 0.02 s"),
+              "silent.h5: no sample for 0.901 s after 0.0200000 s"),
           "so is one of the silent history");
   }
 
