@@ -11,6 +11,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/damage_vtu.cc
     source/damage/history_damage.cc
     source/damage/range_mean_picture.cc
+    source/damage/sample_spacing.cc
     source/damage/subsurface.cc
     source/damage/surface.cc
     source/driver/context.cc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// S-N curves, mean stress, accumulation and spectral damage against closed
-// forms.
+// S-N curves, mean stress and spectral damage against closed forms.
 #include <squeal/tribology/fatigue/damage_counter.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
@@ -116,30 +115,6 @@ namespace
     for (unsigned int i = 0; i < 2000; ++i)
       if (damages[i] != c.damage(amplitudes[i]))
         check(false, "many at once are as one by one");
-  }
-
-  void
-  manson_halford()
-  {
-    MansonHalford high(1e3), low(1e5);
-    high.add(.5e3, 1e3);
-    low.add(.5e5, 1e5);
-    check(std::abs(high.rest(1e5) - 0.1040372) <= 5.1e-8,
-          "high then low: " + std::to_string(high.rest(1e5)));
-    check(std::abs(low.rest(1e3) - 0.9873925) <= 5.1e-8,
-          "low then high: " + std::to_string(low.rest(1e3)));
-    check_close(high.rest(1e5),
-                1. - std::pow(.5, std::pow(.01, .4)),
-                closed,
-                "high then low in closed form");
-    MansonHalford one(1e4);
-    for (unsigned int i = 0; i < 1000; ++i)
-      one.add(1., 2000.);
-    check_close(one.rest(2000.), .5, closed, "one level: Miner's sum");
-    one.add(1000., 2000.);
-    check_close(one.damage(), 1., closed, "the whole life: 1 on every curve");
-    one.add(5., INFINITY);
-    check_close(one.damage(), 1., closed, "cycles that do nothing do nothing");
   }
 
   void
@@ -283,7 +258,6 @@ main()
 {
   mean_stress();
   curves();
-  manson_halford();
   spectra();
   counted_noise();
 }

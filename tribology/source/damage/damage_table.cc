@@ -59,7 +59,10 @@ namespace squeal::tribology
                const bool               has_dirlik)
     {
       const std::string what =
-        f.constants.empty() ? "index of damage" : "damage (1 is failure)";
+        f.constants.empty() ? "index of damage"
+        : f.accumulation == FatigueParameters::Accumulation::miner
+          ? "damage (1 is failure)"
+          : "share of the life while the history repeats";
       for (std::size_t c = 0; c < f.exponents.size(); ++c)
         {
           const std::string m = slope_name(f.exponents[c]);
@@ -87,9 +90,13 @@ namespace squeal::tribology
           if (has_dirlik)
             list.push_back({real("dirlik_over_counting_" + m,
                                  "",
-                                 "spectral over counted damage, slope " + m),
+                                 "spectral over counted damage, both on a "
+                                 "straight S-N line without mean stress and by "
+                                 "Miner's sum, slope " +
+                                   m),
                             [c, duration](const Node &n) {
-                              return ratio(n.dirlik[c], n.damage[c] / duration);
+                              return ratio(n.dirlik[c],
+                                           n.straight[c] / duration);
                             },
                             false,
                             true});
@@ -101,7 +108,8 @@ namespace squeal::tribology
     void
     add_surface(std::vector<Quantity>   &list,
                 const SurfaceParameters &surface,
-                const double             application_time)
+                const double             application_time,
+                const HistoryDamage     &damage)
     {
       const double k =
         surface.wear_coefficient > 0. ? surface.wear_coefficient : 1.;
@@ -109,27 +117,37 @@ namespace squeal::tribology
       const auto per_s    = [](const double value, const Node &n) {
         return ratio(value, n.surface.duration);
       };
-      list.push_back(
-        {real(
-           "friction_power_w_per_m2", "W/m^2", "mean friction power per area"),
-         [per_s](const Node &n) { return per_s(n.surface.friction_energy, n); },
-         true});
+      const auto of_slip = [per_s, known = damage.has_slip_rate](
+                             const double value, const Node &n) {
+        return known ? per_s(value, n) : NAN;
+      };
+      list.push_back({real("friction_power_w_per_m2",
+                           "W/m^2",
+                           "mean friction power per area"),
+                      [of_slip](const Node &n) {
+                        return of_slip(n.surface.friction_energy, n);
+                      },
+                      true,
+                      true});
       list.push_back({real("friction_energy_per_application_j_per_m2",
                            "J/m^2",
                            "friction energy per area and application"),
-                      [per_s, application_time](const Node &n) {
-                        return per_s(n.surface.friction_energy, n) *
+                      [of_slip, application_time](const Node &n) {
+                        return of_slip(n.surface.friction_energy, n) *
                                application_time;
-                      }});
+                      },
+                      false,
+                      true});
       list.push_back(
         {is_index ? real("wear_index_pa_m_per_s",
                          "Pa m/s",
                          "pressure times slip speed: Archard wear rate for "
                          "k/H = 1")
                   : real("wear_rate_m_per_s", "m/s", "Archard wear rate"),
-         [per_s, k](const Node &n) {
-           return k * per_s(n.surface.pressure_slip, n);
+         [of_slip, k](const Node &n) {
+           return k * of_slip(n.surface.pressure_slip, n);
          },
+         true,
          true});
       list.push_back({is_index ? real("wear_index_per_application_pa_m",
                                       "Pa m",
@@ -137,10 +155,12 @@ namespace squeal::tribology
                                : real("wear_depth_per_application_m",
                                       "m",
                                       "Archard wear depth per application"),
-                      [per_s, k, application_time](const Node &n) {
-                        return k * per_s(n.surface.pressure_slip, n) *
+                      [of_slip, k, application_time](const Node &n) {
+                        return k * of_slip(n.surface.pressure_slip, n) *
                                application_time;
-                      }});
+                      },
+                      false,
+                      true});
       list.push_back({real("contact_duty", "", "part of the time in contact"),
                       [](const Node &n) { return n.surface.duty(); }});
       list.push_back(
@@ -157,7 +177,11 @@ namespace squeal::tribology
                       }});
       list.push_back(
         {real("stick_slip_per_s", "1/s", "changes between stick and slip"),
-         [per_s](const Node &n) { return per_s(n.surface.stick_slip, n); }});
+         [per_s, known = damage.has_stick_slip](const Node &n) {
+           return known ? per_s(n.surface.stick_slip, n) : NAN;
+         },
+         false,
+         true});
     }
 
 
@@ -214,12 +238,12 @@ namespace squeal::tribology
             {real("largest_range_pa", "Pa", "largest counted range"),
              [](const Node &n) { return n.largest_range; }}};
     add_damage(list, p.fatigue, squealing.duration, has_dirlik);
-    add_surface(list, p.surface, p.fatigue.application_time);
+    add_surface(list, p.surface, p.fatigue.application_time, squealing);
     std::vector<Quantity> for_silent;
     if (silent)
       {
         add_damage(for_silent, p.fatigue, silent->duration, false);
-        add_surface(for_silent, p.surface, p.fatigue.application_time);
+        add_surface(for_silent, p.surface, p.fatigue.application_time, *silent);
       }
 
     Table table(
@@ -273,7 +297,7 @@ namespace squeal::tribology
                 std::find_if(list.begin(), list.end(), [&](const Quantity &o) {
                   return o.column.name == q.column.name;
                 });
-              row.push_back(quiet);
+              row.push_back(q.may_be_missing ? or_missing(quiet) : Cell(quiet));
               // Where the silent pad does not touch, rounding alone is counted.
               const bool touches = silent->nodes[k].surface.contact_time > 0.;
               row.push_back(touches ? or_missing(ratio(

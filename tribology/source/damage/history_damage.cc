@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/tribology/damage/history_damage.h>
+#include <squeal/tribology/damage/sample_spacing.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
 #include <algorithm>
@@ -114,6 +115,41 @@ namespace squeal::tribology
 
 
 
+    /** The lines that a spectral estimate follows: without knee and limit. */
+    std::vector<SnCurve>
+    straight_lines(std::vector<SnCurve> curves)
+    {
+      for (SnCurve &curve : curves)
+        {
+          curve.knee_stress     = 0.;
+          curve.endurance_limit = 0.;
+        }
+      return curves;
+    }
+
+
+
+    /** A line for a run whose history is so much of the life that the order of
+     * its cycles matters (MansonHalford); "" elsewhere. */
+    std::string
+    note_of_order(const HistoryDamage &result, const FatigueParameters &fatigue)
+    {
+      double largest = 0.;
+      for (const HistoryDamage::Node &node : result.nodes)
+        for (const double share : node.damage)
+          largest = std::max(largest, share);
+      if (fatigue.accumulation !=
+            FatigueParameters::Accumulation::manson_halford ||
+          largest < 0.01)
+        return "";
+      return "the history takes up to " + rounded_text(largest, 2) +
+             " of the life at a node: 'Accumulation = manson halford' takes "
+             "its cycles as mixed, and their order changes the life by up to "
+             "about one repetition of the history";
+    }
+
+
+
     void
     require_finite(const HistoryDamage &result)
     {
@@ -192,28 +228,36 @@ namespace squeal::tribology
                                std::max(largest, 1e-300),
                                lowest,
                                std::max(highest, lowest + 1e-300));
-    std::vector<DamageCounter> counters(n, DamageCounter(rules));
-    std::vector<DamageCounter> averaged(n, DamageCounter(plain));
-    const RowMajor weights = grid.averaging(fatigue.averaging_length);
-    SurfaceSummer  summer(reader.layout(), surface);
-
     HistoryDamage result;
-    const double  rate = fatigue.spectral ? even_rate(reader, window) : 0.;
+    result.has_slip_rate = reader.layout().has_slip_rate;
+    result.has_stick_slip =
+      reader.layout().has_slip_rate || reader.layout().has_status;
+    const double rate = fatigue.spectral ? even_rate(reader, window) : 0.;
     std::vector<WelchEstimator> spectra;
     if (rate > 0. && window.n >= n_window)
-      spectra.assign(n, WelchEstimator(n_window, rate));
+      {
+        spectra.assign(n, WelchEstimator(n_window, rate));
+        rules.straight_curves = straight_lines(rules.curves);
+      }
     else if (fatigue.spectral)
       result.notes.push_back(
         "no spectral estimate: it needs evenly spaced times and at least " +
         std::to_string(n_window) + " samples");
 
-    Tension tension;
-    double  first = 0., last = 0.;
+    std::vector<DamageCounter> counters(n, DamageCounter(rules));
+    std::vector<DamageCounter> averaged(n, DamageCounter(plain));
+    const RowMajor weights = grid.averaging(fatigue.averaging_length);
+    SurfaceSummer  summer(reader.layout(), surface);
+
+    Tension       tension;
+    SampleSpacing spacing;
+    double        first = 0., last = 0.;
     for_each_chunk(reader, window, history.chunk, [&](const HistorySamples &s) {
       if (result.samples == 0)
         first = s.time[0];
       last = s.time.back();
       tension.add(s, n);
+      spacing.add(s.time);
       result.samples += s.n_samples();
       const RowMajor stress = stresses(s, n, fatigue);
       for (std::size_t k = 0; k < n; ++k)
@@ -236,9 +280,6 @@ namespace squeal::tribology
         progress(s.n_samples());
     });
     result.duration = last - first;
-    if (const std::string note = tension.note(); !note.empty())
-      result.notes.push_back(note);
-
     result.nodes.resize(n);
     for (std::size_t k = 0; k < n; ++k)
       {
@@ -259,9 +300,14 @@ namespace squeal::tribology
               spectra[k].spectrum().moments();
             for (const SnCurve &curve : rules.curves)
               node.dirlik.push_back(dirlik_damage(moments, curve));
+            node.straight = counters[k].straight_damages();
           }
       }
     require_finite(result);
+    for (const std::string &note :
+         {tension.note(), spacing.note(), note_of_order(result, fatigue)})
+      if (!note.empty())
+        result.notes.push_back(note);
     return result;
   }
 } // namespace squeal::tribology

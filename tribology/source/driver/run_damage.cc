@@ -96,7 +96,8 @@ namespace squeal::tribology
           std::vector<Cell> row = {study == studies[0] ? "squealing" : "silent",
                                    study->damage.duration,
                                    pressure / area,
-                                   power,
+                                   study->damage.has_slip_rate ? Cell(power)
+                                                               : Cell(),
                                    impacts};
           for (const double d : damage)
             row.push_back(d / area);
@@ -163,7 +164,11 @@ namespace squeal::tribology
                "Several slopes stand side by side since nobody has published "
                "one "
                "for brake pads."
-           : "Damage is that of the given S-N curves: 1 is failure.",
+         : p.fatigue.accumulation == FatigueParameters::Accumulation::miner
+           ? "Damage is that of the given S-N curves: 1 is failure."
+           : "Damage is the share of the life by the given S-N curves and the "
+             "damage curves of Manson and Halford, while the history repeats "
+             "over and over: 1 is failure.",
          "Per second means per second of this history; an application is " +
            rounded_text(p.fatigue.application_time, 4) + " s of it."});
       report.section("Damage");
@@ -220,8 +225,7 @@ namespace squeal::tribology
            "more than the nodal mean.",
          "A spectral estimate (Dirlik) assumes a Gaussian process, which a "
          "limit "
-         "cycle is not: the column dirlik_over_counting says how far off it "
-         "is."});
+         "cycle is not: dirlik_over_counting says how far off it is."});
       report.section("Nodes");
       report.table(
         table, "All nodes (damage" + study.suffix() + ".csv)", {}, {}, false);
@@ -240,9 +244,20 @@ namespace squeal::tribology
           context.parameters.subsurface.pad_thickness > 0.)
         context.log.warning("stresses under the face are those of a "
                             "half-space, in spite of 'Pad thickness'");
-      if (!study.reader.layout().has_slip_rate)
-        context.log.warning("the history has no slip rate: friction power, "
-                            "wear and stick-slip are 0");
+    }
+
+
+
+    void
+    warn_of_missing_slip(Context &context, const DamageStudy &study)
+    {
+      const HistoryLayout &layout = study.reader.layout();
+      if (!layout.has_slip_rate)
+        context.log.warning(
+          study.reader.path() + ": the history has no slip rate: " +
+          (layout.has_status ? "friction power and wear"
+                             : "friction power, wear and stick-slip") +
+          " are not known");
     }
 
 
@@ -354,12 +369,9 @@ namespace squeal::tribology
         }
       return prm::join(ratios, ", ");
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /** The pairs that are looked at; one without a name of a history that has
      * but one. */
     std::vector<std::string>
@@ -394,6 +406,9 @@ namespace squeal::tribology
           require_same_nodes(*r.study, *r.silent);
         }
       warn_of_what_is_missing(context, *r.study);
+      warn_of_missing_slip(context, *r.study);
+      if (r.silent)
+        warn_of_missing_slip(context, *r.silent);
       const std::string of = pair.empty() ? pair : ", " + pair;
       count(context, *r.study, "squealing" + of);
       if (r.silent)

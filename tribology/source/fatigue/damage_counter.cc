@@ -14,6 +14,7 @@ namespace squeal::tribology
             sn_curves(fatigue),
             MeanStressCorrection(fatigue),
             fatigue.accumulation,
+            {},
             {}};
   }
 
@@ -23,11 +24,11 @@ namespace squeal::tribology
     : rules(&rules)
     , counter(rules.residue)
     , sums(rules.curves.size(), 0.)
+    , straight_sums(rules.straight_curves.size(), 0.)
     , range_mean(rules.empty_matrix)
   {
     if (rules.accumulation == FatigueParameters::Accumulation::manson_halford)
-      for (const SnCurve &curve : rules.curves)
-        curves_of_damage.emplace_back(curve.constant);
+      curves_of_damage.resize(rules.curves.size());
   }
 
 
@@ -67,7 +68,7 @@ namespace squeal::tribology
                           const double c) { take(range, mean, c); });
     flush();
     for (std::size_t i = 0; i < curves_of_damage.size(); ++i)
-      sums[i] = curves_of_damage[i].damage();
+      sums[i] = curves_of_damage[i].share();
   }
 
 
@@ -85,6 +86,13 @@ namespace squeal::tribology
     if (range_mean)
       for (std::size_t i = 0; i < n_waiting; ++i)
         range_mean->add(ranges[i], means[i], counts[i]);
+    for (std::size_t c = 0; c < straight_sums.size(); ++c)
+      {
+        rules->straight_curves[c].damage(
+          amplitudes.data(), n_waiting, damages.data());
+        for (std::size_t i = 0; i < n_waiting; ++i)
+          straight_sums[c] += counts[i] * damages[i];
+      }
     if (!rules->correction.is_none())
       for (std::size_t i = 0; i < n_waiting; ++i)
         amplitudes[i] =
@@ -97,7 +105,7 @@ namespace squeal::tribology
             sums[c] += counts[i] * damages[i];
         else
           for (std::size_t i = 0; i < n_waiting; ++i)
-            curves_of_damage[c].add(counts[i], 1. / damages[i]);
+            curves_of_damage[c].add(counts[i], damages[i]);
       }
     n_waiting = 0;
   }
@@ -108,6 +116,14 @@ namespace squeal::tribology
   DamageCounter::damages() const
   {
     return sums;
+  }
+
+
+
+  const std::vector<double> &
+  DamageCounter::straight_damages() const
+  {
+    return straight_sums;
   }
 
 

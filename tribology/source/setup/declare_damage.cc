@@ -81,8 +81,10 @@ namespace squeal::tribology
     declare_strength(schema, f);
     schema.add("Accumulation",
                f.accumulation,
-               "Linear sum of Palmgren and Miner, or the damage curves of "
-               "Manson and Halford, which know the order of the cycles.");
+               "Linear sum of Palmgren and Miner, or the life of the "
+               "repeating history by the damage curves of Manson and Halford, "
+               "by which cycles of different height do more together than "
+               "alone.");
     schema.add("Averaging length",
                f.averaging_length,
                Allowed::number(0.),

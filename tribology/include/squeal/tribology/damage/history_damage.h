@@ -17,17 +17,24 @@ namespace squeal::tribology
   {
     struct Node
     {
-      std::vector<double> damage;   /**< of its own stress, for each curve */
+      /** Share of the life that the history takes where it repeats, for each
+       * curve: of its own stress. */
+      std::vector<double> damage;
       std::vector<double> averaged; /**< of the averaged stress */
       std::vector<double> dirlik;   /**< 1/s, empty if not asked for */
+      /** What is counted to compare with it: on straight S-N lines, without
+       * mean stress, by Miner's sum. */
+      std::vector<double> straight;
       double              cycles        = 0.;
       double              largest_range = 0.; /**< Pa */
       SurfaceSums         surface;
     };
 
-    double                       duration = 0.; /**< s */
-    std::uint64_t                samples  = 0;
-    std::size_t                  deepest  = 0; /**< points kept by a counter */
+    double duration       = 0.;    /**< s */
+    bool   has_slip_rate  = false; /**< in the history */
+    bool   has_stick_slip = false; /**< it tells sticking from slipping */
+    std::uint64_t                samples = 0;
+    std::size_t                  deepest = 0; /**< points kept by a counter */
     std::vector<Node>            nodes;
     std::vector<RangeMeanMatrix> matrices; /**< one a node */
     std::vector<std::string>     notes;    /**< what a reader has to know */

@@ -21,6 +21,9 @@ namespace squeal::tribology
     std::vector<SnCurve>            curves;
     MeanStressCorrection            correction;
     FatigueParameters::Accumulation accumulation;
+    /** Straight lines for a second sum, as spectral estimates take them:
+     * without knee, limit and mean stress, by Miner's rule. Empty: none. */
+    std::vector<SnCurve> straight_curves = {};
     /** Axes of the range-mean matrices; no matrices if not given. */
     std::optional<RangeMeanMatrix> empty_matrix;
   };
@@ -30,7 +33,9 @@ namespace squeal::tribology
 
   /**
    * Damage of one stress history that comes in pieces: rainflow cycles are
-   * collected, corrected for their mean and added up for every S-N curve. What
+   * collected, corrected for their mean and added up for every S-N curve, to
+   * Miner's sum or to the share of the life that the history takes where it
+   * repeats (MansonHalford); both are 1 over the life in repetitions. What
    * comes out does not depend on the pieces, to the last bit.
    */
   class DamageCounter
@@ -47,6 +52,9 @@ namespace squeal::tribology
 
     /** Damage for each curve; valid after finish(). */
     const std::vector<double> &damages() const;
+
+    /** Damage for each straight curve, empty if the rules have none. */
+    const std::vector<double> &straight_damages() const;
 
     /** Cycles, half ones as 0.5. */
     double n_cycles() const;
@@ -69,7 +77,7 @@ namespace squeal::tribology
     RainflowCounter                counter;
     std::array<double, batch>      ranges, means, counts;
     std::size_t                    n_waiting = 0;
-    std::vector<double>            sums;
+    std::vector<double>            sums, straight_sums;
     std::vector<MansonHalford>     curves_of_damage;
     double                         cycles  = 0.;
     double                         largest = 0.;

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a history does not tell is an empty cell and a warning, and a pause in
+// it is said; the ratio of a spectral estimate to counting is that of the same
+// rules. Argument: the program.
+#include "../analyses/program.h"
+
+#include <squeal/results/contact_history.h>
+#include <squeal/results/table.h>
+
+#include <random>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  std::string program;
+
+  /** A grid of 2 x 2 nodes under a common pressure, with slip rates or
+   * without. */
+  void
+  write_history(const std::string         &file,
+                const std::vector<double> &times,
+                const std::vector<double> &pressures,
+                const bool                 has_slip_rate)
+  {
+    HistoryLayout layout;
+    for (const double y : {0., 1e-3})
+      for (const double x : {0., 1e-3})
+        layout.points.push_back({{x, y, 0.}});
+    layout.areas.assign(4, .25e-6);
+    layout.has_gap = layout.has_status = layout.has_resultants = false;
+    layout.has_slip_rate                                       = has_slip_rate;
+    HistorySamples s;
+    s.time = times;
+    for (const double p : pressures)
+      for (unsigned int node = 0; node < 4; ++node)
+        {
+          s.pressure.push_back(p);
+          s.traction.insert(s.traction.end(), {0., .5 * p});
+          if (has_slip_rate)
+            s.slip_rate.insert(s.slip_rate.end(), {0., 2.});
+        }
+    HistoryWriter writer(file, layout);
+    writer.append(s);
+    writer.finish();
+  }
+
+
+
+  /** Pressure of 1 MPa with a sine of 100 Hz, at times 1 ms apart. */
+  void
+  write_sine(const std::string &file,
+             const bool         has_slip_rate,
+             const double       pause = 0.,
+             const std::size_t  at    = 50)
+  {
+    std::vector<double> times, pressures;
+    for (unsigned int i = 0; i <= 100; ++i)
+      {
+        times.push_back(1e-3 * i + (i > at ? pause : 0.));
+        pressures.push_back(1e6 * (1. + .5 * std::sin(.2 * M_PI * i + .3)));
+      }
+    write_history(file, times, pressures, has_slip_rate);
+  }
+
+
+
+  /** Runs the damage of histories; returns the record of the run. */
+  std::string
+  run_damage(const std::string &history, const std::string &fatigue = "")
+  {
+    write_text("test.prm",
+               "set Analysis = damage\nset Output directory = damage\n"
+               "set Overwrite = true\nsubsection History\n" +
+                 history + "end\nsubsection Fatigue\n  set Exponents = 3\n" +
+                 fatigue +
+                 "end\nsubsection Subsurface\n  set Compute = false\nend\n"
+                 "subsection Output\n  set Plots = false\nend\n");
+    const Outcome outcome = run_program({program, "test.prm"});
+    check(outcome.code == 0, "the run ends well: " + outcome.errors);
+    return text_of("damage/run.json");
+  }
+
+
+
+  bool
+  has(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+
+
+
+  void
+  without_slip_rate()
+  {
+    write_sine("known.h5", true);
+    write_sine("unknown.h5", false);
+    const std::string unknown =
+      "unknown.h5: the history has no slip rate: friction power, wear and "
+      "stick-slip are not known";
+    const std::string both =
+      run_damage("  set File = known.h5\n  set Silent file = unknown.h5\n");
+    check(has(both, unknown), "a silent history without slip rate is said");
+    check(both.find("no slip rate") == both.rfind("no slip rate"),
+          "the other one is not");
+    Table damage = read_csv("damage/damage.csv");
+    Table totals = read_csv("damage/totals.csv");
+    for (const char *column :
+         {"friction_power_w_per_m2", "wear_index_pa_m_per_s"})
+      check(!damage.is_missing(0, column) &&
+              damage.is_missing(0, std::string("silent_") + column) &&
+              damage.is_missing(0, std::string("ratio_") + column),
+            std::string(column) + ": empty for the silent history, as is the "
+                                  "ratio");
+    check_close(totals.real(0, "friction_power_w"),
+                1e-6 * 1e6,
+                .05,
+                "the total of the known slip: mu p v A");
+    check(totals.is_missing(1, "friction_power_w"),
+          "that of the unknown one is empty");
+    check(!totals.is_missing(1, "mean_damage_m3_per_s") &&
+            totals.real(1, "mean_damage_m3_per_s") > 0.,
+          "its damage is known");
+
+    check(has(run_damage("  set File = unknown.h5\n"), unknown),
+          "a history without slip rate is said");
+    damage = read_csv("damage/damage.csv");
+    for (const char *column : {"friction_power_w_per_m2",
+                               "friction_energy_per_application_j_per_m2",
+                               "wear_index_pa_m_per_s",
+                               "wear_index_per_application_pa_m",
+                               "stick_slip_per_s"})
+      check(damage.is_missing(0, column), std::string(column) + ": empty");
+    check(read_csv("damage/totals.csv").is_missing(0, "friction_power_w"),
+          "the total is empty");
+  }
+
+
+
+  void
+  pauses()
+  {
+    write_sine("even.h5", true);
+    check(!has(run_damage("  set File = even.h5\n"), "no sample for"),
+          "even times: no word of a pause");
+    const double before =
+      read_csv("damage/totals.csv").real(0, "mean_damage_m3_per_s");
+    write_sine("short.h5", true, .008);
+    check(!has(run_damage("  set File = short.h5\n"), "no sample for"),
+          "nine intervals are no pause");
+    write_sine("pause.h5", true, .9);
+    const std::string record = run_damage("  set File = pause.h5\n");
+    check(
+      has(record,
+          "pause.h5: no sample for 0.901 s after 0.0500000 s, 901 times the "
+          "median interval: "),
+      "a pause is said with its length and time");
+    check(has(record, "per second are 10.1 times lower than without"),
+          "and with what it does");
+    check_close(before /
+                  read_csv("damage/totals.csv").real(0, "mean_damage_m3_per_s"),
+                10.,
+                1e-3,
+                "which it does");
+    write_sine("silent.h5", true, .9, 20);
+    check(has(run_damage("  set File = even.h5\n  set Silent file = "
+                         "silent.h5\n"),
+              "silent.h5: no sample for 0.901 s after 0.0200000 s"),
+          "so is one of the silent history");
+  }
+
+
+
+  /** Low-pass noise about a compression that Goodman rewards. */
+  void
+  gaussian_noise()
+  {
+    std::mt19937_64                  generator(7);
+    std::normal_distribution<double> normal;
+    std::vector<double>              times, pressures;
+    double                           a = 0., b = 0., e = 0.;
+    for (unsigned int i = 0; i < 60000; ++i)
+      {
+        a += .1 * (normal(generator) - a);
+        b += .1 * (a - b);
+        e += .1 * (b - e);
+        times.push_back(1e-3 * i);
+        pressures.push_back(1e6 * (2. + e));
+      }
+    write_history("noise.h5", times, pressures, true);
+    const auto figures = [](const std::string &rules) {
+      run_damage("  set File = noise.h5\n", "  set Constants = 1e6\n" + rules);
+      const Table t = read_csv("damage/damage.csv");
+      return std::array<double, 2>{
+        {t.real(0, "dirlik_over_counting_m3"), t.real(0, "damage_m3_per_s")}};
+    };
+    const auto [ratio, damage] = figures("");
+    check_close(ratio, 1., .15, "Gaussian noise: spectral over counted damage");
+    for (const std::string rules :
+         {"  set Mean stress = goodman\n  set Ultimate strength = 3e6\n",
+          "  set Accumulation = manson halford\n",
+          "  set Endurance limit = 2e5\n"})
+      {
+        const auto [same, other] = figures(rules);
+        check(same == ratio, "it is so whatever the rules of the damage");
+        check(other != damage, "which changes with them:" + rules);
+      }
+  }
+
+
+
+  /** A history that takes much of the life is said to depend on order. */
+  void
+  order()
+  {
+    const std::string rule = "  set Accumulation = manson halford\n";
+    const std::string note = "their order changes the life";
+    check(has(run_damage("  set File = known.h5\n",
+                         rule + "  set Constants = 100\n"),
+              note),
+          "ten cycles of some hundreds: a word of their order");
+    check(!has(run_damage("  set File = known.h5\n",
+                          rule + "  set Constants = 1e6\n"),
+               note),
+          "ten of a million: none");
+    check(!has(run_damage("  set File = known.h5\n", "  set Constants = 100\n"),
+               note),
+          "nor by Miner's sum, which has no order");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "one argument");
+  program = argv[1];
+  without_slip_rate();
+  pauses();
+  gaussian_noise();
+  order();
+}
