@@ -174,8 +174,8 @@ namespace
 
     const Reduced       undamped(squealing_brake(), 24e3, 0., true);
     const SteadySliding other = steady_sliding(undamped.model, mu);
-    const double        with  = whole_model(r, s).real().maxCoeff(),
-                 without      = whole_model(undamped, other).real().maxCoeff();
+    const double        with  = largest(whole_model(r, s).real()),
+                 without      = largest(whole_model(undamped, other).real());
     std::printf(
       "damping of parts takes %.2f of %.2f 1/s\n", without - with, without);
     check(without - with > 30., "the damping of the parts counts");
