@@ -113,11 +113,46 @@ namespace squeal
 
 
 
+      /** Entries of another friction law than the one that is asked for. */
+      void
+      refuse_other_laws(const ContactParameters &contact,
+                        const std::string       &section)
+      {
+        using Law                = ContactParameters::FrictionLaw;
+        const auto require_unset = [&](const bool         is_set,
+                                       const char *const  entry,
+                                       const Law          law,
+                                       const std::string &name) {
+          if (is_set && contact.friction_law != law)
+            refuse_entry(section,
+                         entry,
+                         "would be ignored: set 'Friction law = " + name +
+                           "' or remove it");
+        };
+        require_unset(contact.static_friction_coefficient != 0.,
+                      "Static friction coefficient",
+                      Law::exponential,
+                      "exponential");
+        require_unset(contact.decay_speed != 0.,
+                      "Decay speed",
+                      Law::exponential,
+                      "exponential");
+        require_unset(!contact.friction_speeds.empty(),
+                      "Friction speeds",
+                      Law::table,
+                      "table");
+        require_unset(!contact.friction_coefficients.empty(),
+                      "Friction coefficients",
+                      Law::table,
+                      "table");
+      }
+
       void
       check_friction_law(const ContactParameters &contact,
                          const std::string       &section)
       {
         using Law = ContactParameters::FrictionLaw;
+        refuse_other_laws(contact, section);
         if (contact.friction_law != Law::constant &&
             contact.friction_slope != 0.)
           refuse_entry(section,

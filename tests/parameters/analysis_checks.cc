@@ -104,6 +104,39 @@ namespace
 
 
 
+  /** What has no motion in time is refused before any work. */
+  void
+  damping_in_time()
+  {
+    const std::vector<std::string> transient = {
+      "Analysis = transient",
+      "Scene/Contact pad_disc/Formulation = mortar",
+      "Discretization/Mass = lumped",
+      "Discretization/Estimate error = false"};
+    const auto whole = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), transient.begin(), transient.end());
+      return more;
+    };
+    const auto parts = [&](const std::string &entry) {
+      return whole({"Scene/Damping/Model = per part",
+                    "Scene/Damping/Mass damping = 0",
+                    "Scene/Damping/Stiffness damping = 0",
+                    entry});
+    };
+    check_change_refused(whole({"Scene/Damping/Structural damping = 0.1"}),
+                         {"'Scene/Damping/Structural damping'", "viscous"});
+    check_change_refused(parts("Scene/Body pad/Structural damping = 0.1"),
+                         {"'Scene/Body pad/Structural damping'", "viscous"});
+    check_change_refused(
+      parts("Scene/Contact pad_disc/Stiffness damping = 1e-7"),
+      {"'Scene/Contact pad_disc/Stiffness damping'", "must be 0"});
+    read_parameters("example.prm",
+                    parts("Scene/Body pad/Stiffness damping = 1e-7"))
+      .check();
+  }
+
+
+
   /** All unknowns have no cut-off to damp. */
   void
   cut_off_damping()
@@ -340,6 +373,7 @@ main()
   disc_frame();
   comparison_with_eigenvalues();
   cut_off_damping();
+  damping_in_time();
   limit_cycles();
   triggers();
   result_checks();

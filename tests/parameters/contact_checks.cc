@@ -225,6 +225,15 @@ namespace
        contact + "Decay speed = 0.1",
        contact + "Friction slope = -0.01"},
       {"'Scene/Contact pad_disc/Friction slope'", "slope of its own"});
+    check_change_refused(
+      {contact + "Friction speeds = 0, 1",
+       contact + "Friction coefficients = 0.4, 0.3"},
+      {"'Scene/Contact pad_disc/Friction speeds'", "Friction law = table"});
+    check_change_refused(
+      {contact + "Static friction coefficient = 0.6"},
+      {"Static friction coefficient'", "Friction law = exponential"});
+    check_change_refused({contact + "Decay speed = 0.1"},
+                         {"Decay speed'", "would be ignored"});
     check_change_accepted({contact + "Contact state = stick"});
     check_change_refused(
       {contact + "Transverse slip term = true", contact + "Sliding speed = 0"},

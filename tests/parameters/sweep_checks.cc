@@ -43,6 +43,13 @@ namespace
     refused({"Sweep/Axis mu/Entries = Scene/Body pad/Young modulus"},
             "is swept already",
             "one entry on two axes");
+    refused({"Sweep/Axis mu/Entries = Scene/Body disc/Rotation speed"},
+            "one sign in both",
+            "turning of a body that stands still in the scene");
+    refused({"Scene/Contact pad_disc/Contact state = preload",
+             "Sweep/Axis e_pad/Entries = Scene/Contact pad_disc/Normal force"},
+            "has no effect",
+            "a normal force that the loads decide");
     refused(
       {"Sweep/Axis e_pad/From = -1e9"}, "Axis e_pad", "a negative stiffness");
     refused({"Sweep/Axis e_pad/From = 1e11"},

@@ -76,8 +76,9 @@ namespace squeal
       here.push_back(of_pair.empty()
                        ? ContactStates()
                        : ContactStates{of_pair.at(grid.state_number(point))});
-    const Parameters p =
-      with_values(parameters, grid.entries(), grid.values(point));
+    // Without the checks of the file: the axes need not suit this scene.
+    Parameters p = parameters;
+    p.scene      = grid.scene(point);
     const Model            model(p, timers, here);
     const Pencil           own(model.linearized().system, p.scene);
     const Pencil           swept(system.merged(), grid.scene(point));

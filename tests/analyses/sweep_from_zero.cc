@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A mass on a belt, swept over a slope of friction that is zero in the file:
+// the growth rates of its two motions have a known sum. A friction table that
+// is flat at the sliding speed of the file is swept beyond that speed.
+// Argument: the program.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+#include "source_directory.h"
+#include "worst.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  const std::string contact      = "Scene/Contact belt/";
+  constexpr double  normal_force = 2.;
+
+  /** Sum of sigma at every value of the axis, the pairs being those of one mass
+   * that moves in two directions. */
+  std::map<double, double>
+  sums_of_sigma(const std::string &program,
+                const std::string &text,
+                const std::string &name)
+  {
+    write_text(name + ".prm",
+               "include " SQUEAL_SOURCE_DIR "/prm/minimal/hoffmann.prm\n"
+               "drop Result checks\n"
+               "set Analysis = sweep\nset Output directory = " +
+                 name + "\nset Overwrite = true\n" +
+                 "subsection Output\n  set Plots = false\n  set Report = "
+                 "false\nend\n" +
+                 text);
+    const Outcome o = run_program({program, name + ".prm"});
+    check(o.code == 0, name + " ends: " + o.errors);
+    const Table              table = read_csv(name + "/eigenvalues.csv");
+    std::map<double, double> result;
+    for (std::size_t r = 0; r < table.n_rows(); ++r)
+      result[table.real(r, "s")] += table.real(r, "sigma_per_s");
+    return result;
+  }
+
+  std::string
+  scene(const std::string &belt)
+  {
+    return "subsection Scene\n  subsection Contact belt\n    set Normal force "
+           "= 2\n    set Sliding speed = 0.5\n" +
+           belt + "  end\nend\n";
+  }
+
+  std::string
+  axis(const std::string &entry, const std::string &from, const std::string &to)
+  {
+    return "subsection Sweep\n  set Axes = s\n  subsection Axis s\n    set "
+           "Entries = " +
+           contact + entry + "\n    set From = " + from +
+           "\n    set To = " + to + "\n    set Number = 5\n  end\nend\n";
+  }
+
+  /** -N slope / (2 m) of the mass of 1 kg: half the trace of the damping. */
+  void
+  check_sums(const std::map<double, double>      &sums,
+             const std::function<double(double)> &slope,
+             const std::string                   &name)
+  {
+    check(sums.size() == 5, name + ": five points");
+    Worst error;
+    for (const auto &[value, sum] : sums)
+      error.add(std::abs(sum + .5 * normal_force * slope(value)));
+    check_within(error, 1e-9, name + ": sum of the growth rates");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "one argument");
+  check_sums(
+    sums_of_sigma(
+      argv[1], scene("") + axis("Friction slope", "-0.2", "0.2"), "slope"),
+    [](const double s) { return s; },
+    "slope of friction from zero");
+  // Flat to 0.6 m/s, from there on falling by 0.15 in 1.05 m/s.
+  check_sums(
+    sums_of_sigma(argv[1],
+                  scene("    set Friction law = table\n"
+                        "    set Friction speeds = 0, 0.6, 1.65\n"
+                        "    set Friction coefficients = 0.4, 0.4, 0.25\n") +
+                    axis("Sliding speed", "0.5", "0.9"),
+                  "plateau"),
+    [](const double v) { return v > 0.6 ? -.15 / 1.05 : 0.; },
+    "a table that is flat at the speed of the file");
+}
