@@ -93,7 +93,7 @@ main(int argc, char **argv)
                   scene("    set Friction law = table\n"
                         "    set Friction speeds = 0, 0.6, 1.65\n"
                         "    set Friction coefficients = 0.4, 0.4, 0.25\n") +
-                    axis("Sliding speed", "0.5", "0.9"),
+                    axis("Sliding speed", "0.5", "0.98"),
                   "plateau"),
     [](const double v) { return v > 0.6 ? -.15 / 1.05 : 0.; },
     "a table that is flat at the speed of the file");
