@@ -378,6 +378,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_phase.cc
     source/analyses/transient/transient_plots.cc
     source/analyses/transient/transient_run.cc
+    source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc
     source/analyses/triggers/run_triggers.cc
     source/analyses/triggers/trigger_charts.cc
