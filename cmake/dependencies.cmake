@@ -118,9 +118,12 @@ function(squeal_setup_target target)
     ${target} PRIVATE ${SQUEAL_FLAGS_NATIVE}
                       $<$<COMPILE_LANGUAGE:CXX>:${SQUEAL_ERRORS}>)
   # The C++ bindings of MPI are gone from the standard and slow to compile.
-  # Eigen hands large products to OpenBLAS.
-  target_compile_definitions(${target} PRIVATE OMPI_SKIP_MPICXX
-                                               MPICH_SKIP_MPICXX EIGEN_USE_BLAS)
+  # Eigen hands large products to OpenBLAS. What links VTK gets TBB's debug
+  # definition with it, and a precompiled header serves only units that have the
+  # same definitions: all have it.
+  target_compile_definitions(
+    ${target} PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX EIGEN_USE_BLAS
+                      $<$<CONFIG:DEBUG>:TBB_USE_DEBUG>)
   target_link_libraries(
     ${target} ${DMUMPS_LIBRARY} ${ZMUMPS_LIBRARY} ${MUMPS_COMMON_LIBRARY}
     ${PARPACK_LIBRARY} ${ARPACK_LIBRARY} ${NLOPT_LIBRARY} ${HDF5_C_LIBRARIES} Eigen3::Eigen

@@ -41,6 +41,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/aliases.cc
     source/parameters/allowed.cc
     source/parameters/check_body.cc
+    source/parameters/check_branch.cc
     source/parameters/check_contacts.cc
     source/parameters/check_damping_in_time.cc
     source/parameters/check_imported.cc
@@ -232,6 +233,7 @@ set(SQUEAL_SOURCES_CYCLE
     source/cycle/period_derivative.cc
     source/cycle/period_equations.cc
     source/cycle/period_map.cc
+    source/cycle/period_maps.cc
     source/cycle/shooting.cc
     source/cycle/slip_origin.cc
     source/cycle/trigger_threshold.cc)
@@ -308,6 +310,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/period_map_of.cc
     source/model/point_forces.cc
     source/model/pressed_model.cc
+    source/model/pressed_parameters.cc
     source/model/pressed_scene.cc
     source/model/rotor_symmetry.cc
     source/model/turning_modes.cc)
@@ -331,6 +334,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/limit_cycle/branch_models.cc
     source/analyses/limit_cycle/branch_output.cc
     source/analyses/limit_cycle/cycle_campaign.cc
     source/analyses/limit_cycle/cycle_columns.cc

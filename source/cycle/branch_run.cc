@@ -109,17 +109,46 @@ namespace squeal
     const double first = settings.first_step;
     for (double share = first; share > 1e-3 * first; share *= .25)
       {
-        const double parameter =
-          start.parameter + sign * share * (settings.upper - settings.lower);
-        const auto     map    = maps(parameter);
-        PeriodicMotion motion = shoot(*map,
-                                      start.motion.orbit.states.front(),
-                                      start.motion.period,
-                                      settings.shooting);
-        if (motion.status == CycleStatus::converged)
-          return point_of(*map, std::move(motion), parameter);
+        const double parameter = std::clamp(
+          start.parameter + sign * share * (settings.upper - settings.lower),
+          settings.lower,
+          settings.upper);
+        if (auto point = point_at(start, parameter))
+          return point;
       }
     return {};
+  }
+
+  /** The motion near that of @p start at another value of the parameter. */
+  std::optional<BranchPoint>
+  BranchRun::point_at(const BranchPoint &start, const double parameter) const
+  {
+    const auto map = maps.find(parameter);
+    if (!map)
+      return {};
+    PeriodicMotion motion =
+      shoot(*map,
+            maps.carried(
+              start.motion.orbit.states.front(), start.parameter, parameter),
+            start.motion.period,
+            settings.shooting);
+    if (motion.status != CycleStatus::converged)
+      return {};
+    return point_of(*map, std::move(motion), parameter);
+  }
+
+
+
+  /** @p point, or the motion at the end of the range that it has left. */
+  BranchPoint
+  BranchRun::within_range(BranchPoint point) const
+  {
+    const double end =
+      std::clamp(point.parameter, settings.lower, settings.upper);
+    if (end != point.parameter)
+      if (auto at_end = point_at(point, end))
+        return std::move(*at_end);
+    return point;
   }
 
 
@@ -130,11 +159,15 @@ namespace squeal
     const BranchPoint &last = side.points.back();
     if (side.is_lost)
       return BranchEnd::not_found;
+    const bool is_low  = last.parameter <= settings.lower,
+               is_high = last.parameter >= settings.upper;
     if (side.points.size() == 1)
-      return {};
+      return (side.sign < 0. ? is_low : is_high)
+               ? std::optional<BranchEnd>(BranchEnd::range)
+               : std::nullopt;
     if (last.n_changes == 0)
       return BranchEnd::onset;
-    if (last.parameter < settings.lower || last.parameter > settings.upper)
+    if (is_low || is_high)
       return BranchEnd::range;
     if (side.points.size() > settings.n_points)
       return BranchEnd::points;
@@ -160,8 +193,9 @@ namespace squeal
         if (next)
           {
             const unsigned int iterations = next->motion.iterations;
-            *next                         = point_of(
-              *maps(next->parameter), std::move(next->motion), next->parameter);
+            *next     = within_range(point_of(*maps(next->parameter),
+                                          std::move(next->motion),
+                                          next->parameter));
             side.step = iterations <= few_iterations    ? longer * step
                         : iterations >= many_iterations ? shorter * step
                                                         : step;

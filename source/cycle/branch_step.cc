@@ -10,8 +10,9 @@ namespace squeal
 {
   namespace
   {
-    /** Of the range, of the parameter's difference quotient. */
-    constexpr double small_change = 1e-5;
+    /** Of the range, of the parameter's difference quotient. Modes that are
+     * computed anew are good to fewer digits than friction that is exact. */
+    constexpr double small_change = 1e-5, small_change_of_modes = 1e-4;
     /** Changes of period and parameter, over itself and its range, beyond
      * which an iteration is no longer near the branch. */
     constexpr double largest_branch_change = 0.3;
@@ -25,14 +26,17 @@ namespace squeal
       double      length    = 0.; /**< of the step that it was told from */
     };
 
-    /** The steps of two neighbours. */
+    /** The steps of two neighbours, in the modes of @p last. */
     Tangent
-    tangent_of(const ReducedContactModel &model,
-               const BranchPoint         &before,
-               const BranchPoint         &last,
-               const BranchSettings      &s)
+    tangent_of(const PeriodMaps     &maps,
+               const BranchPoint    &before,
+               const BranchPoint    &last,
+               const BranchSettings &s)
     {
-      const MotionState &a = before.motion.orbit.states.front(),
+      const ReducedContactModel &model = maps(last.parameter)->reduced_model();
+      const MotionState a  = maps.carried(before.motion.orbit.states.front(),
+                                         before.parameter,
+                                         last.parameter),
                         &b = last.motion.orbit.states.front();
       const double size    = motion_size(model, last.motion.orbit);
       Tangent      t;
@@ -48,7 +52,7 @@ namespace squeal
       return t;
     }
 
-    /** What the end of the period of @p m moves by when the parameter does, by
+    /** What the end of the period of @p x moves by when the parameter does, by
      * the range. False where a step has no solution. */
     bool
     change_with_parameter(const PeriodMaps     &maps,
@@ -57,19 +61,29 @@ namespace squeal
                           const ScaledMotion   &scaled,
                           Eigen::VectorXd      &result)
     {
-      const auto   map = maps(x.parameter + small_change * (s.upper - s.lower));
-      const Orbit &orbit = x.motion.orbit;
+      const double share =
+                     maps.share_modes() ? small_change : small_change_of_modes,
+                   beside  = x.parameter + share * (s.upper - s.lower);
+      const auto     map   = maps.find(beside);
+      const Orbit   &orbit = x.motion.orbit;
       PeriodicMotion moved;
+      if (!map)
+        return false;
       // Held corrections leave the quotient smooth.
+      const StepCorrections held =
+        maps.carried(orbit.corrections, x.parameter, beside);
       if (!try_orbit(*map,
-                     orbit.states.front(),
+                     maps.carried(orbit.states.front(), x.parameter, beside),
                      x.motion.period,
                      orbit.n_steps(),
                      orbit.past,
-                     &orbit.corrections,
+                     &held,
                      moved))
         return false;
-      result = scaled.difference(moved.orbit.end(), orbit.end()) / small_change;
+      result =
+        scaled.difference(maps.carried(moved.orbit.end(), beside, x.parameter),
+                          orbit.end()) /
+        share;
       return true;
     }
   } // namespace
@@ -82,9 +96,7 @@ namespace squeal
                   const BranchPoint    &last,
                   const BranchSettings &settings)
   {
-    return tangent_of(
-             maps(last.parameter)->reduced_model(), before, last, settings)
-      .length;
+    return tangent_of(maps, before, last, settings).length;
   }
 
 
@@ -96,9 +108,9 @@ namespace squeal
                 const double          step,
                 const BranchSettings &s)
   {
-    auto          map  = maps(last.parameter);
-    const Tangent t    = tangent_of(map->reduced_model(), before, last, s);
-    const double  size = motion_size(map->reduced_model(), last.motion.orbit),
+    auto         map   = maps(last.parameter);
+    Tangent      t     = tangent_of(maps, before, last, s);
+    const double size  = motion_size(map->reduced_model(), last.motion.orbit),
                  range = s.upper - s.lower;
     MotionState state  = last.motion.orbit.states.front();
     state.coordinates += step * t.state.coordinates;
@@ -106,14 +118,21 @@ namespace squeal
     state.forces += step * t.state.forces;
     double      period = last.motion.period * (1. + step * t.period);
     BranchPoint x;
-    x.parameter              = last.parameter + step * t.parameter * range;
-    ContactPast     past     = last.motion.orbit.past_of(s.shooting.n_steps);
-    double          residual = 0.;
+    x.parameter          = last.parameter + step * t.parameter * range;
+    ContactPast past     = last.motion.orbit.past_of(s.shooting.n_steps);
+    double      residual = 0.,
+           modes_of = last.parameter; // whose modes the state is written in
     StepCorrections held;
     bool            is_held = false;
     for (unsigned int i = 0; i <= s.shooting.iterations; ++i)
       {
-        map = maps(x.parameter);
+        map = maps.find(x.parameter);
+        if (!map)
+          return {};
+        state    = maps.carried(state, modes_of, x.parameter);
+        t.state  = maps.carried_difference(t.state, modes_of, x.parameter);
+        held     = maps.carried(held, modes_of, x.parameter);
+        modes_of = x.parameter;
         if (!try_orbit(*map,
                        state,
                        period,

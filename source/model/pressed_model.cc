@@ -27,55 +27,6 @@ namespace squeal
 
 
 
-  Parameters
-  without_damping(Parameters parameters)
-  {
-    SceneParameters &scene = parameters.scene;
-    scene.damping          = DampingParameters();
-    scene.damping.model    = DampingParameters::Model::none;
-    for (BodyParameters &body : scene.bodies)
-      body.table_loss_factor = 0.;
-    for (SpringParameters &spring : scene.springs)
-      {
-        spring.dashpot  = 0.;
-        spring.dashpots = Vector3();
-      }
-    for (MatrixPartParameters &part : scene.matrix_parts)
-      if (part.role == MatrixPartParameters::Role::damping)
-        part.factor = 0.;
-    return parameters;
-  }
-
-
-
-  double
-  cut_off_of_statics(const Parameters &parameters)
-  {
-    return std::min(2000., parameters.eigen.highest_frequency);
-  }
-
-
-
-  bool
-  has_preload_state(const SceneParameters &scene)
-  {
-    return std::any_of(
-      scene.contacts.begin(), scene.contacts.end(), [](const auto &contact) {
-        return contact.state == ContactParameters::State::preload;
-      });
-  }
-
-  bool
-  has_held_support(const SceneParameters &scene)
-  {
-    for (const auto &support : scene.supports)
-      if (support.kind == SupportParameters::Kind::held)
-        return true;
-    return false;
-  }
-
-
-
   /** The same scene with its held supports guided. */
   struct PressedModel::MovingScene
   {
@@ -330,6 +281,19 @@ namespace squeal
   {
     return modal_forces(
       *pencil, *basis, contact_nodes.relative_motion(), f, observed);
+  }
+
+
+
+  Eigen::MatrixXd
+  PressedModel::coordinates_of(const PressedModel &other) const
+  {
+    if (basis->shapes.rows() != other.basis->shapes.rows() ||
+        reduced.n_nodes() != other.reduced.n_nodes())
+      throw InputError("two models have other unknowns or contact nodes: their "
+                       "motions cannot be compared");
+    return inner_products(
+      *pencil->space(), basis->mass_shapes, other.basis->shapes);
   }
 
 

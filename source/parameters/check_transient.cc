@@ -105,39 +105,6 @@ namespace squeal
           }
       }
 
-      /** The axis that branches of limit cycles are followed along. */
-      void
-      check_branch(const std::vector<SweepAxisParameters> &axes)
-      {
-        if (axes.empty())
-          return;
-        if (axes.size() > 1)
-          refuse_entry(
-            "Sweep",
-            "Axes",
-            "has more than one: a branch of limit cycles is followed "
-            "over one axis");
-        const SweepAxisParameters &axis    = axes.front();
-        const std::string          section = "Sweep/Axis " + axis.name;
-        for (const std::string &entry : axis.entries)
-          if (!is_friction_entry(entry))
-            refuse_entry(section,
-                         "Entries",
-                         "has " + in_quotes(entry) +
-                           ": branches of limit cycles are followed over "
-                           "coefficients of friction");
-        if (axis.scale != SweepAxisParameters::Scale::linear)
-          refuse_entry(
-            section, "Scale", "must be linear for branches of limit cycles");
-        for (std::size_t i = 0; i < axis.from.size(); ++i)
-          if (!(axis.from[i] >= 0.) ||
-              !(axis.to[std::min(i, axis.to.size() - 1)] > axis.from[i]))
-            refuse_entry(section,
-                         "From",
-                         "must be at least 0 and below 'To' for branches of "
-                         "limit cycles");
-      }
-
       /** Periodic motions are those of the reduced model in the fixed frame
        * with one coefficient of friction at all slip rates. */
       void

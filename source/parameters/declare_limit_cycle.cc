@@ -11,10 +11,9 @@ namespace squeal
       schema.enter_section("Limit cycle",
                            "Periodic motions of the reduced model of "
                            "'Transient', of 'Analysis = limit cycle'. With one "
-                           "linear axis of coefficients of friction in 'Sweep' "
-                           "the cycle is followed over it from the scene's "
-                           "own value, to either side by at most 'Number' "
-                           "points.");
+                           "linear or logarithmic axis in 'Sweep' the cycle is "
+                           "followed over it from the scene's own value, to "
+                           "either side by at most 'Number' points.");
       schema.add("Pair frequency",
                  l.frequency,
                  Allowed::number(0.),

@@ -104,6 +104,16 @@ namespace
                 branch_end_text(branch.last_end).c_str());
   }
 
+  PeriodMaps
+  over_friction(const ReducedContactModel &m, const double speed)
+  {
+    PeriodMaps maps;
+    maps.at = [&m, speed](const double mu) {
+      return std::make_shared<const PeriodMap>(m, mu, speed, 1., 1e-12);
+    };
+    return maps;
+  }
+
   struct Start
   {
     PeriodicMotion motion;
@@ -181,13 +191,11 @@ namespace
   void
   resume()
   {
-    const ReducedContactModel m    = two_modes();
-    const PeriodMaps          maps = [&](const double mu) {
-      return std::make_shared<const PeriodMap>(m, mu, .3, 1., 1e-12);
-    };
-    const double start_at = .5;
-    Start        start    = start_of(m, maps, start_at);
-    const auto   run      = [&](const unsigned int n_points) {
+    const ReducedContactModel m        = two_modes();
+    const PeriodMaps          maps     = over_friction(m, .3);
+    const double              start_at = .5;
+    Start                     start    = start_of(m, maps, start_at);
+    const auto                run      = [&](const unsigned int n_points) {
       BranchSettings s = start.settings;
       s.n_points       = n_points;
       return BranchRun(maps, start.motion, start_at, s);
@@ -330,12 +338,10 @@ namespace
   void
   branch(const double speed, const std::string &name)
   {
-    const ReducedContactModel m    = two_modes();
-    const PeriodMaps          maps = [&](const double mu) {
-      return std::make_shared<const PeriodMap>(m, mu, speed, 1., 1e-12);
-    };
-    const double critical = critical_friction(m, speed);
-    const double rms      = predicted_rms(m, critical, speed);
+    const ReducedContactModel m        = two_modes();
+    const PeriodMaps          maps     = over_friction(m, speed);
+    const double              critical = critical_friction(m, speed);
+    const double              rms      = predicted_rms(m, critical, speed);
     std::printf("%s: critical friction %.8f, rms there %.6f N\n",
                 name.c_str(),
                 critical,
@@ -360,6 +366,119 @@ namespace
                 1e-3,
                 "trivial multiplier at 95 % of the points");
   }
+  /** The friction of the branches over a stiffness. */
+  constexpr double mu_of_stiffness = .5;
+
+  /** Over the stiffness along the belt: every value has modes of its own, of
+   * either sign. */
+  struct OverStiffness
+  {
+    struct At
+    {
+      ReducedContactModel model;
+      SteadySliding       steady;
+      PeriodMap           map;
+      explicit At(const ReducedContactModel &m)
+        : model(m)
+        , steady(steady_sliding(model, mu_of_stiffness))
+        , map(model, mu_of_stiffness, .3, 1., 1e-12)
+      {
+      }
+    };
+
+    static std::shared_ptr<const At>
+    at(const double stiffness)
+    {
+      ReducedContactModel m = two_modes(stiffness);
+      // As an eigensolver might: a sign that no neighbour has.
+      if (static_cast<long>(stiffness * 1e7) % 2 == 0)
+        {
+          m.participation.col(0) *= -1.;
+          m.load[0] *= -1.;
+        }
+      return std::make_shared<const At>(m);
+    }
+
+    /** The modes' parts along and normal to the belt, and the third. */
+    static Eigen::MatrixXd
+    shapes(const ReducedContactModel &m)
+    {
+      return m.participation;
+    }
+
+    static PeriodMaps
+    maps()
+    {
+      PeriodMaps result;
+      result.at = [](const double stiffness) {
+        const auto there = at(stiffness);
+        return PeriodMaps::Map(there, &there->map);
+      };
+      result.change = [](const double from, const double to) {
+        const auto a = at(from), b = at(to);
+        return ModeChange{shapes(b->model).transpose() * shapes(a->model),
+                          a->steady.coordinates,
+                          b->steady.coordinates};
+      };
+      return result;
+    }
+  };
+
+  /** Every point of a branch over a stiffness is a periodic motion of the model
+   * with that stiffness: long transients end there. */
+  void
+  stiffness()
+  {
+    const PeriodMaps          maps = OverStiffness::maps();
+    const double              from = 1.5;
+    const ReducedContactModel m    = two_modes(from);
+    Start start          = start_of(m, over_friction(m, .3), mu_of_stiffness);
+    start.settings.lower = 1.3;
+    start.settings.upper = 1.6;
+    start.settings.largest_step = .1;
+    // Written in the modes that the branch has there: those of the hand-made
+    // model have the other sign, like those of a value just beside.
+    start.motion =
+      shoot(*maps(from),
+            maps.carried(start.motion.orbit.states.front(), from + 1e-7, from),
+            start.motion.period,
+            start.settings.shooting);
+    check(start.motion.status == CycleStatus::converged, "the start");
+    const CycleBranch b =
+      follow_branch(maps, start.motion, from, start.settings);
+    print(b, "stiffness");
+    check(b.first_end == BranchEnd::range && b.last_end == BranchEnd::range,
+          "the branch goes from one end of the range to the other");
+    check_close(b.points.front().parameter, 1.3, 1e-12, "its lower end");
+    check_close(b.points.back().parameter, 1.6, 1e-12, "its upper end");
+    Worst frequency, rms;
+    for (const BranchPoint *x : {&b.points.front(), &b.points.back()})
+      {
+        const auto   there  = OverStiffness::at(x->parameter);
+        const double period = x->motion.period;
+        check_below(x->multipliers.largest, .98, "a stable cycle");
+        const Orbit tail =
+          there->map.run(later(there->map, disturbed(there->steady), 800., .01),
+                         3. * period,
+                         6000);
+        const auto back =
+          recurrences(there->model, tail, .5 * period, 2.5 * period).back();
+        const Figures t = figures_of(
+                        there->map.run(tail.end(), back.first, 4000)),
+                      c = figures_of(x->motion.orbit);
+        std::printf("stiffness %.4f: transient %.6f Hz, %.6f N; branch %.6f "
+                    "Hz, %.6f N\n",
+                    x->parameter,
+                    t.frequency,
+                    t.rms,
+                    c.frequency,
+                    c.rms);
+        frequency.add(std::abs(c.frequency / t.frequency - 1.));
+        rms.add(std::abs(c.rms / t.rms - 1.));
+      }
+    check_below(frequency.largest(), 1e-3, "frequency of long transients");
+    check_below(rms.largest(), 1e-2, "rms of long transients");
+  }
 } // namespace
 
 int
@@ -372,6 +491,8 @@ main(int argc, char *argv[])
     branch(.3, which);
   else if (which == "resume")
     resume();
+  else if (which == "stiffness")
+    stiffness();
   else
-    check(false, "an argument: separating, sticking or resume");
+    check(false, "an argument: separating, sticking, stiffness or resume");
 }

@@ -16,13 +16,13 @@ namespace squeal
   namespace testing
   {
     /** 1 kg that moves along and normal to the belt, on springs that couple
-     * both; the contact gives way like 1 N/m. */
+     * both, @p along of it in N/m; the contact gives way like 1 N/m. */
     inline ReducedContactModel
-    two_modes()
+    two_modes(const double along = 1.5)
     {
       ReducedContactModel m = empty_model(1, 3);
       Eigen::Matrix2d     K;
-      K << 1.5, -.3, -.3, .5;
+      K << along, -.3, -.3, .5;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(K);
       m.omega_squared << modes.eigenvalues(), 2.;
       m.damping = Eigen::Vector3d::Constant(.05);

@@ -61,6 +61,9 @@ namespace squeal
                                         const double     parameter) const;
     std::optional<BranchPoint> neighbour(const BranchPoint &start,
                                          const double       sign) const;
+    std::optional<BranchPoint> point_at(const BranchPoint &start,
+                                        const double       parameter) const;
+    BranchPoint                within_range(BranchPoint point) const;
     BranchPoint                point_from(const NamedNumbers &numbers) const;
 
     const PeriodMaps     maps;

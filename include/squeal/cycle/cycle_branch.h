@@ -3,9 +3,8 @@
 #define squeal_cycle_cycle_branch_h
 
 #include <squeal/cycle/cycle_search.h>
+#include <squeal/cycle/period_maps.h>
 
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,7 +28,7 @@ namespace squeal
   /** Why a branch goes no further. */
   enum class BranchEnd
   {
-    range,  /**< the parameter has left it */
+    range,  /**< the parameter is at its end or has left it */
     points, /**< there are as many as were asked for */
     onset,  /**< no node changes its status any more: beyond, the motion is the
                linear one, of any smaller size at one parameter */
@@ -58,10 +57,6 @@ namespace squeal
   };
 
   std::string branch_end_text(const BranchEnd end);
-
-  /** The motions of a model for every value of the parameter. All share the
-   * modes, so that states can be compared. */
-  using PeriodMaps = std::function<std::shared_ptr<const PeriodMap>(double)>;
 
   /**
    * The branch of periodic motions through @p start at @p parameter, to both

@@ -29,6 +29,11 @@ namespace squeal
   class PressedModel
   {
   public:
+    /** What coordinates of @p other, a model of the same unknowns, are in the
+     * modes of this one: phi^T M phi_other. Throws InputError where the
+     * unknowns or the contact nodes are others. Collective. */
+    Eigen::MatrixXd coordinates_of(const PressedModel &other) const;
+
     /** Observed motions of every pair. */
     enum Observer
     {

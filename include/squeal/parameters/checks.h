@@ -43,6 +43,10 @@ namespace squeal
     /** Preload and transient: one contact, a load, times in order. */
     void check_transient(const Parameters &parameters);
 
+    /** The axis that branches of limit cycles are followed along, if there is
+     * one. */
+    void check_branch(const std::vector<SweepAxisParameters> &axes);
+
     /** Damping that has no motion in time: loss factors, and that of contact.
      */
     void check_damping_in_time(const SceneParameters &scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/branch_output.h>
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
+#include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/run_context.h>
@@ -18,12 +19,12 @@ namespace squeal
      * of them. */
     Chart
     branch_chart(const CycleBranch                                &branch,
-                 const std::string                                &parameter,
+                 const AxisSettings                               &parameter,
                  const std::string                                &what,
                  const std::function<double(const BranchPoint &)> &value)
     {
       Chart chart;
-      chart.x.label = parameter;
+      chart.x       = parameter;
       chart.y.label = what;
       ChartSeries line;
       line.style = ChartSeries::Style::lines;
@@ -130,11 +131,15 @@ namespace squeal
 
 
   void
-  draw_branch(RunContext        &context,
-              const CycleBranch &branch,
-              const std::string &parameter,
-              HtmlReport        &report)
+  draw_branch(RunContext                &context,
+              const CycleBranch         &branch,
+              const SweepAxisParameters &axis,
+              HtmlReport                &report)
   {
+    AxisSettings parameter;
+    parameter.label = axis_title(axis.entries, context.parameters.scene);
+    if (axis.scale == SweepAxisParameters::Scale::logarithmic)
+      parameter.scale = AxisSettings::Scale::logarithmic;
     Chart amplitude =
             branch_chart(branch,
                          parameter,

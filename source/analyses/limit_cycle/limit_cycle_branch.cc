@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/limit_cycle/branch_models.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 
 #include <squeal/base/exceptions.h>
@@ -12,67 +13,20 @@
 #include <squeal/run/run_context.h>
 #include <squeal/sweep/sweep_grid.h>
 
+#include <cmath>
+
 namespace squeal
 {
   namespace
   {
-    /** Steady sliding at one value of the parameter and the motions about it.
-     */
-    struct BranchMap
-    {
-      BranchMap(const SteadyModel &a)
-        : about(a)
-        , map(period_map_of(about))
-      {
-      }
-      const SteadyModel about;
-      const PeriodMap   map;
-    };
-
-    /** The last two that were asked for are kept. */
-    class BranchMaps
-    {
-    public:
-      BranchMaps(RunContext &c, const PressedModel &p)
-        : context(c)
-        , pressed(p)
-        , grid(c.parameters)
-      {
-      }
-
-      std::shared_ptr<const PeriodMap>
-      operator()(const double parameter)
-      {
-        for (const unsigned int i : {0u, 1u})
-          if (kept[i] && kept_at[i] == parameter)
-            return {kept[i], &kept[i]->map};
-        kept[1]    = kept[0];
-        kept_at[1] = kept_at[0];
-        SweepPoint at(1);
-        at << parameter;
-        kept[0] = std::make_shared<const BranchMap>(
-          pressed.with_friction(friction_sizes(grid.scene(at).contacts))
-            .steady(context.parameters.preload.tolerance, context.timers));
-        kept_at[0] = parameter;
-        return {kept[0], &kept[0]->map};
-      }
-
-    private:
-      RunContext                      &context;
-      const PressedModel              &pressed;
-      const SweepGrid                  grid;
-      std::shared_ptr<const BranchMap> kept[2];
-      double                           kept_at[2] = {-1., -1.};
-    };
-
     BranchSettings
     settings_of(const Parameters &p, const CycleResult &start)
     {
-      const SweepAxisParameters &axis = p.sweep.axes.front();
-      BranchSettings             settings;
-      settings.lower    = axis.from.front();
-      settings.upper    = axis.to.front();
-      settings.n_points = axis.number;
+      const SweepGrid grid(p);
+      BranchSettings  settings;
+      settings.lower    = grid.lower(0);
+      settings.upper    = grid.upper(0);
+      settings.n_points = p.sweep.axes.front().number;
       settings.shooting = {
         p.limit_cycle.steps, p.limit_cycle.iterations, p.limit_cycle.tolerance};
       settings.multiplier_error = start.multipliers.uncertainty();
@@ -90,8 +44,10 @@ namespace squeal
       fingerprint.add("range of the branch",
                       prm::format_number(settings.lower) + " to " +
                         prm::format_number(settings.upper));
-      fingerprint.add("axis of the branch",
-                      p.sweep.axes.front().entries.front());
+      std::string entries;
+      for (const std::string &entry : p.sweep.axes.front().entries)
+        entries += (entries.empty() ? "" : ", ") + entry;
+      fingerprint.add("axis of the branch", entries);
       fingerprint.add("modes", std::to_string(pressed.model().n_modes()));
       const std::string name = "branch.h5";
       const auto        path = [&](const std::string &file) {
@@ -120,6 +76,14 @@ namespace squeal
       context.log.info("  continues from " + file.path() + " with " +
                        std::to_string(run.n_points()) + " points");
     }
+
+    /** The coordinate of the scene's own value. */
+    double
+    place_on_axis(const Parameters &p)
+    {
+      const double here = get_number(p, p.sweep.axes.front().entries.front());
+      return SweepGrid(p).is_logarithmic(0) ? std::log10(here) : here;
+    }
   } // namespace
 
 
@@ -144,11 +108,8 @@ namespace squeal
   {
     const Parameters    &p        = context.parameters;
     const BranchSettings settings = settings_of(p, start);
-    const auto           maps = std::make_shared<BranchMaps>(context, pressed);
-    BranchRun run([maps](const double parameter) { return (*maps)(parameter); },
-                  start.motion,
-                  get_number(p, p.sweep.axes.front().entries.front()),
-                  settings);
+    BranchRun            run(
+      branch_maps(context, pressed), start.motion, place_on_axis(p), settings);
     const Checkpoints file = branch_file(context, settings, pressed);
     Timers::Section   section(context.timers, "Solve: branch");
     resume(run, file, context);
@@ -166,6 +127,10 @@ namespace squeal
         stop.repeat();
         throw ComputationError("stopped by a signal");
       }
-    return run.branch();
+    CycleBranch     branch = run.branch();
+    const SweepGrid grid(p);
+    for (BranchPoint &point : branch.points)
+      point.parameter = grid.value(0, point.parameter);
+    return branch;
   }
 } // namespace squeal

@@ -161,7 +161,7 @@ namespace squeal
           context.log.info(branch_sentence(*branch, name));
           report.section("Branch");
           if (p.output.plots && context.is_root)
-            draw_branch(context, *branch, name, report);
+            draw_branch(context, *branch, p.sweep.axes.front(), report);
           report.table(along, "Limit cycles along the branch");
         }
       report.section("Cycles");

@@ -11,6 +11,7 @@ namespace squeal
 {
   class RunContext;
   class HtmlReport;
+  struct SweepAxisParameters;
 
   /** One row for each point, from one end to the other. */
   Table branch_table(const CycleBranch &branch);
@@ -19,11 +20,11 @@ namespace squeal
   std::string branch_sentence(const CycleBranch &branch,
                               const std::string &parameter);
 
-  /** Amplitude, frequency and largest multiplier over the parameter. */
-  void draw_branch(RunContext        &context,
-                   const CycleBranch &branch,
-                   const std::string &parameter,
-                   HtmlReport        &report);
+  /** Amplitude, frequency and largest multiplier over @p axis. */
+  void draw_branch(RunContext                &context,
+                   const CycleBranch         &branch,
+                   const SweepAxisParameters &axis,
+                   HtmlReport                &report);
 } // namespace squeal
 
 #endif

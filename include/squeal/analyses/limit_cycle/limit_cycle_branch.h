@@ -12,7 +12,7 @@ namespace squeal
   /** Throws InputError where the scene is not on the axis of the sweep. */
   void require_on_axis(const Parameters &parameters);
 
-  /** The branch of @p start over the axis of the sweep, from where an earlier
+  /** The branch of @p start over the values of the sweep's axis, from where an earlier
    * run has left it in the branch file on, which has every point as soon as it
    * is found. A signal ends the program after the point at hand. */
   CycleBranch branch_of(RunContext         &context,
