@@ -101,6 +101,174 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Where the tangent leads to, on the way to the branch. */
+    class Corrector
+    {
+    public:
+      Corrector(const PeriodMaps     &m,
+                const BranchPoint    &before,
+                const BranchPoint    &last,
+                const double          step,
+                const BranchSettings &s)
+        : maps(m)
+        , settings(s)
+        , range(s.upper - s.lower)
+        , tangent(tangent_of(m, before, last, s))
+        , size(
+            motion_size(m(last.parameter)->reduced_model(), last.motion.orbit))
+        , state(last.motion.orbit.states.front())
+        , period(last.motion.period * (1. + step * tangent.period))
+        , past(last.motion.orbit.past_of(s.shooting.n_steps))
+        , modes_of(last.parameter)
+      {
+        state.coordinates += step * tangent.state.coordinates;
+        state.velocities += step * tangent.state.velocities;
+        state.forces += step * tangent.state.forces;
+        point.parameter = last.parameter + step * tangent.parameter * range;
+      }
+
+      /** Newton's method, of the motion at the parameter that the tangent has
+       * led to where @p is_fixed, else of both. */
+      std::optional<BranchPoint>
+      solve(const bool is_fixed)
+      {
+        double residual = 0.;
+        for (unsigned int i = 0; i <= settings.shooting.iterations; ++i)
+          {
+            if (!run_period(i))
+              return {};
+            const double now = point.motion.residual;
+            if (now <= settings.shooting.tolerance)
+              {
+                point.motion.status = CycleStatus::converged;
+                return point;
+              }
+            if (!is_held && i > 0 &&
+                StatusChangeRule::holds(residual, now / residual))
+              {
+                held    = point.motion.orbit.corrections;
+                is_held = true;
+              }
+            else if (i > 2 && now > residual)
+              return {};
+            residual = now;
+            if (!(is_fixed ? move_motion() : move_along()))
+              return {};
+            past = point.motion.orbit.past_of(settings.shooting.n_steps);
+          }
+        return {};
+      }
+
+    private:
+      /** Of the motion at hand, in the modes at its parameter; false where
+       * there is none that vibrates. */
+      bool
+      run_period(const unsigned int iteration)
+      {
+        map = maps.find(point.parameter);
+        if (!map)
+          return false;
+        state = maps.carried(state, modes_of, point.parameter);
+        tangent.state =
+          maps.carried_difference(tangent.state, modes_of, point.parameter);
+        held     = maps.carried(held, modes_of, point.parameter);
+        modes_of = point.parameter;
+        if (!try_orbit(*map,
+                       state,
+                       period,
+                       settings.shooting.n_steps,
+                       past,
+                       is_held ? &held : nullptr,
+                       point.motion))
+          return false;
+        point.motion.iterations = iteration;
+        point.motion.history.push_back(point.motion.residual);
+        return !is_steady(*map, point.motion.orbit);
+      }
+
+      PeriodEquations
+      equations(const ScaledMotion &scaled, const std::vector<int> &rows) const
+      {
+        return {*map,
+                point.motion,
+                scaled,
+                rows,
+                is_held ? StatusChanges::held : StatusChanges::located};
+      }
+
+      bool
+      move_motion()
+      {
+        const std::vector<int> rows = map->closed_rows(point.motion.orbit);
+        const ScaledMotion     scaled(map->reduced_model(), rows, period);
+        return move(
+          scaled,
+          equations(scaled, rows)
+            .solve(scaled.difference(point.motion.orbit.end(), state)));
+      }
+
+      /** At right angles to the tangent. */
+      bool
+      move_along()
+      {
+        const std::vector<int> rows = map->closed_rows(point.motion.orbit);
+        const ScaledMotion     scaled(map->reduced_model(), rows, period);
+        Eigen::VectorXd        by_parameter;
+        if (!change_with_parameter(maps, point, settings, scaled, by_parameter))
+          return false;
+        const Eigen::Index n = by_parameter.size();
+        Eigen::VectorXd    row(n + 2);
+        // What the tangent has at forces that do not count is left out.
+        row << scaled.pack(tangent.state.coordinates,
+                           tangent.state.velocities,
+                           tangent.state.forces) /
+                 (size * size),
+          tangent.period, tangent.parameter;
+        const Eigen::VectorXd change =
+          equations(scaled, rows).solve_with(by_parameter, row, 0.);
+        if (!(std::abs(change[n + 1]) <= largest_branch_change))
+          return false;
+        point.parameter += change[n + 1] * range;
+        return move(scaled, change.head(n + 1));
+      }
+
+      /** The state and the period by @p change; false where that leads away. */
+      bool
+      move(const ScaledMotion &scaled, const Eigen::VectorXd &change)
+      {
+        const Eigen::Index n = change.size() - 1;
+        if (!change.allFinite() || std::abs(change[n]) > largest_branch_change)
+          return false;
+        state = scaled.moved(state, change.head(n));
+        period *= 1. + change[n];
+        return true;
+      }
+
+      const PeriodMaps     &maps;
+      const BranchSettings &settings;
+      const double          range;
+      Tangent               tangent;
+      const double          size;
+      MotionState           state;
+      double                period;
+      ContactPast           past;
+      double          modes_of; /**< whose modes the state is written in */
+      BranchPoint     point;
+      PeriodMaps::Map map;
+      StepCorrections held;
+      bool            is_held = false;
+    };
+
+    /** Share of the parameter in a step's tangent from which on the motion is
+     * sought at a fixed parameter first where every parameter takes a model of
+     * its own: that needs one, Newton's method for both two an iteration. */
+    constexpr double steep = 0.3;
+  } // namespace
+
+
+
   std::optional<BranchPoint>
   correct_along(const PeriodMaps     &maps,
                 const BranchPoint    &before,
@@ -108,86 +276,14 @@ namespace squeal
                 const double          step,
                 const BranchSettings &s)
   {
-    auto         map   = maps(last.parameter);
-    Tangent      t     = tangent_of(maps, before, last, s);
-    const double size  = motion_size(map->reduced_model(), last.motion.orbit),
-                 range = s.upper - s.lower;
-    MotionState state  = last.motion.orbit.states.front();
-    state.coordinates += step * t.state.coordinates;
-    state.velocities += step * t.state.velocities;
-    state.forces += step * t.state.forces;
-    double      period = last.motion.period * (1. + step * t.period);
-    BranchPoint x;
-    x.parameter          = last.parameter + step * t.parameter * range;
-    ContactPast past     = last.motion.orbit.past_of(s.shooting.n_steps);
-    double      residual = 0.,
-           modes_of = last.parameter; // whose modes the state is written in
-    StepCorrections held;
-    bool            is_held = false;
-    for (unsigned int i = 0; i <= s.shooting.iterations; ++i)
+    if (!maps.share_modes() &&
+        std::abs(tangent_of(maps, before, last, s).parameter) > steep)
       {
-        map = maps.find(x.parameter);
-        if (!map)
-          return {};
-        state    = maps.carried(state, modes_of, x.parameter);
-        t.state  = maps.carried_difference(t.state, modes_of, x.parameter);
-        held     = maps.carried(held, modes_of, x.parameter);
-        modes_of = x.parameter;
-        if (!try_orbit(*map,
-                       state,
-                       period,
-                       s.shooting.n_steps,
-                       past,
-                       is_held ? &held : nullptr,
-                       x.motion))
-          return {};
-        x.motion.iterations = i;
-        x.motion.history.push_back(x.motion.residual);
-        if (is_steady(*map, x.motion.orbit))
-          return {};
-        if (x.motion.residual <= s.shooting.tolerance)
-          {
-            x.motion.status = CycleStatus::converged;
-            return x;
-          }
-        if (!is_held && i > 0 &&
-            StatusChangeRule::holds(residual, x.motion.residual / residual))
-          {
-            held    = x.motion.orbit.corrections;
-            is_held = true;
-          }
-        else if (i > 2 && x.motion.residual > residual)
-          return {};
-        residual                    = x.motion.residual;
-        const std::vector<int> rows = map->closed_rows(x.motion.orbit);
-        const ScaledMotion     scaled(map->reduced_model(), rows, period);
-        Eigen::VectorXd        by_parameter;
-        if (!change_with_parameter(maps, x, s, scaled, by_parameter))
-          return {};
-        Eigen::VectorXd row(by_parameter.size() + 2);
-        row << scaled.pack(
-                 t.state.coordinates, t.state.velocities, t.state.forces) /
-                 (size * size),
-          t.period, t.parameter;
-        // What the tangent has at forces that do not count is left out.
-        const Eigen::VectorXd change =
-          PeriodEquations(*map,
-                          x.motion,
-                          scaled,
-                          rows,
-                          is_held ? StatusChanges::held
-                                  : StatusChanges::located)
-            .solve_with(by_parameter, row, 0.);
-        const Eigen::Index n = by_parameter.size();
-        if (!change.allFinite() ||
-            std::abs(change[n]) > largest_branch_change ||
-            std::abs(change[n + 1]) > largest_branch_change)
-          return {};
-        state = scaled.moved(state, change.head(n));
-        period *= 1. + change[n];
-        x.parameter += change[n + 1] * range;
-        past = x.motion.orbit.past_of(s.shooting.n_steps);
+        auto found = Corrector(maps, before, last, step, s).solve(true);
+        // Far from where the tangent leads is another branch.
+        if (found && branch_distance(maps, last, *found, s) < 2. * step)
+          return found;
       }
-    return {};
+    return Corrector(maps, before, last, step, s).solve(false);
   }
 } // namespace squeal

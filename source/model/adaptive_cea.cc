@@ -65,23 +65,23 @@ namespace squeal
       return result;
     }
 
-    /** Puts better errors of growth rates in the place of those of the cells,
+    /** Puts better errors of growing pairs in the place of those of the cells,
      * where they are known, and says where they are not: there the cells know
      * little. */
     void
-    take_growth_errors(const Eigen::VectorXd &better,
-                       const ComplexPairs    &pairs,
-                       PairErrors            &errors,
-                       RunLog                &log)
+    take_growth_errors(const Eigen::VectorXcd &better,
+                       const ComplexPairs     &pairs,
+                       PairErrors             &errors,
+                       RunLog                 &log)
     {
       unsigned int n_growing = 0, n_better = 0;
       for (Eigen::Index k = 0; k < better.size(); ++k)
         {
           n_growing += pairs.sigma(k) > 0.;
-          if (std::isnan(better[k]))
+          if (std::isnan(better[k].real()))
             continue;
           ++n_better;
-          errors.lambda[k].real(better[k]);
+          errors.lambda[k] = better[k];
         }
       if (n_better < n_growing)
         log.info("  mesh errors of growth rates: of " +
@@ -96,17 +96,17 @@ namespace squeal
 
     /** Of growth rates: by what the refinement from the mesh before, if there
      * is one, has changed, else by one degree less. */
-    Eigen::VectorXd
+    Eigen::VectorXcd
     errors_of_growth(const Model        &model,
                      const ComplexPairs &pairs,
                      const PairErrors   &errors,
                      const CoarserPairs &before,
                      Timers             &timers)
     {
-      const Eigen::VectorXd result =
+      const Eigen::VectorXcd result =
         growth_errors(model, pairs, errors, before, least_left);
       for (unsigned int k = 0; k < pairs.size(); ++k)
-        if (pairs.sigma(k) > 0. && std::isnan(result[k]))
+        if (pairs.sigma(k) > 0. && std::isnan(result[k].real()))
           return growth_errors_by_lower_degree(model, pairs, errors, timers);
       return result;
     }

@@ -15,6 +15,8 @@ namespace squeal
 {
   namespace
   {
+    using Complex = std::complex<double>;
+
     /** Of the band beyond the growing pairs, in which they are sought again. */
     constexpr double reach = 0.15;
     /** Least squared cosine of the shapes of a pair found again. Two modes
@@ -118,6 +120,44 @@ namespace squeal
       return best;
     }
 
+    /** What the coarser one of two eigenvalues tells of the error of the finer
+     * one, see growth_errors(); @p of_cells: what its cells say of its
+     * frequency, rad/s. */
+    Complex
+    error_by_change(const Complex lambda,
+                    const Complex coarser,
+                    const double  of_cells,
+                    const double  least)
+    {
+      const Complex change = lambda - coarser;
+      // Where the error of the frequency is not known (bodies that turn) all
+      // of the change may be left.
+      if (std::isnan(of_cells))
+        return {change.real(), of_cells};
+      const bool   is_against = change.imag() * of_cells < 0.;
+      const double ratio =
+        is_against ? largest_ratio
+                   : std::clamp(std::abs(of_cells) / std::abs(change.imag()),
+                                least,
+                                largest_ratio);
+      const double frequency =
+        is_against
+          ? std::copysign(std::max(std::abs(of_cells), std::abs(change.imag())),
+                          of_cells)
+          : of_cells;
+      const double left = change.real() * ratio;
+      const double floor =
+        least_share * lambda.real() * std::abs(of_cells) / std::abs(lambda);
+      return {std::copysign(std::max(std::abs(left), floor), left), frequency};
+    }
+
+    Eigen::VectorXcd
+    all_unknown(const ComplexPairs &pairs)
+    {
+      return Eigen::VectorXcd::Constant(pairs.size(),
+                                        Complex(std::nan(""), std::nan("")));
+    }
+
     /** Whether two solutions of the model can tell growth rates. */
     bool
     has_errors(const Model &model, const ComplexPairs &pairs)
@@ -145,15 +185,14 @@ namespace squeal
 
 
 
-  Eigen::VectorXd
+  Eigen::VectorXcd
   growth_errors(const Model        &model,
                 const ComplexPairs &pairs,
                 const PairErrors   &errors,
                 const CoarserPairs &coarser,
                 const double        least)
   {
-    Eigen::VectorXd result =
-      Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
+    Eigen::VectorXcd result = all_unknown(pairs);
     if (!has_errors(model, pairs) || coarser.lambda.size() == 0)
       return result;
     const Eigen::MatrixXd likeness =
@@ -164,34 +203,21 @@ namespace squeal
         const int i = found_again(coarser.lambda, likeness.col(k));
         if (pairs.sigma(k) <= 0. || i < 0)
           continue;
-        const double ratio =
-          std::abs(errors.lambda[k].imag()) /
-          std::abs(pairs.lambda[k].imag() - coarser.lambda[i].imag());
-        // Where the error of the frequency is not known (bodies that turn) all
-        // of the change may be left.
-        const double change =
-          (pairs.sigma(k) - coarser.lambda[i].real()) *
-          (std::isnan(ratio) ? 1. : std::clamp(ratio, least, largest_ratio));
-        const double floor = std::isnan(ratio)
-                               ? 0.
-                               : least_share * pairs.sigma(k) *
-                                   std::abs(errors.lambda[k].imag()) /
-                                   std::abs(pairs.lambda[k]);
-        result[k] = std::copysign(std::max(std::abs(change), floor), change);
+        result[k] = error_by_change(
+          pairs.lambda[k], coarser.lambda[i], errors.lambda[k].imag(), least);
       }
     return result;
   }
 
 
 
-  Eigen::VectorXd
+  Eigen::VectorXcd
   growth_errors_by_lower_degree(const Model        &model,
                                 const ComplexPairs &pairs,
                                 const PairErrors   &errors,
                                 Timers             &timers)
   {
-    const Eigen::VectorXd unknown =
-      Eigen::VectorXd::Constant(pairs.size(), std::nan(""));
+    const Eigen::VectorXcd unknown = all_unknown(pairs);
     if (!has_errors(model, pairs) || model.discretization()->degree() < 2)
       return unknown;
     const unsigned int degree = model.discretization()->degree() - 1;

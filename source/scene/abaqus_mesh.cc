@@ -141,6 +141,8 @@ namespace squeal
       read_tie();
     else if (name == "STEP")
       read_step();
+    else if (name == "DAMPING")
+      file.passed_over.insert("*DAMPING");
     else if (couples(name))
       file.passed_over.insert("*" + name);
   }

@@ -372,9 +372,9 @@ namespace squeal
       for (const auto &name : file.passed_over)
         names += (names.empty() ? "" : ", ") + name;
       if (!names.empty())
-        mesh.remarks.push_back("mesh file '" + body.mesh_file +
-                               "': not followed are " + names +
-                               ": what they hold or tie is for the scene");
+        mesh.remarks.push_back(
+          "mesh file '" + body.mesh_file + "': not followed are " + names +
+          ": what they hold, tie or damp is for the scene");
       if (const auto remark = material_remark(body, file); !remark.empty())
         mesh.remarks.push_back(remark);
     }

@@ -162,5 +162,6 @@ namespace squeal
     for (const Load &load : loads)
       add_face_of(load);
     add_point_sets();
+    finish_materials();
   }
 } // namespace squeal

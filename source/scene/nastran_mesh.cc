@@ -170,6 +170,10 @@ namespace squeal
       }
     else if (name == "MAT1")
       read_material(entry);
+    else if (name == "MATT1")
+      of_temperature.insert(integer(entry, 0, "number of a material"));
+    else if (name == "PARAM")
+      read_parameter(entry);
     else if (name == "PLOAD4")
       read_load(entry);
     else if (name == "SET1")
@@ -267,10 +271,34 @@ namespace squeal
     material.young_modulus = E;
     material.poisson_ratio = nu;
     material.density       = real_or_zero(entry, 4, "density");
+    if (real_or_zero(entry, 7, "structural damping") != 0.)
+      file.passed_over.insert("MAT1 damping (GE)");
     if (!materials.emplace(number, file.materials.size()).second)
       text.fail_at(entry.line,
                    "material " + std::to_string(number) + " is there twice");
     file.materials.push_back(material);
+  }
+
+  /** Parameters of analyses are none of a mesh, but this one changes what
+   * densities are. */
+  void
+  NastranReader::read_parameter(const BulkEntry &entry)
+  {
+    if (import::upper_case(entry.field(0)) != "WTMASS")
+      return;
+    mass_factor = real_or_zero(entry, 1, "factor of weights");
+    if (!(mass_factor > 0.))
+      text.fail_at(entry.line, "PARAM,WTMASS must be positive");
+  }
+
+  void
+  NastranReader::finish_materials()
+  {
+    for (auto &material : file.materials)
+      material.density *= mass_factor;
+    for (const long number : of_temperature)
+      if (const auto it = materials.find(number); it != materials.end())
+        file.materials[it->second].fault = "depends on temperature";
   }
 
   void

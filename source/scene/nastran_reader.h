@@ -54,6 +54,8 @@ namespace squeal
     void read_cell(const import::BulkEntry &entry);
     void read_load(const import::BulkEntry &entry);
     void read_material(const import::BulkEntry &entry);
+    void read_parameter(const import::BulkEntry &entry);
+    void finish_materials();
     void read_set(const import::BulkEntry &entry, const std::size_t first);
     void finish();
     void number_points();
@@ -74,16 +76,18 @@ namespace squeal
                               const char              *what) const;
     unsigned int point(const long number, const unsigned int line) const;
 
-    import::TextFile                                 text;
-    const std::set<std::string>                      wanted;
-    MeshFile                                         file;
-    bool                                             has_bulk_begin = false;
-    std::unordered_map<long, unsigned int>           index_of_point;
-    std::vector<Cell>                                cells;
-    std::unordered_map<long, std::size_t>            cell_of_element;
-    std::vector<Load>                                loads;
-    std::map<long, Section>                          sections;
-    std::map<long, int>                              materials;
+    import::TextFile                       text;
+    const std::set<std::string>            wanted;
+    MeshFile                               file;
+    bool                                   has_bulk_begin = false;
+    std::unordered_map<long, unsigned int> index_of_point;
+    std::vector<Cell>                      cells;
+    std::unordered_map<long, std::size_t>  cell_of_element;
+    std::vector<Load>                      loads;
+    std::map<long, Section>                sections;
+    std::map<long, int>                    materials;
+    std::set<long> of_temperature; /**< materials that a MATT1 names */
+    double mass_factor = 1.;       /**< of weights as densities: PARAM,WTMASS */
     std::map<long, std::vector<std::array<long, 2>>> point_sets, cell_sets;
     MeshGroups                                       groups{file};
   };

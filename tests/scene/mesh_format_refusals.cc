@@ -200,6 +200,7 @@ ENDDATA
     spoilt("PLOAD4  5       1", "PLOAD4  5       2", "element 2");
     spoilt("ENDDATA", "INCLUDE 'a.bdf'\nENDDATA", "INCLUDE");
     spoilt("ENDDATA", "GRDSET,,4\nENDDATA", "GRDSET");
+    spoilt("ENDDATA", "PARAM,WTMASS,0.\nENDDATA", "WTMASS must be positive");
     spoilt("ENDDATA", "MAT1,3,1.,,.3,1.\nENDDATA", "material 3 is there twice");
     refuses(bdf, Shape::nastran, "property or set '8'; there are: 7", "8", "8");
   }
@@ -233,6 +234,9 @@ ENDDATA
                      "axes of its own");
     refuses_material(changed(whole, "7800.,", "0.,"), Shape::abaqus, "rho 0");
     refuses_material(changed(bdf, "7850.", ""), Shape::nastran, "rho 0");
+    refuses_material(changed(bdf, "ENDDATA", "MATT1,3,5\nENDDATA"),
+                     Shape::nastran,
+                     "depends on temperature");
     refuses_material(
       changed(bdf, "PSOLID  7", "PSOLID  8"), Shape::nastran, "no material");
   }

@@ -319,6 +319,31 @@ ENDDATA
           "a disagreement is said");
   }
 
+  /** Densities that are weights over g, and damping, which is the scene's. */
+  void
+  factors_of_materials()
+  {
+    std::string text = bulk;
+    text.replace(text.find("MAT1*"),
+                 text.find("PLOAD4") - text.find("MAT1*"),
+                 "MAT1,3,2.1+5,,.3,7.85-9,,,.02\nPARAM,WTMASS,.5\n");
+    std::ofstream("weights.bdf") << text;
+    SceneParameters scene;
+    scene.bodies.resize(1);
+    BodyParameters &body         = scene.bodies[0];
+    body.name                    = "steel";
+    body.shape                   = Shape::nastran;
+    body.mesh_file               = "weights.bdf";
+    body.mesh_length_unit        = 1e-3;
+    body.mesh_mass_unit          = 1e3;
+    body.material_from_mesh_file = true;
+    take_mesh_materials(scene);
+    check_close(body.density, 3925., 1e-13, "rho by PARAM,WTMASS");
+    check(read_mesh_body(body).remarks.at(0).find("MAT1 damping (GE)") !=
+            std::string::npos,
+          "damping of the file is said not to be followed");
+  }
+
   void
   ties_of_files()
   {
@@ -365,5 +390,6 @@ main()
   abaqus_sets();
   nastran_entries();
   materials_of_files();
+  factors_of_materials();
   ties_of_files();
 }

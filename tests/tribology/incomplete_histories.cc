@@ -208,6 +208,13 @@ namespace
         check(same == ratio, "it is so whatever the rules of the damage");
         check(other != damage, "which changes with them:" + rules);
       }
+    // Far behind the start the samples come four times as often.
+    for (std::size_t i = 59000; i < times.size(); ++i)
+      times[i] = times[i - 1] + .25e-3;
+    write_history("uneven.h5", times, pressures, true);
+    check(has(run_damage("  set File = uneven.h5\n", "  set Constants = 1e6\n"),
+              "no spectral estimate: it needs evenly spaced times"),
+          "a spectrum of uneven samples is none");
   }
 
 

@@ -34,6 +34,9 @@ namespace squeal
    *
    * where the ratio is kept between @p least_ratio and 1: below, the frequency
    * hardly moves and says nothing; above, the solutions do not converge yet.
+   * Where the frequency has moved against what its cells say is left, the two
+   * solutions differ in more than their meshes, as contact states do that are
+   * found anew: all of the change may be left, of the frequency as well.
    * The error is no smaller than twice that of the frequency, both relative:
    * the lowest degrees are far from converging, and their growth rates may be
    * alike by chance (doc/verification.md has pairs with 2.3 to 3 times it).
@@ -44,22 +47,22 @@ namespace squeal
    *
    * @param pairs  right vectors are used
    * @param errors of the pairs, for the frequencies
-   * @return 1/s, one a pair: NaN for those that do not grow, that are not found
-   * again or whose @p errors are not known.
+   * @return of lambda, 1/s, one a pair: NaN for those that do not grow or are
+   * not found again.
    */
-  Eigen::VectorXd growth_errors(const Model        &model,
-                                const ComplexPairs &pairs,
-                                const PairErrors   &errors,
-                                const CoarserPairs &coarser,
-                                const double        least_ratio);
+  Eigen::VectorXcd growth_errors(const Model        &model,
+                                 const ComplexPairs &pairs,
+                                 const PairErrors   &errors,
+                                 const CoarserPairs &coarser,
+                                 const double        least_ratio);
 
   /** By one degree less, with a ratio of at least 1/10; with linear elements
    * there, whose errors are tens of times larger, 1/100. NaN for all where the
    * degree is 1. */
-  Eigen::VectorXd growth_errors_by_lower_degree(const Model        &model,
-                                                const ComplexPairs &pairs,
-                                                const PairErrors   &errors,
-                                                Timers             &timers);
+  Eigen::VectorXcd growth_errors_by_lower_degree(const Model        &model,
+                                                 const ComplexPairs &pairs,
+                                                 const PairErrors   &errors,
+                                                 Timers             &timers);
 } // namespace squeal
 
 #endif

@@ -119,11 +119,11 @@ namespace squeal
       return pair_mesh_errors(model, *modes.pencil, pairs);
     }
 
-    double
-    growth_error_by_lower_degree(const Model        &model,
-                                 const ComplexPairs &pair,
-                                 const PairErrors   &errors,
-                                 Timers             &timers)
+    std::complex<double>
+    error_by_lower_degree(const Model        &model,
+                          const ComplexPairs &pair,
+                          const PairErrors   &errors,
+                          Timers             &timers)
     {
       Timers::Section section(timers, "Solve: mesh error of the pairs");
       return growth_errors_by_lower_degree(model, pair, errors, timers)[0];
@@ -152,19 +152,23 @@ namespace squeal
       const ComplexPairs loudest = select_pairs(
         solution.pairs,
         {static_cast<int>(loudest_pairs(solution.pairs).numbers.back())});
-      PairErrors errors;
+      double frequency_error = std::nan(""), growth_error = std::nan("");
       if (here.discretization.estimate_error)
-        errors = mesh_errors(model, modes, loudest, timers);
-      ConditionPairs result = condition_pairs(
-        model,
-        solution.pairs,
-        c,
-        errors.lambda.size() > 0 ? errors.lambda[0].imag() / (2. * M_PI)
-                                 : std::nan(""));
-      if (errors.lambda.size() > 0 &&
-          result.largest_growth > std::max(loudest_before, 0.))
-        result.growth_error =
-          growth_error_by_lower_degree(model, loudest, errors, timers);
+        {
+          const PairErrors errors = mesh_errors(model, modes, loudest, timers);
+          frequency_error         = errors.lambda[0].imag() / (2. * M_PI);
+          if (loudest.sigma(0) > std::max(loudest_before, 0.))
+            {
+              const auto better =
+                error_by_lower_degree(model, loudest, errors, timers);
+              growth_error = better.real();
+              if (!std::isnan(better.imag()))
+                frequency_error = better.imag() / (2. * M_PI);
+            }
+        }
+      ConditionPairs result =
+        condition_pairs(model, solution.pairs, c, frequency_error);
+      result.growth_error = growth_error;
       return result;
     }
 

@@ -62,18 +62,22 @@ namespace squeal::tribology
 
 
 
-    /** Samples per second, or 0 if they are not evenly spaced. */
+    /** Samples per second, on the mean. */
     double
-    even_rate(const HistoryReader &reader, const HistoryWindow &window)
+    mean_rate(const HistoryReader &reader, const HistoryWindow &window)
     {
-      HistorySamples    s;
-      const std::size_t n = std::min<std::uint64_t>(window.n, 1000);
-      reader.read(window.first, n, s);
-      const double step = (s.time.back() - s.time.front()) / (n - 1);
-      for (std::size_t i = 1; i < n; ++i)
-        if (std::abs(s.time[i] - s.time[i - 1] - step) > 1e-3 * step)
-          return 0.;
-      return 1. / step;
+      HistorySamples first, last;
+      reader.read(window.first, 1, first);
+      reader.read(window.first + window.n - 1, 1, last);
+      return (window.n - 1) / (last.time[0] - first.time[0]);
+    }
+
+    std::string
+    no_spectra(const std::size_t n_least)
+    {
+      return "no spectral estimate: it needs evenly spaced times and at "
+             "least " +
+             std::to_string(n_least) + " samples";
     }
 
 
@@ -232,17 +236,14 @@ namespace squeal::tribology
     result.has_slip_rate = reader.layout().has_slip_rate;
     result.has_stick_slip =
       reader.layout().has_slip_rate || reader.layout().has_status;
-    const double rate = fatigue.spectral ? even_rate(reader, window) : 0.;
     std::vector<WelchEstimator> spectra;
-    if (rate > 0. && window.n >= n_window)
+    if (fatigue.spectral && window.n >= n_window)
       {
-        spectra.assign(n, WelchEstimator(n_window, rate));
+        spectra.assign(n, WelchEstimator(n_window, mean_rate(reader, window)));
         rules.straight_curves = straight_lines(rules.curves);
       }
     else if (fatigue.spectral)
-      result.notes.push_back(
-        "no spectral estimate: it needs evenly spaced times and at least " +
-        std::to_string(n_window) + " samples");
+      result.notes.push_back(no_spectra(n_window));
 
     std::vector<DamageCounter> counters(n, DamageCounter(rules));
     std::vector<DamageCounter> averaged(n, DamageCounter(plain));
@@ -279,6 +280,11 @@ namespace squeal::tribology
       if (progress)
         progress(s.n_samples());
     });
+    if (!spectra.empty() && !spacing.is_even())
+      {
+        spectra.clear();
+        result.notes.push_back(no_spectra(n_window));
+      }
     result.duration = last - first;
     result.nodes.resize(n);
     for (std::size_t k = 0; k < n; ++k)

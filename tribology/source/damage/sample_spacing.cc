@@ -2,6 +2,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/tribology/damage/sample_spacing.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal::tribology
@@ -10,6 +11,8 @@ namespace squeal::tribology
   {
     /** An interval of more than so many median ones is a pause. */
     constexpr double factor_of_pause = 10.;
+    /** Of the mean interval, that even ones may be off it. */
+    constexpr double even = 1e-3;
   } // namespace
 
 
@@ -27,6 +30,7 @@ namespace squeal::tribology
             same.sum += interval;
             ++n_intervals;
             total += interval;
+            shortest = std::min(shortest, interval);
             if (interval > longest)
               {
                 longest          = interval;
@@ -51,6 +55,15 @@ namespace squeal::tribology
           return same.sum / same.n;
       }
     return 0.;
+  }
+
+
+
+  bool
+  SampleSpacing::is_even() const
+  {
+    const double mean = total / n_intervals;
+    return longest - mean <= even * mean && mean - shortest <= even * mean;
   }
 
 

@@ -3,6 +3,7 @@
 #define squeal_tribology_damage_sample_spacing_h
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ namespace squeal::tribology
      * intervals. */
     double median() const;
 
+    /** Whether no interval is off their mean by more than a thousandth of it.
+     */
+    bool is_even() const;
+
     /** A line for a run with pauses; "" for one without. */
     std::string note() const;
 
@@ -40,6 +45,7 @@ namespace squeal::tribology
     bool                 has_last = false;
     double               last     = 0.;                       /**< s */
     double               longest = 0., start_of_longest = 0.; /**< s */
+    double               shortest    = std::numeric_limits<double>::infinity();
     std::uint64_t        n_intervals = 0;
     double               total       = 0.; /**< s */
   };
