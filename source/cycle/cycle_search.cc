@@ -329,6 +329,18 @@ namespace squeal
 
 
 
+  double
+  CycleResult::frequency_error() const
+  {
+    return 2. * std::abs(figures.frequency - coarse_figures.frequency);
+  }
+
+  double
+  CycleResult::rms_normal_error() const
+  {
+    return 2. * std::abs(figures.rms_normal - coarse_figures.rms_normal);
+  }
+
   std::string
   CycleResult::status() const
   {

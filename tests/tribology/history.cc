@@ -451,6 +451,18 @@ namespace
            "presure_pa",
            "'pressure_pa' is missing; did you mean 'presure_pa'",
            "a missing column");
+    refuse("status",
+           "Status",
+           "samples.csv:1: column 'Status' is not read; did you mean 'status'",
+           "a column that is misspelt");
+    refuse("status",
+           "pressure_pa",
+           "column 'pressure_pa' is there twice",
+           "a column that is there twice");
+    refuse("status",
+           "slip_rate_y_m_per_s",
+           "column 'slip_rate_x_m_per_s' is missing",
+           "half of a slip rate");
     refuse("0,1,0,0,0,0\n1e-4",
            "0,1,0,0,0\n1e-4",
            "samples.csv:3: has 5 cells",

@@ -7,8 +7,10 @@
 #include <squeal/tribology/statistics/pad_tables.h>
 #include <squeal/tribology/statistics/quantity_text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 #include "check.h"
 #include "worst.h"
@@ -221,6 +223,37 @@ namespace
           std::pair("contact_duty", "contact duty")})
       check(QuantityText(column).with_unit() == text, text);
   }
+
+  /** Fifteen silent and fifteen squealing pads have more choices than are
+   * counted. The p-value is that of a million permutations by numpy. */
+  void
+  groups_of_pads()
+  {
+    std::vector<double> means;
+    for (unsigned int i = 0; i < 30; ++i)
+      means.push_back(std::sin(1.7 * i * i + .3) + (i < 15 ? 0. : .45));
+    const auto p_of = [](const std::vector<double> &values) {
+      write_damage(0., 0.);
+      write_features(0., 0.);
+      CorrelationParameters p;
+      p.damage_tables           = std::vector<std::string>(30, "damage.csv");
+      p.feature_tables          = std::vector<std::string>(30, "features.csv");
+      std::vector<PadMaps> pads = read_pads(p);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        {
+          for (auto &[name, map] : pads[i].features)
+            for (double &v : map.values)
+              v = values[i];
+          pads[i].is_silent = i < 15;
+        }
+      return compare_groups(pads, p).front().p_value;
+    };
+    const double p = p_of(means);
+    check_close(p, .0506, .003, "p of more pads than can be counted");
+    std::sort(means.begin(), means.begin() + 15);
+    std::sort(means.begin() + 15, means.end(), std::greater<double>());
+    check_close(p_of(means) / p, 1., 1e-12, "whatever their order");
+  }
 } // namespace
 
 
@@ -233,4 +266,5 @@ main()
   covariates();
   nowhere();
   names();
+  groups_of_pads();
 }

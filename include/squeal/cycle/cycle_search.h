@@ -60,6 +60,15 @@ namespace squeal
              coarse.status == CycleStatus::converged;
     }
     std::string status() const;
+
+    /** @name By the steps: twice the difference to half of them. Where forces
+     * jump, what a step misses hangs on where in it the jump lies, and the
+     * difference of two numbers of steps is small by chance as often as not
+     * (doc/theory/limit_cycles.md). */
+    //@{
+    double frequency_error() const;  /**< Hz */
+    double rms_normal_error() const; /**< N */
+    //@}
   };
 
   /** Amplitudes of pair @p k, sqrt(J), at which the closed nodes one after the

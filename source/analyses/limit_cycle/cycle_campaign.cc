@@ -60,19 +60,11 @@ namespace squeal
       CampaignTables
       tables(const CampaignRun &run)
       {
-        const Parameters                  &p = run.parameters;
-        std::unique_ptr<const SteadyModel> about;
-        try
-          {
-            about = std::make_unique<const SteadyModel>(
-              scene.pressed.with_friction(friction_sizes(p.scene.contacts))
-                .steady(p.preload.tolerance, context.timers));
-          }
-        catch (const ComputationError &e)
-          {
-            context.log.warning(e.what());
-            return without_sliding(p.limit_cycle.harmonics);
-          }
+        const Parameters &p = run.parameters;
+        const auto        about =
+          scene.find_steady(p.scene.contacts, context.log, context.timers);
+        if (!about)
+          return without_sliding(p.limit_cycle.harmonics);
         const LinearizedMotion linear =
           linearize(about->pressed.model(),
                     about->sliding,

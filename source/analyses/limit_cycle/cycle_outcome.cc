@@ -175,12 +175,10 @@ namespace squeal
           of({"frequency_error_hz",
               Type::real,
               "Hz",
-              "difference to half the steps",
+              "twice the difference to half the steps",
               3},
            &PointRow::heard,
-           [](const CycleResult &c) {
-             return std::abs(c.figures.frequency - c.coarse_figures.frequency);
-           }),
+           [](const CycleResult &c) { return c.frequency_error(); }),
           of({"dominant_line_hz",
               Type::real,
               "Hz",
@@ -195,13 +193,10 @@ namespace squeal
           of({"rms_normal_error_n",
               Type::real,
               "N",
-              "difference to half the steps",
+              "twice the difference to half the steps",
               3},
            &PointRow::heard,
-           [](const CycleResult &c) {
-             return std::abs(c.figures.rms_normal -
-                             c.coarse_figures.rms_normal);
-           }),
+           [](const CycleResult &c) { return c.rms_normal_error(); }),
           of({"min_normal_n", Type::real, "N", "least normal force"},
            &PointRow::heard,
            [](const CycleResult &c) { return c.figures.min_normal; }),

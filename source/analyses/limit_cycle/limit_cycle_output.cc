@@ -50,24 +50,18 @@ namespace squeal
               found({"frequency_error_hz",
                      Type::real,
                      "Hz",
-                     "difference to half the steps",
+                     "twice the difference to half the steps",
                      3},
-                    [](const CycleResult &c) {
-                      return std::abs(c.figures.frequency -
-                                      c.coarse_figures.frequency);
-                    }),
+                    [](const CycleResult &c) { return c.frequency_error(); }),
               common<CycleResult>("dominant_line_hz"),
               common<CycleResult>("mean_normal_n"),
               common<CycleResult>("rms_normal_n"),
               found({"rms_normal_error_n",
                      Type::real,
                      "N",
-                     "difference to half the steps",
+                     "twice the difference to half the steps",
                      3},
-                    [](const CycleResult &c) {
-                      return std::abs(c.figures.rms_normal -
-                                      c.coarse_figures.rms_normal);
-                    }),
+                    [](const CycleResult &c) { return c.rms_normal_error(); }),
               found({"min_normal_n", Type::real, "N", "least normal force"},
                     [](const CycleResult &c) { return c.figures.min_normal; }),
               found({"max_normal_n", Type::real, "N", "largest normal force"},
@@ -295,13 +289,12 @@ namespace squeal
              (c.status() == "not converged"
                 ? ", which says nothing about whether there is a limit cycle"
                 : "");
-    const CycleFigures &f = c.figures, &g = c.coarse_figures;
-    const double        df = std::abs(f.frequency - g.frequency),
-                 dr        = std::abs(f.rms_normal - g.rms_normal);
-    const std::string kind =
+    const CycleFigures &f  = c.figures;
+    const double        df = c.frequency_error(), dr = c.rms_normal_error();
+    const std::string   kind =
       c.multipliers.stability() == "at its limit"
-        ? "a limit cycle whose stability the multipliers leave open at "
-        : (c.multipliers.stability() == "stable" ? "a stable" : "an unstable") +
+          ? "a limit cycle whose stability the multipliers leave open at "
+          : (c.multipliers.stability() == "stable" ? "a stable" : "an unstable") +
             std::string(" limit cycle at ");
     return kind + rounded(f.frequency, df) + " +- " + rounded_text(df, 2) +
            " Hz, rms of the normal force " + rounded(f.rms_normal, dr) +

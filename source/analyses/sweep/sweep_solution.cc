@@ -194,9 +194,27 @@ namespace squeal
     struct Detuning
     {
       double distance = 0.; /**< of their frequencies, rad/s */
-      double error    = 0.; /**< the larger one of the two, by the mesh, rad/s;
-                               NaN: not known */
+      double error    = 0.; /**< of that distance by the mesh, rad/s; NaN: not
+                               known */
     };
+
+    /** Of two modes that are nearer to each other than their errors and whose
+     * errors are as alike as this, the mesh shifts both together: a doublet,
+     * whose distance is better known than either frequency. */
+    constexpr double alike = 0.8;
+    /** Of the error of either, what the estimate leaves open of the difference.
+     */
+    constexpr double open_share = 0.3;
+
+    /** Of the difference of two frequencies at @p distance of each other, all
+     * relative: the larger one of both errors, less for a doublet. */
+    double
+    error_of_difference(const double distance, const double a, const double b)
+    {
+      const double larger = worst_of(a, b), smaller = std::min(a, b);
+      const bool   is_doublet = distance < larger && smaller > alike * larger;
+      return is_doublet ? larger - smaller + open_share * larger : larger;
+    }
 
     Detuning
     detuning_at(const SweepModel::Modes &modes, const double omega)
@@ -210,8 +228,11 @@ namespace squeal
         return {0., std::nan("")};
       std::partial_sort(by_gap.begin(), by_gap.begin() + 2, by_gap.end());
       const Eigen::Index i = by_gap[0].second, j = by_gap[1].second;
-      return {std::abs(frequency[i] - frequency[j]),
-              omega * worst_of(modes.mesh_errors[i], modes.mesh_errors[j])};
+      const double       distance = std::abs(frequency[i] - frequency[j]);
+      return {distance,
+              omega * error_of_difference(distance / omega,
+                                          modes.mesh_errors[i],
+                                          modes.mesh_errors[j])};
     }
 
     /** An error of the difference of the two partners' frequencies moves the
@@ -220,7 +241,7 @@ namespace squeal
      * distance of the peak from the damping of the two, less where it grows
      * along the axis, as it does with friction. The square of the error counts,
      * too: partners may be nearer to each other than their errors, and a
-     * doublet that passes for them has no detuning. */
+     * doublet has hardly any detuning. */
     double
     mesh_error_of_edge(const SweepModel    &model,
                        const SweepLine     &line,

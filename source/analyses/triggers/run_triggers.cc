@@ -72,19 +72,10 @@ namespace squeal
       std::vector<TriggerResult>
       results(const CampaignRun &run)
       {
-        const Parameters                  &p = run.parameters;
-        std::vector<TriggerResult>         result;
-        std::unique_ptr<const SteadyModel> about;
-        try
-          {
-            about = std::make_unique<const SteadyModel>(
-              scene.pressed.with_friction(friction_sizes(p.scene.contacts))
-                .steady(p.preload.tolerance, context.timers));
-          }
-        catch (const ComputationError &e)
-          {
-            context.log.warning(e.what());
-          }
+        const Parameters          &p = run.parameters;
+        std::vector<TriggerResult> result;
+        const auto                 about =
+          scene.find_steady(p.scene.contacts, context.log, context.timers);
         LinearizedMotion linear;
         if (about)
           linear = linearize(about->pressed.model(),

@@ -33,6 +33,21 @@ namespace squeal::tribology
         line    = without_byte_order_mark(line, path);
         dialect = CsvDialect(line);
         names   = prm::split(line, dialect.separator());
+        for (std::size_t i = 0; i < names.size(); ++i)
+          if (std::count(names.begin(), names.begin() + i, names[i]) > 0)
+            throw InputError(path + ":1: column '" + names[i] +
+                             "' is there twice");
+      }
+
+      /** What is not read is refused: a column that is misspelt would count as
+       * absent. */
+      void
+      require_known(const std::vector<std::string> &known) const
+      {
+        for (const std::string &name : names)
+          if (std::find(known.begin(), known.end(), name) == known.end())
+            throw InputError(path + ":1: column '" + name + "' is not read" +
+                             prm::did_you_mean(name, known));
       }
 
       /** Position of a column, or -1 where it may be absent. */
@@ -137,13 +152,25 @@ namespace squeal::tribology
     /** Columns of the table of samples. */
     struct SampleColumns
     {
+      static inline const std::vector<std::string> names = {
+        "time_s",
+        "node",
+        "pressure_pa",
+        "traction_x_pa",
+        "traction_y_pa",
+        "slip_rate_x_m_per_s",
+        "slip_rate_y_m_per_s",
+        "gap_m",
+        "status"};
+
       explicit SampleColumns(const LineReader &lines)
         : time(lines.column("time_s", true))
         , node(lines.column("node", true))
         , pressure(lines.column("pressure_pa", true))
         , traction_x(lines.column("traction_x_pa", true))
         , traction_y(lines.column("traction_y_pa", true))
-        , slip_x(lines.column("slip_rate_x_m_per_s", false))
+        , slip_x(lines.column("slip_rate_x_m_per_s",
+                              lines.column("slip_rate_y_m_per_s", false) >= 0))
         , slip_y(lines.column("slip_rate_y_m_per_s", slip_x >= 0))
         , gap(lines.column("gap_m", false))
         , status(lines.column("status", false))
@@ -162,8 +189,9 @@ namespace squeal::tribology
                      const std::string &samples,
                      const std::string &history)
   {
-    HistoryLayout       layout = read_nodes(nodes);
-    LineReader          lines(samples);
+    HistoryLayout layout = read_nodes(nodes);
+    LineReader    lines(samples);
+    lines.require_known(SampleColumns::names);
     const SampleColumns column(lines);
     layout.name           = samples;
     layout.has_slip_rate  = column.slip_x >= 0;

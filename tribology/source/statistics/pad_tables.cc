@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <random>
 #include <tuple>
 
 namespace squeal::tribology
@@ -300,29 +302,61 @@ namespace squeal::tribology
 
 
 
-    /** Part of all choices of @p k of the values whose difference of means is
-     * at least the one given. */
+    /** More choices of pads than this are drawn at random. */
+    constexpr double most_choices = 1e6;
+    constexpr double n_drawn      = 2e5;
+
+    /** How many ways there are to choose @p k of @p n. */
     double
-    permutation_p(const std::vector<double> &values,
-                  const std::size_t          k,
-                  const double               observed)
+    number_of_choices(const std::size_t n, const std::size_t k)
     {
-      std::vector<int> chosen(values.size());
-      for (std::size_t i = 0; i < chosen.size(); ++i)
-        chosen[i] = i + k >= chosen.size() ? 1 : 0;
-      double n_all = 0., n_larger = 0.;
-      do
+      double result = 1.;
+      for (std::size_t i = 1; i <= k; ++i)
+        result *= double(n - k + i) / i;
+      return result;
+    }
+
+    /** Part of all choices of @p k of the values whose difference of means is
+     * at least the one given; of random ones, with the one at hand among them,
+     * where there are too many. The order of @p values does not matter. */
+    double
+    permutation_p(std::vector<double> values,
+                  const std::size_t   k,
+                  const double        observed,
+                  const unsigned int  seed)
+    {
+      std::sort(values.begin(), values.end());
+      const std::size_t n   = values.size();
+      const double      sum = std::accumulate(values.begin(), values.end(), 0.);
+      double            n_all = 0., n_larger = 0.;
+      const auto        count = [&](const double in) {
+        const double difference = in / k - (sum - in) / (n - k);
+        n_all += 1.;
+        n_larger +=
+          std::abs(difference) >= std::abs(observed) * (1. - 1e-12) ? 1. : 0.;
+      };
+      if (number_of_choices(n, k) > most_choices)
         {
-          double in = 0., out = 0.;
-          for (std::size_t i = 0; i < values.size(); ++i)
-            (chosen[i] ? in : out) += values[i];
-          const double difference = in / k - out / (values.size() - k);
-          n_all += 1.;
-          n_larger +=
-            std::abs(difference) >= std::abs(observed) * (1. - 1e-12) ? 1. : 0.;
+          std::mt19937_64 generator(seed);
+          for (n_all = n_larger = 1.; n_all < n_drawn;)
+            {
+              double in = 0.;
+              for (std::size_t i = 0; i < k; ++i)
+                {
+                  std::uniform_int_distribution<std::size_t> rest(i, n - 1);
+                  std::swap(values[i], values[rest(generator)]);
+                  in += values[i];
+                }
+              count(in);
+            }
+          return n_larger / n_all;
         }
-      while (std::next_permutation(chosen.begin(), chosen.end()) &&
-             n_all < 1e6);
+      std::vector<int> chosen(n, 0);
+      std::fill(chosen.end() - k, chosen.end(), 1);
+      do
+        count(
+          std::inner_product(values.begin(), values.end(), chosen.begin(), 0.));
+      while (std::next_permutation(chosen.begin(), chosen.end()));
       return n_larger / n_all;
     }
   } // namespace
@@ -438,12 +472,12 @@ namespace squeal::tribology
         const double difference = result.mean_squealing - result.mean_silent;
         std::vector<double> all = silent;
         all.insert(all.end(), squealing.begin(), squealing.end());
-        result.p_value = permutation_p(all, squealing.size(), difference);
-        double choices = 1.;
-        for (std::size_t i = 1; i <= squealing.size(); ++i)
-          choices *= double(silent.size() + i) / i;
+        result.p_value =
+          permutation_p(all, squealing.size(), difference, p.seed);
         const double smallest =
-          std::min(1., (silent.size() == squealing.size() ? 2. : 1.) / choices);
+          std::min(1.,
+                   (silent.size() == squealing.size() ? 2. : 1.) /
+                     number_of_choices(all.size(), squealing.size()));
         if (result.p_value <= p.level)
           result.verdict =
             difference > 0. ? Verdict::supported : Verdict::contradicted;
