@@ -366,6 +366,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_amplitudes.cc
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_table.cc
+    source/analyses/transient/force_statistics.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/run_transient.cc

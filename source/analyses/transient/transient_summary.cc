@@ -62,8 +62,8 @@ namespace squeal
         {"sigma_cea_per_s", Type::real, "1/s", "by the whole model"},
         {"frequency_cea_hz", Type::real, "Hz", "by the whole model", 7},
         {"limit_cycle", Type::text, "", "the second half is steady"},
-        {"limit_cycle_frequency_hz", Type::real, "Hz", "of its period", 6},
-        {"mean_normal_n", Type::real, "N", "second half of the run"},
+        {"limit_cycle_frequency_hz", Type::real, "Hz", "of its period, in samples", 6},
+        {"mean_normal_n", Type::real, "N", "steps of the second half"},
         {"rms_normal_n", Type::real, "N", "about the mean"},
         {"min_normal_n", Type::real, "N", ""},
         {"max_normal_n", Type::real, "N", ""},
@@ -72,7 +72,7 @@ namespace squeal
         {"phase_deg",
          Type::real,
          "deg",
-         "tangential against normal at the largest line",
+         "tangential against normal at the largest line, in samples",
          4},
         {"separates", Type::text, "", "all nodes are open at a time"},
         {"stick_fraction", Type::real, "", "of closed node-time", 4},
@@ -93,11 +93,11 @@ namespace squeal
          "Hz",
          "largest deviation of its quarters that have a line",
          2},
-        {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
+        {"largest_line_hz", Type::real, "Hz", "of the normal force, in samples", 6},
         {"repetition",
          Type::real,
          "",
-         "correlation of the normal force periods later",
+         "correlation of the normal force periods later, in samples",
          3}};
     }
 
