@@ -53,6 +53,9 @@ namespace squeal
     /** Measured points, frequency responses and updating. */
     void check_response(const Parameters &parameters);
 
+    /** Matrices are asked for where no analysis writes them. */
+    void check_export(const Parameters &parameters);
+
     /** Everything outside the scene. */
     void check_analysis(const Parameters &parameters);
     //@}

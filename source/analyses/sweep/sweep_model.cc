@@ -376,6 +376,9 @@ namespace squeal
     // What friction makes of the modes is in V, hence they are too.
     const ModelCell             &cell = small.cell_of(point);
     const unsigned int           n_V  = cell.local.n_basis;
+    // A part of the box where nothing moves in the band.
+    if (n_V == 0)
+      return result;
     std::vector<Eigen::MatrixXd> leading;
     for (const auto &part : cell.local.parts)
       leading.push_back(part.topLeftCorner(n_V, n_V));

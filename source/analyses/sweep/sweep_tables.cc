@@ -190,7 +190,6 @@ namespace squeal
     PairTable        table = empty_table(model);
     ModeCache        modes(model);
     const SweepGrid &grid  = model.grid();
-    const double     mass  = total_mass(model.model());
     std::size_t      count = 0;
     for (const auto &line : solution.lines)
       for (const auto &at : line.points)
@@ -205,7 +204,8 @@ namespace squeal
           const auto          shares = model.energy_shares(point, pairs.right);
           const auto names    = model.names(pairs.right, shares, pairs.lambda);
           const auto energies = friction_energies(model, coefficients, pairs);
-          const auto contacts = contact_participations(model, pairs, mass);
+          const auto contacts = contact_participations(
+            model, pairs, total_mass(model.model(), grid.scene(point)));
           const Eigen::VectorXd residuals = model.residuals(point, pairs);
           const std::string     state = contact_state_text(grid.scene(point));
           std::vector<Cell>     axes, at_end;
