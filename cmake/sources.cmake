@@ -307,6 +307,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/pair_errors.cc
     source/model/period_map_of.cc
     source/model/point_forces.cc
+    source/model/point_remarks.cc
     source/model/pressed_model.cc
     source/model/pressed_scene.cc
     source/model/rotor_symmetry.cc

@@ -47,6 +47,10 @@ namespace squeal
      */
     void check_damping_in_time(const SceneParameters &scene);
 
+    /** Bodies that turn through the frame: steady sliding and motions in time
+     * do not know their forces. */
+    void check_turning_in_time(const SceneParameters &scene);
+
     /** Blows of 'Analysis = triggers' and how motions are judged. */
     void check_triggers(const Parameters &parameters);
 
