@@ -374,7 +374,8 @@ namespace squeal
                         : below        ? " (from the lowest tried on)"
                         : above        ? " (to the highest tried)"
                                        : "") +
-                       (leaves("leaves_band_below") || leaves("leaves_band_above")
+                       (leaves("leaves_band_below") ||
+                            leaves("leaves_band_above")
                           ? " (and on, outside the frequency band)"
                           : "");
     for (std::size_t a = 1; a < sweep.axes.size(); ++a)

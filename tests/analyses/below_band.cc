@@ -8,6 +8,7 @@
 
 #include "program.h"
 #include "source_directory.h"
+#include "worst.h"
 
 #include <cmath>
 
@@ -42,8 +43,8 @@ namespace
                  lowest +
                  "\nend\nsubsection Sweep\n  set Axes = mu\n  subsection Axis "
                  "mu\n    set Entries = Scene/Contact belt/Friction "
-                 "coefficient\n    set From = 0\n    set To = 2\n    set Number "
-                 "= 3\n  end\nend\n");
+                 "coefficient\n    set From = 0\n    set To = 2\n    set "
+                 "Number = 3\n  end\nend\n");
     const Outcome o = run_program({program, "mass.prm"});
     check(o.code == 0, analysis + " runs: " + o.errors);
     return o;
@@ -77,11 +78,14 @@ main(int argc, char **argv)
   check(!has(run("cea", "3", "0").output, "below the band"),
         "a band from 0 has nothing below it");
   const Table table = read_csv("out/eigenvalues.csv");
-  double      sigma = 0.;
+  Worst       sigma;
   for (std::size_t r = 0; r < table.n_rows(); ++r)
     if (table.real(r, "frequency_hz") == 0.)
-      sigma = std::max(sigma, table.real(r, "sigma_per_s"));
-  check_close(sigma, std::sqrt(std::sqrt(5.) - 2.), 1e-9, "and has it as a row");
+      sigma.add(table.real(r, "sigma_per_s"));
+  check_close(sigma.largest(),
+              std::sqrt(std::sqrt(5.) - 2.),
+              1e-9,
+              "and has it as a row");
 
   const std::string unseen = "not looked at: what grows below 0.1";
   check(has(run("sweep", "1", "0.1").output, unseen),

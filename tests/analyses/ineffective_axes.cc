@@ -29,7 +29,8 @@ namespace
                  "  subsection Axis mu\n"
                  "    set Entries = Scene/Contact pad_disc/Friction "
                  "coefficient\n    set From = 0.1\n    set To = 0.3\n    set "
-                 "Number = 3\n  end\n  subsection Axis dead\n    set Entries = " +
+                 "Number = 3\n  end\n  subsection Axis dead\n    set Entries "
+                 "= " +
                  entry + "\n    set From = " + from + "\n    set To = " + to +
                  "\n    set Number = 3\n  end\nend\n");
     return run_program({program, "axes.prm"});
@@ -45,9 +46,8 @@ namespace
     const Outcome     o    = sweep(scene, entry, from, to);
     const std::string text = unbroken(o.errors);
     check(o.code != 0, entry + " without effect is refused");
-    for (const std::string &part : {std::string("Sweep/Axis dead: neither mass"),
-                                    entry,
-                                    reason})
+    for (const std::string &part :
+         {std::string("Sweep/Axis dead: neither mass"), entry, reason})
       check(text.find(part) != std::string::npos,
             "the message has '" + part + "': " + text);
     check(!std::filesystem::exists("out/eigenvalues.csv"),
@@ -70,17 +70,21 @@ main(int argc, char **argv)
 {
   check(argc == 2, "one argument");
   program                   = argv[1];
-  const std::string contact = "Scene/Contact pad_disc/", pad = "Scene/Body pad/";
+  const std::string contact = "Scene/Contact pad_disc/",
+                    pad     = "Scene/Body pad/";
   const std::string whole =
     "  subsection Damping\n    set Model = whole model\n    set Stiffness "
     "damping = 1e-8\n  end\n";
   const std::string parts =
     "  subsection Damping\n    set Model = per part\n  end\n";
   const std::string slip =
-    "  subsection Contact pad_disc\n    set Transverse slip term = true\n    set "
-    "Normal force = 100\n    set Sliding speed = 2\n  end\n";
-  refused(
-    whole, pad + "Structural damping", "0", "0.1", "'Scene/Damping/Model = whole");
+    "  subsection Contact pad_disc\n    set Transverse slip term = true\n    "
+    "set Normal force = 100\n    set Sliding speed = 2\n  end\n";
+  refused(whole,
+          pad + "Structural damping",
+          "0",
+          "0.1",
+          "'Scene/Damping/Model = whole");
   refused(whole,
           contact + "Tangential stiffness",
           "1e6",

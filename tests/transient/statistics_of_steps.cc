@@ -106,7 +106,8 @@ namespace
       }
     for (const double x : normal)
       square += (x - mean) * (x - mean) / n;
-    const auto [least, most] = std::minmax_element(normal.begin(), normal.end());
+    const auto [least, most] =
+      std::minmax_element(normal.begin(), normal.end());
     // Sums in another order: rounding.
     constexpr double rounding = 1e-10;
     check_close(f.mean_normal, mean, rounding, claim + "mean");
@@ -117,9 +118,10 @@ namespace
                 edge / mean,
                 rounding,
                 claim + "leading edge");
+    const double loudest =
+      *std::max_element(accelerations.begin(), accelerations.end());
     check_close(f.rms_acceleration,
-                std::sqrt(
-                  *std::max_element(accelerations.begin(), accelerations.end())),
+                std::sqrt(loudest),
                 rounding,
                 claim + "acceleration");
   }
@@ -128,11 +130,11 @@ namespace
   double
   largest_of_samples(const TransientRecord &record)
   {
-    double largest = 0.;
+    Worst largest;
     for (std::size_t k = record.samples.size() / 2; k < record.samples.size();
          ++k)
-      largest = std::max(largest, record.samples[k].normal);
-    return largest;
+      largest.add(record.samples[k].normal);
+    return largest.largest();
   }
 
   void

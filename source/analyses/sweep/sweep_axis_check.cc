@@ -135,15 +135,15 @@ namespace squeal
       if (ends_with(entry, "/Normal stiffness"))
         return "it belongs to springs of the layout 'grid'";
       if (ends_with(entry, "/Sliding speed"))
-        return "friction does not depend on speed here: its law is constant and "
-               "'Transverse slip term' is off, or 'Normal force' is 0";
+        return "friction does not depend on speed here: its law is constant "
+               "and 'Transverse slip term' is off, or 'Normal force' is 0";
       if (ends_with(entry, "/Friction slope") ||
           ends_with(entry, "/Normal force"))
-        return "a slope of friction and the transverse slip term act by 'Normal "
-               "force', and one factor is 0 or the term is off";
+        return "a slope of friction and the transverse slip term act by "
+               "'Normal force', and one factor is 0 or the term is off";
       if (ends_with(entry, "/Friction coefficient"))
-        return "no node of the contact slides, or its friction comes by another "
-               "entry";
+        return "no node of the contact slides, or its friction comes by "
+               "another entry";
       return "nothing of the scene depends on it as it stands";
     }
   } // namespace

@@ -243,8 +243,9 @@ namespace squeal
                         : std::nan("");
     }
 
-    /** The larger one of both edges; an end of the line or of the band is none. NaN for a
-     * range of divergence, at whose edges nothing coalesces with a partner. */
+    /** The larger one of both edges; an end of the line or of the band is none.
+     * NaN for a range of divergence, at whose edges nothing coalesces with a
+     * partner. */
     double
     mesh_error_of_edges(const SweepModel    &model,
                         const SweepLine     &line,
