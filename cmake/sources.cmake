@@ -309,6 +309,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/pair_errors.cc
     source/model/period_map_of.cc
     source/model/point_forces.cc
+    source/model/point_remarks.cc
     source/model/pressed_model.cc
     source/model/pressed_parameters.cc
     source/model/pressed_scene.cc
@@ -353,6 +354,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
     source/analyses/sweep/run_sweep.cc
+    source/analyses/sweep/sweep_axis_check.cc
     source/analyses/sweep/sweep_basis_file.cc
     source/analyses/sweep/sweep_boundary.cc
     source/analyses/sweep/sweep_checks.cc
@@ -370,6 +372,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_amplitudes.cc
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_table.cc
+    source/analyses/transient/force_statistics.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/run_transient.cc

@@ -17,6 +17,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/driver/context.cc
     source/driver/correlation_tables.cc
     source/driver/damage_pictures.cc
+    source/driver/damage_report.cc
     source/driver/image_report.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/contact/friction_law.h>
 
 #include <deal.II/base/exceptions.h>
@@ -193,6 +195,35 @@ namespace squeal
     return std::copysign(
       FrictionLaw(c).coefficient(c.sliding_speed * speed_ratio),
       c.friction_coefficient);
+  }
+
+  std::string
+  text_of_friction(const ContactParameters &c)
+  {
+    const auto text = [](const double x) { return rounded_text(x, 4); };
+    const auto at_speed = [&]() {
+      return ", " + text(signed_coefficient(c, 1.)) + " at the sliding speed " +
+             text(c.sliding_speed) + " m/s";
+    };
+    switch (c.friction_law)
+      {
+      case ContactParameters::FrictionLaw::constant:
+        return "friction coefficient " +
+               rounded_text(c.friction_coefficient, 6);
+      case ContactParameters::FrictionLaw::exponential:
+        return "friction from " + text(c.static_friction_coefficient) +
+               " at rest to " + text(c.friction_coefficient) +
+               (c.decay_speed > 0.
+                  ? " by exp(-|v| / " + text(c.decay_speed) + " m/s)"
+                  : " in all that slips") +
+               at_speed();
+      case ContactParameters::FrictionLaw::table:
+        return "friction by a table, " +
+               text(c.friction_coefficients.front()) + " at rest to " +
+               text(c.friction_coefficients.back()) + " from " +
+               text(c.friction_speeds.back()) + " m/s on" + at_speed();
+      }
+    unknown_choice("friction law");
   }
 
   double

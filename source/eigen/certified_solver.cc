@@ -153,6 +153,27 @@ namespace squeal
     return reduced;
   }
 
+  std::complex<double>
+  CertifiedSolver::growth_below_band() const
+  {
+    return growth_below;
+  }
+
+  void
+  CertifiedSolver::look_below_band(const DensePairs       &dense,
+                                   const CertifiedOptions &options)
+  {
+    // Rigid motions are rounding away from 0 on either side; what grows slower
+    // than this is not told from them.
+    const double noise  = 1e-4 * 2. * M_PI * options.highest_frequency;
+    const double lowest = 2. * M_PI * options.lowest_frequency;
+    growth_below        = 0.;
+    for (const Complex lambda : dense.lambda)
+      if (lambda.imag() < lowest &&
+          lambda.real() > std::max(noise, growth_below.real()))
+        growth_below = lambda;
+  }
+
 
 
   void
@@ -417,6 +438,7 @@ namespace squeal
         ComplexPairs &pairs   = current.pairs;
         if (pairs.size() == 0)
           {
+            look_below_band(dense, options);
             pairs.right = pairs.left =
               ComplexBlock(reduced.vectors().rows(), 0);
             return pairs;
@@ -452,6 +474,7 @@ namespace squeal
         const bool done = (met && certain) || at_floor;
         if (done && (!finder || finder->is_complete(reduced.parts())))
           {
+            look_below_band(dense, options);
             reduced.release_products();
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);

@@ -178,7 +178,53 @@ namespace squeal
                            products_of(model, modes));
     modes.modes.release_start();
     return_freed_memory();
-    return solve_certified(solver, p, log);
+    solution                  = solve_certified(solver, p, log);
+    solution.has_looked_below = true;
+    solution.growth_below     = solver.growth_below_band();
+    return solution;
+  }
+
+
+
+  std::string
+  text_unseen_below_band(const EigenParameters &p)
+  {
+    if (p.lowest_frequency == 0.)
+      return "";
+    return "not looked at: what grows below " +
+           rounded_text(p.lowest_frequency, 5) +
+           " Hz, divergence (without vibration) included, is seen with "
+           "'Eigenvalues/Lowest frequency = 0' only";
+  }
+
+  std::string
+  text_below_band(const CeaSolution &solution, const EigenParameters &p)
+  {
+    if (p.lowest_frequency == 0. || !solution.has_looked_below)
+      return text_unseen_below_band(p);
+    const std::complex<double> lambda = solution.growth_below;
+    if (lambda == 0.)
+      return "nothing grows below " + rounded_text(p.lowest_frequency, 5) +
+             " Hz in the basis of the band, divergence included; not certified";
+    return (lambda.imag() == 0.
+              ? std::string("divergence: a motion grows without vibration")
+              : "a motion at " +
+                  rounded_text(lambda.imag() / (2. * M_PI), 5) + " Hz grows") +
+           ", by about " + rounded_text(lambda.real(), 3) +
+           " 1/s, below the band: set 'Eigenvalues/Lowest frequency = 0' to "
+           "have it in the tables";
+  }
+
+
+
+  void
+  warn_of_growth_below(const CeaSolution     &solution,
+                       const EigenParameters &p,
+                       const std::string     &where,
+                       RunLog                &log)
+  {
+    if (p.lowest_frequency > 0. && solution.growth_below.real() > 0.)
+      log.warning(where + text_below_band(solution, p));
   }
 
 

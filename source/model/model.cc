@@ -6,6 +6,7 @@
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/model/imported_system.h>
 #include <squeal/model/model.h>
+#include <squeal/model/point_remarks.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
@@ -341,6 +342,8 @@ namespace squeal
       log.warning(remark);
     for (const auto &remark : remarks_on_ties(*space))
       log.warning(remark);
+    for (const auto &remark : remarks_on_points(*this))
+      log.warning(remark);
     RunLog::Lines lines;
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {
@@ -355,8 +358,7 @@ namespace squeal
           "contact " + c.name,
           std::to_string(system.contacts[i].points.size()) + " points" +
             (is_rigid ? "" : ", " + rounded_text(1e6 * area, 6) + " mm2") +
-            ", friction coefficient " +
-            rounded_text(c.friction_coefficient, 6));
+            ", " + text_of_friction(c));
       }
     lines.emplace_back("degree of the elements",
                        std::to_string(space->degree()));

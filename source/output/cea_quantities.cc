@@ -9,7 +9,7 @@
 namespace squeal
 {
   double
-  total_mass(const Model &model)
+  total_mass(const Model &model, const SceneParameters &scene)
   {
     if (const ImportedModel *const imported = model.imported())
       {
@@ -19,12 +19,13 @@ namespace squeal
           .sum()
           .maxCoeff();
       }
-    double      sum   = 0.;
-    const auto &scene = model.parameters().scene;
+    double sum = 0.;
     for (unsigned int b = 0; b < model.body_matrices().size(); ++b)
       sum += scene.bodies[b].shape == BodyParameters::Shape::rigid
                ? scene.bodies[b].mass
                : scene.bodies[b].density * model.body_matrices()[b].volume;
+    for (const auto &lumped : scene.lumped_masses)
+      sum += lumped.mass;
     return sum;
   }
 
@@ -143,7 +144,7 @@ namespace squeal
                       .transpose();
           n_points += contacts[i].points.size();
         }
-      const double        mass = total_mass(model);
+      const double        mass = total_mass(model, model.parameters().scene);
       std::vector<double> result;
       for (Eigen::Index j = 0; j < n; ++j)
         result.push_back(mass * std::sqrt(tangential[j] * normal[j]) /

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/checks.h>
+#include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
 namespace squeal
@@ -36,6 +37,24 @@ namespace squeal
                          "must be 0: contact opens, closes and slides in time "
                          "without damping of its own");
         }
+    }
+
+
+
+    void
+    check_turning_in_time(const SceneParameters &scene)
+    {
+      for (const BodyParameters &body : scene.bodies)
+        if (body.rotation_speed != 0.)
+          refuse_entry(
+            "Scene/Body " + body.name,
+            "Rotation speed",
+            "= " + format_number(body.rotation_speed) +
+              ": steady sliding, which 'Contact state = preload' takes its "
+              "contact from, and motions in time have no gyroscopic and "
+              "centrifugal forces; set it to 0, as they slide by 'Sliding "
+              "speed' of the contact, or for eigenvalues 'Contact state = "
+              "full'");
     }
   } // namespace prm
 } // namespace squeal

@@ -228,6 +228,37 @@ namespace squeal
               }
           }
       }
+
+
+
+      /** Whether an analysis writes its matrices; one of several runs has no
+       * folder for each. */
+      bool
+      writes_matrices(const Parameters &parameters)
+      {
+        using Analysis = Parameters::Analysis;
+        switch (parameters.analysis)
+          {
+          case Analysis::modes:
+          case Analysis::cea:
+          case Analysis::preload:
+          case Analysis::work_precision:
+            return true;
+          case Analysis::transient:
+            return parameters.sweep.axes.empty() &&
+                   parameters.transient.tops.empty() &&
+                   parameters.transient.integrators.empty();
+          case Analysis::sweep:
+          case Analysis::frequency_response:
+          case Analysis::updating:
+          case Analysis::angles:
+          case Analysis::limit_cycle:
+          case Analysis::operating_matrix:
+          case Analysis::triggers:
+            return false;
+          }
+        unknown_choice("analysis");
+      }
     } // namespace
 
 
@@ -267,6 +298,25 @@ namespace squeal
 
 
     void
+    check_export(const Parameters &parameters)
+    {
+      if (!parameters.output.export_matrices || writes_matrices(parameters))
+        return;
+      const bool is_campaign =
+        parameters.analysis == Parameters::Analysis::transient;
+      refuse_entry("Output",
+                   "Export matrices",
+                   "= true would be ignored by 'Analysis = " +
+                     choice_name(parameters.analysis) + "'" +
+                     (is_campaign ? " over several runs" : "") +
+                     ": 'modes', 'cea', 'preload', 'work precision' and a "
+                     "single 'transient' write them; take one of these, or "
+                     "remove it");
+    }
+
+
+
+    void
     check_analysis(const Parameters &parameters)
     {
       if (parameters.output.directory.empty())
@@ -281,6 +331,7 @@ namespace squeal
       check_sweep(parameters);
       check_transient(parameters);
       check_response(parameters);
+      check_export(parameters);
       for (const ResultCheckParameters &check : parameters.result_checks)
         check_result_check(check);
     }

@@ -454,6 +454,8 @@ namespace squeal
           check_tops(p);
           check_files(p.transient);
         }
+      if (is_pressed || has_preload_state)
+        check_turning_in_time(p.scene);
     }
   } // namespace prm
 } // namespace squeal

@@ -224,7 +224,9 @@ namespace squeal
                  t.sample_interval,
                  Allowed::positive(),
                  "Time between two samples of the results, rounded to whole "
-                 "steps.",
+                 "steps. Means, rms values and extremes are those of every "
+                 "step; frequencies and phases are found in the samples, which "
+                 "see nothing above half their rate.",
                  "s");
       schema.add("History start",
                  t.history_start,

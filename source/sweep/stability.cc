@@ -204,13 +204,16 @@ namespace squeal
               }
             range.lower          = line[p].coordinate;
             range.upper          = line[last].coordinate;
-            range.at_lower_limit = p == 0 || std::isnan(sigma(p - 1));
-            range.at_upper_limit =
-              last + 1 == line.size() || std::isnan(sigma(last + 1));
-            if (!range.at_lower_limit)
+            range.at_lower_limit = p == 0;
+            range.at_upper_limit = last + 1 == line.size();
+            range.leaves_band_below =
+              !range.at_lower_limit && std::isnan(sigma(p - 1));
+            range.leaves_band_above =
+              !range.at_upper_limit && std::isnan(sigma(last + 1));
+            if (range.has_lower_edge())
               range.lower =
                 edge(line[p - 1], line[p], branch, range.lower_slope);
-            if (!range.at_upper_limit)
+            if (range.has_upper_edge())
               range.upper =
                 edge(line[last], line[last + 1], branch, range.upper_slope);
             locate_peak(line, top, range);

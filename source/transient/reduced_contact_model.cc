@@ -109,12 +109,10 @@ namespace squeal
   {
     if (!pencil.is_viscously_damped())
       throw InputError(
-        "damping in the time domain is viscous: a transient takes mass "
-        "damping, "
-        "stiffness damping and dashpots of the whole model or of its parts, "
-        "but "
-        "no loss factors ('Structural damping', modulus tables) and no "
-        "gyroscopic matrices");
+        "steady sliding and motions in time take mass damping, stiffness "
+        "damping and dashpots of the whole model or of its parts, but no loss "
+        "factors ('Structural damping', modulus tables) and no damping "
+        "matrices that are not symmetric");
   }
 
 

@@ -4,6 +4,8 @@
 // that names the entry; so are imported models that are not complete.
 #include "example_scene.h"
 
+#include <squeal/parameters/checks.h>
+
 using namespace squeal;
 using namespace squeal::testing;
 
@@ -29,6 +31,46 @@ namespace
     check_change_refused({"Discretization/Refinements = 2"},
                          {"'Discretization/Refinements' = 2", "'uniform'"});
     check_change_refused({"Output directory ="}, {"'Output directory'"});
+  }
+
+
+
+  /** Every analysis that does not write its matrices says so. */
+  void
+  exported_matrices()
+  {
+    const std::string entry = "Output/Export matrices = true";
+    for (const char *analysis : {"sweep",
+                                 "frequency response",
+                                 "updating",
+                                 "angles",
+                                 "limit cycle",
+                                 "operating matrix",
+                                 "triggers"})
+      {
+        const Parameters p = read_parameters(
+          "example.prm", {entry, std::string("Analysis = ") + analysis});
+        check_refused([&]() { prm::check_export(p); },
+                      {"'Output/Export matrices' = true would be ignored",
+                       std::string("'Analysis = ") + analysis,
+                       "'modes', 'cea', 'preload'"},
+                      std::string("matrices of ") + analysis);
+      }
+    for (const char *analysis :
+         {"modes", "cea", "preload", "work precision", "transient"})
+      prm::check_export(read_parameters(
+        "example.prm", {entry, std::string("Analysis = ") + analysis}));
+    Parameters campaign =
+      read_parameters("example.prm", {entry, "Analysis = transient"});
+    campaign.transient.tops = {"clamped"};
+    check_refused([&]() { prm::check_export(campaign); },
+                  {"'Output/Export matrices'", "over several runs"},
+                  "matrices of a campaign");
+    check_change_refused({"Analysis = angles",
+                          "Angles/Turning bodies = disc",
+                          "Angles/To = 10",
+                          entry},
+                         {"'Output/Export matrices'"});
   }
 
 
@@ -369,6 +411,7 @@ main()
 {
   write_example();
   band();
+  exported_matrices();
   ladders();
   disc_frame();
   comparison_with_eigenvalues();

@@ -340,11 +340,63 @@ namespace
     check_close(middle[0].lower, -edge, 1e-6, "its lower edge" + with);
     check_close(middle[0].upper, edge, 1e-6, "its upper edge" + with);
   }
+
+  /** A flutter whose frequency rises along the axis, out of the band at the top
+   * and into it at the bottom: no end of the axis. */
+  void
+  out_of_the_band()
+  {
+    TrackingOptions band   = options();
+    band.lowest_frequency  = 0.2;
+    band.highest_frequency = 0.6;
+    const auto solver      = [&](const double t) {
+      Eigen::MatrixXd K(2, 2);
+      K << 1., 0.1, -0.1, 1.;
+      const double scale = std::pow(2. * M_PI * t, 2);
+      const auto   all   = solve(scale * K, Eigen::MatrixXd::Zero(2, 2));
+      std::vector<int> kept;
+      for (unsigned int i = 0; i < all.size(); ++i)
+        if (all.frequency(i) >= band.lowest_frequency &&
+            all.frequency(i) <= band.highest_frequency)
+          kept.push_back(i);
+      ComplexPairs   pairs = all;
+      const auto     n     = static_cast<Eigen::Index>(kept.size());
+      pairs.lambda         = all.lambda(kept);
+      pairs.right          = all.right(Eigen::all, kept);
+      pairs.left           = all.left(Eigen::all, kept);
+      pairs.error_estimate = Eigen::VectorXd::Zero(n);
+      pairs.condition      = all.condition(kept);
+      pairs.pair_partner.assign(n, -1);
+      return pairs;
+    };
+    const auto range_of = [&](const double from, const double to) {
+      BranchTracker tracker(solver, band);
+      const auto    line   = tracker.track(steps(from, to, 16));
+      const auto    ranges = LineStability(solver, band, 1e-7).ranges(line);
+      check(ranges.size() == 1, "one range of the flutter");
+      return ranges[0];
+    };
+    const UnstableRange inside = range_of(0.3, 0.5);
+    check(inside.at_lower_limit && inside.at_upper_limit &&
+            !inside.leaves_band_below && !inside.leaves_band_above,
+          "within the band it ends with the axis");
+    const UnstableRange up = range_of(0.3, 0.9);
+    check(up.at_lower_limit && !up.leaves_band_below,
+          "it begins with the axis");
+    check(!up.at_upper_limit && up.leaves_band_above && !up.has_upper_edge(),
+          "and leaves the band, which is no end of the axis");
+    check(up.upper_slope == 0., "there is no edge with a slope");
+    const UnstableRange down = range_of(0.1, 0.5);
+    check(!down.at_lower_limit && down.leaves_band_below &&
+            !down.has_lower_edge() && down.at_upper_limit,
+          "nor is where it comes into the band");
+  }
 } // namespace
 
 int
 main()
 {
+  out_of_the_band();
   random_walk();
   tiny_steps();
   closed_loop();

@@ -158,6 +158,12 @@ namespace
           "pause.h5: no sample for 0.901 s after 0.0500000 s, 901 times the "
           "median interval: "),
       "a pause is said with its length and time");
+    const std::string report = text_of("damage/report.html");
+    const std::size_t what   = report.find("What was done"),
+                      pause  = report.find("no sample for 0.901 s", what);
+    check(what != std::string::npos &&
+            pause < report.find("Over the whole face", what),
+          "the report says it where it says what was counted");
     check(has(record, "per second are 10.1 times lower than without"),
           "and with what it does");
     check_close(before /

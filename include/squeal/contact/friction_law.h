@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace squeal
@@ -114,6 +115,10 @@ namespace squeal
    * pair's friction coefficient: negative where the target turns backwards. */
   double signed_coefficient(const ContactParameters &contact,
                             const double             speed_ratio);
+
+  /** The law in words: "friction coefficient 0.3", or by what it depends on the
+   * slip rate and what it is at the sliding speed. */
+  std::string text_of_friction(const ContactParameters &contact);
 
   /** dmu/d|v_t| there, s/m: that of the law, or of a constant law the pair's
    * own `friction_slope`. */

@@ -99,6 +99,12 @@ namespace squeal
     const std::vector<BasisEnrichment> &history() const;
     const ReducedBasis                 &basis() const;
 
+    /** After solve(), without a PairFinder: the eigenvalue of the last space
+     * whose frequency is below the band and whose real part is the largest,
+     * 1/s; real where it diverges. 0 where none grows by more than rounding,
+     * 1e-4 of the upper edge of the band. It is not certified. */
+    std::complex<double> growth_below_band() const;
+
   private:
     /** Pairs of the band with their coordinates in the basis. */
     struct Candidates
@@ -116,6 +122,8 @@ namespace squeal
     };
 
     DensePairs solve_reduced();
+    void       look_below_band(const DensePairs       &dense,
+                               const CertifiedOptions &options);
     /** Of the parts for every pair. */
     std::vector<std::vector<TermCoefficients>> coefficients(
       const Eigen::VectorXcd &lambda) const;
@@ -139,7 +147,8 @@ namespace squeal
     /** || |K| |x| || of the pairs, in units of the modes' scaling; vectors of
      * one scene hardly change it from one basis to the next. */
     Eigen::VectorXd              rounding_sizes;
-    bool                         left_met = false;
+    bool                         left_met     = false;
+    std::complex<double>         growth_below = 0.;
     std::vector<BasisEnrichment> steps;
   };
 

@@ -6,6 +6,8 @@
 #include <squeal/model/mode_solution.h>
 #include <squeal/results/table.h>
 
+#include <complex>
+#include <string>
 #include <vector>
 
 namespace squeal
@@ -19,7 +21,27 @@ namespace squeal
     ComplexPairs                 pairs;
     std::vector<BasisEnrichment> history; /**< empty for the direct solver */
     unsigned int                 basis_size = 0;
+    /** Whether motions below the band were looked at, and the one of them that
+     * grows fastest, 1/s; 0 where none grows. Not certified. */
+    bool                 has_looked_below = false;
+    std::complex<double> growth_below     = 0.;
   };
+
+  /** What is known of motions below the lowest frequency of the band, among
+   * them divergence, which has frequency 0; empty where the band starts at 0.
+   */
+  std::string text_below_band(const CeaSolution     &solution,
+                              const EigenParameters &parameters);
+
+  /** Warns where one of them grows; the text follows @p where. */
+  void warn_of_growth_below(const CeaSolution     &solution,
+                            const EigenParameters &parameters,
+                            const std::string     &where,
+                            RunLog                &log);
+
+  /** That nobody has looked, for analyses that see the band alone; empty where
+   * it starts at 0. */
+  std::string text_unseen_below_band(const EigenParameters &parameters);
 
   /** Solves with the solver of the parameters (certified or direct). */
   CeaSolution solve_cea(const Model  &model,

@@ -40,9 +40,10 @@ namespace squeal
   };
   ContactMotion contact_motion(const Model &model, const unsigned int number);
 
-  /** Mass of all bodies, kg; of imported matrices that of the direction in
-   * which fewest unknowns are held. */
-  double total_mass(const Model &model);
+  /** Mass of all bodies and lumped masses in @p scene, kg, which is that of the
+   * model but for densities and masses of a sweep; of imported matrices that of
+   * the direction in which fewest unknowns are held. */
+  double total_mass(const Model &model, const SceneParameters &scene);
 
   /** Names of all pairs. */
   std::vector<ModeName> pair_names(const Model        &model,

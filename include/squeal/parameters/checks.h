@@ -51,11 +51,18 @@ namespace squeal
      */
     void check_damping_in_time(const SceneParameters &scene);
 
+    /** Bodies that turn through the frame: steady sliding and motions in time
+     * do not know their forces. */
+    void check_turning_in_time(const SceneParameters &scene);
+
     /** Blows of 'Analysis = triggers' and how motions are judged. */
     void check_triggers(const Parameters &parameters);
 
     /** Measured points, frequency responses and updating. */
     void check_response(const Parameters &parameters);
+
+    /** Matrices are asked for where no analysis writes them. */
+    void check_export(const Parameters &parameters);
 
     /** Everything outside the scene. */
     void check_analysis(const Parameters &parameters);

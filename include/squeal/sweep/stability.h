@@ -16,14 +16,29 @@ namespace squeal
     double lower = 0., upper = 0.; /**< coordinates of sigma = 0 */
     bool   at_lower_limit = false; /**< still unstable at the line's end */
     bool   at_upper_limit = false;
+    /** Still unstable where the branch leaves the frequency band within the
+     * line: `lower` or `upper` is the last point that has it. */
+    bool   leaves_band_below = false, leaves_band_above = false;
     double peak_sigma     = 0.; /**< 1/s */
     double peak_at        = 0.;
     double peak_frequency = 0.; /**< Hz */
-    /** Slopes of sigma at the two edges, 1/s a unit of the coordinate; 0 at a
-     * limit. An error of sigma over them is an error of the edge. */
+    /** Slopes of sigma at the two edges, 1/s a unit of the coordinate; 0 where
+     * there is no edge. An error of sigma over them is an error of the edge. */
     double lower_slope = 0., upper_slope = 0.;
     /** Largest estimated |dlambda| of the branch at the ends, 1/s. */
     double sigma_error = 0.;
+
+    /** Whether sigma = 0 at `lower` and at `upper`. */
+    bool
+    has_lower_edge() const
+    {
+      return !at_lower_limit && !leaves_band_below;
+    }
+    bool
+    has_upper_edge() const
+    {
+      return !at_upper_limit && !leaves_band_above;
+    }
   };
 
   /** Where two pairs coalesce: the exceptional point nearest to the line. */

@@ -60,6 +60,10 @@ namespace squeal
       Model           model(p, context.timers);
       const MeshedCea cea =
         solve_cea_adaptively(model, context.log, context.timers);
+      warn_of_growth_below(cea.solution,
+                           p.eigen,
+                           "angle " + rounded_text(angle, 5) + ": ",
+                           context.log);
       const ModeSolution  &modes      = cea.modes;
       const ComplexPairs  &pairs      = cea.solution.pairs;
       const PairQuantities quantities = pair_quantities(model, modes, pairs);

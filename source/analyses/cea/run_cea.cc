@@ -238,6 +238,10 @@ namespace squeal
 
     log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
     const UnstablePairs unstable = unstable_pairs(pairs, quantities);
+    const std::string   below    = text_below_band(solution, p.eigen);
+    const bool          grows_below = solution.growth_below.real() > 0. &&
+                             p.eigen.lowest_frequency > 0.;
+    warn_of_growth_below(solution, p.eigen, "", context.log);
     context.record.n_dofs        = model.n_unknowns();
     context.record.figures       = {
             {"unstable pairs", std::to_string(unstable.number)},
@@ -255,6 +259,8 @@ namespace squeal
                rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
                " Hz"},
             {"linear solver", linear_solver_text(*modes.inverse)}};
+    if (!below.empty())
+      context.record.figures.push_back({"below the band", below});
     if (!moduli.empty())
       context.record.figures.push_back(
         {"moduli at the frequencies of the pairs", moduli});
@@ -262,8 +268,9 @@ namespace squeal
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
     report.set_verdict(
-      unstable.number ? HtmlReport::Verdict::bad : HtmlReport::Verdict::good,
-      unstable.verdict() +
+      unstable.number || grows_below ? HtmlReport::Verdict::bad
+                                     : HtmlReport::Verdict::good,
+      unstable.verdict() + (grows_below ? "; " + below : "") +
         "; largest error of a pair: " + largest_error(model, pairs, table),
       context.record.figures);
     if (p.output.plots)

@@ -134,6 +134,7 @@ namespace squeal
     StateResponse result;
     result.state      = state;
     result.n_unknowns = model.n_unknowns();
+    result.has_loss_factors = modes.pencil->has_structural_damping();
     result.names      = pair_quantities(model, modes, solution.pairs).names;
     const MeasuredPoints points(model);
     const Block          forces       = points.vectors(grid.excitations);

@@ -140,7 +140,13 @@ namespace squeal
               "contact state " + state.state +
               ": superposition and direct solution differ by " +
               rounded_text(state.worst_check(), 2) +
-              " of the largest response: raise 'Frequency response/Margin'");
+              " of the largest response: " +
+              (state.has_loss_factors
+                 ? "with loss factors ('Structural damping', modulus tables) "
+                   "pairs have no conjugates, and no 'Margin' takes away what "
+                   "their partners are off by; take 'Stiffness damping', or "
+                   "direct_check.csv at more 'Checks'"
+                 : "raise 'Frequency response/Margin'"));
         }
       for (const auto &point : p.measurement.points)
         if (universal_direction(point.direction) == 0)

@@ -3,6 +3,7 @@
 #include <squeal/analyses/sweep/sweep_scenes.h>
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/model/cea_solution.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
 
@@ -244,6 +245,10 @@ namespace squeal
                                            : "of an earlier run in part"},
          {"CPU seconds until here",
           rounded_text(context.timers.total_cpu(), 3)}});
+      if (const std::string below =
+            text_unseen_below_band(context.parameters.eigen);
+          !below.empty())
+        context.record.figures.push_back({"below the band", below});
       if (scenes.size() > 1)
         context.record.figures.insert(
           context.record.figures.begin(),

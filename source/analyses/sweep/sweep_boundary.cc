@@ -116,7 +116,15 @@ namespace squeal
        {"upper_coordinate", Type::real, "", "sigma = 0", 7},
        {"at_lower_limit", Type::integer, "", "1: goes on below"},
        {"at_upper_limit", Type::integer, "", "1: goes on above"},
-       {"peak_sigma_per_s", Type::real, "1/s", "largest sigma", 5}});
+       {"peak_sigma_per_s", Type::real, "1/s", "largest sigma", 5},
+       {"leaves_band_below",
+        Type::integer,
+        "",
+        "1: goes on below, outside the frequency band"},
+       {"leaves_band_above",
+        Type::integer,
+        "",
+        "1: goes on above, outside the frequency band"}});
     for (const auto &line : lines)
       for (const auto &range : line.ranges)
         table.add_row({grid.value(1, line.start[1]),
@@ -125,7 +133,9 @@ namespace squeal
                        range.upper,
                        range.at_lower_limit ? 1 : 0,
                        range.at_upper_limit ? 1 : 0,
-                       range.peak_sigma});
+                       range.peak_sigma,
+                       range.leaves_band_below ? 1 : 0,
+                       range.leaves_band_above ? 1 : 0});
     context.log.info(
       "  boundary of the unstable regions: " + std::to_string(lines.size()) +
       " lines, " + std::to_string(added.n_solved) +
@@ -165,8 +175,11 @@ namespace squeal
             chart.series.push_back(next);
           }
         frequencies[k] = f;
-        for (const std::string edge : {"lower", "upper"})
-          if (boundary.integer(i, "at_" + edge + "_limit") == 0)
+        for (const auto &[edge, side] :
+             {std::pair<std::string, std::string>{"lower", "below"},
+              {"upper", "above"}})
+          if (boundary.integer(i, "at_" + edge + "_limit") == 0 &&
+              boundary.integer(i, "leaves_band_" + side) == 0)
             {
               chart.series[k].x.push_back(
                 boundary.real(i, edge + "_coordinate"));

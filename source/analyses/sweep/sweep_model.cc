@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/sweep/sweep_model.h>
+#include <squeal/analyses/sweep/sweep_axis_check.h>
 #include <squeal/analyses/sweep/sweep_scene_check.h>
 #include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
@@ -44,6 +45,7 @@ namespace squeal
     for (const auto &term : parts.merged().terms)
       symmetric.push_back(term.matrix->is_symmetric());
     full.print_summary(context.log);
+    check_axes_of_sweep(sweep_grid, parts);
     if (!read(context))
       build(context, vectors);
   }
@@ -374,6 +376,9 @@ namespace squeal
     // What friction makes of the modes is in V, hence they are too.
     const ModelCell             &cell = small.cell_of(point);
     const unsigned int           n_V  = cell.local.n_basis;
+    // A part of the box where nothing moves in the band.
+    if (n_V == 0)
+      return result;
     std::vector<Eigen::MatrixXd> leading;
     for (const auto &part : cell.local.parts)
       leading.push_back(part.topLeftCorner(n_V, n_V));

@@ -264,21 +264,22 @@ namespace squeal
                         : std::nan("");
     }
 
-    /** The larger one of both edges; an end of the line is none. NaN for a
-     * range of divergence, at whose edges nothing coalesces with a partner. */
+    /** The larger one of both edges; an end of the line or of the band is none.
+     * NaN for a range of divergence, at whose edges nothing coalesces with a
+     * partner. */
     double
     mesh_error_of_edges(const SweepModel    &model,
                         const SweepLine     &line,
                         const UnstableRange &range)
     {
-      if ((range.at_lower_limit && range.at_upper_limit) ||
+      if ((!range.has_lower_edge() && !range.has_upper_edge()) ||
           range.peak_frequency == 0.)
         return std::nan("");
       double error = 0.;
-      if (!range.at_lower_limit)
+      if (range.has_lower_edge())
         error =
           worst_of(error, mesh_error_of_edge(model, line, range, range.lower));
-      if (!range.at_upper_limit)
+      if (range.has_upper_edge())
         error =
           worst_of(error, mesh_error_of_edge(model, line, range, range.upper));
       return error;

@@ -190,7 +190,6 @@ namespace squeal
     PairTable        table = empty_table(model);
     ModeCache        modes(model);
     const SweepGrid &grid  = model.grid();
-    const double     mass  = total_mass(model.model());
     std::size_t      count = 0;
     for (const auto &line : solution.lines)
       for (const auto &at : line.points)
@@ -205,7 +204,8 @@ namespace squeal
           const auto          shares = model.energy_shares(point, pairs.right);
           const auto names    = model.names(pairs.right, shares, pairs.lambda);
           const auto energies = friction_energies(model, coefficients, pairs);
-          const auto contacts = contact_participations(model, pairs, mass);
+          const auto contacts = contact_participations(
+            model, pairs, total_mass(model.model(), grid.scene(point)));
           const Eigen::VectorXd residuals = model.residuals(point, pairs);
           const std::string     state = contact_state_text(grid.scene(point));
           std::vector<Cell>     axes, at_end;
@@ -271,8 +271,8 @@ namespace squeal
     for (const Table::Column &column : std::vector<Table::Column>{
            {"branch", Type::text, "", "names at the far ends of the branch"},
            {"parameter", Type::text, "", "that is swept"},
-           {"lower", Type::real, "", "sigma = 0, or the end of the sweep", 6},
-           {"upper", Type::real, "", "sigma = 0, or the end of the sweep", 6},
+           {"lower", Type::real, "", "sigma = 0, or the last point seen", 6},
+           {"upper", Type::real, "", "sigma = 0, or the last point seen", 6},
            {"at_lower_limit", Type::integer, "", "1: goes on below"},
            {"at_upper_limit", Type::integer, "", "1: goes on above"},
            {"peak_sigma_per_s", Type::real, "1/s", "largest sigma", 5},
@@ -304,6 +304,11 @@ namespace squeal
                           "",
                           "1: the edge is where the contact state changes, "
                           "between two points"});
+    for (const std::string side : {"below", "above"})
+      table.add_column({"leaves_band_" + side,
+                        Type::integer,
+                        "",
+                        "1: goes on " + side + ", outside the frequency band"});
     for (const auto &line : solution.lines)
       for (std::size_t i = 0; i < line.ranges.size(); ++i)
         {
@@ -335,6 +340,8 @@ namespace squeal
                 edge[0]         = x;
                 row.emplace_back(model.is_at_contact_change(edge) ? 1 : 0);
               }
+          row.emplace_back(r.leaves_band_below ? 1 : 0);
+          row.emplace_back(r.leaves_band_above ? 1 : 0);
           table.add_row(row);
         }
     return table;

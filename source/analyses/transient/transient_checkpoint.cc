@@ -60,6 +60,19 @@ namespace squeal
     static_assert(sizeof(NodeShares) == 5 * sizeof(double),
                   "every member of a node's shares is kept");
 
+    const Fields<ForceStatistics> stretch_fields = {
+      {"n_steps", &ForceStatistics::n_steps},
+      {"mean_normal", &ForceStatistics::mean_normal},
+      {"square_normal", &ForceStatistics::square_normal},
+      {"mean_tangential", &ForceStatistics::mean_tangential},
+      {"square_tangential", &ForceStatistics::square_tangential},
+      {"min_normal", &ForceStatistics::min_normal},
+      {"max_normal", &ForceStatistics::max_normal},
+      {"mean_edge", &ForceStatistics::mean_edge},
+      {"n_apart", &ForceStatistics::n_apart}};
+    static_assert(sizeof(ForceStatistics) == 9 * sizeof(double),
+                  "every member of a stretch is kept");
+
     const Fields<TransientRecord> counters = {
       {"n_steps", &TransientRecord::n_steps},
       {"n_iterations", &TransientRecord::n_iterations},
@@ -251,6 +264,8 @@ namespace squeal
     result.set("pairs", numbers_of(kept.pairs));
     result.set("last_steps", by_field(kept.last_steps, step_fields));
     result.set("nodes", by_field(kept.nodes, node_fields));
+    result.set("stretches", by_field(kept.stretches, stretch_fields));
+    result.set("square_accelerations", kept.square_accelerations);
     for (std::size_t i = 0; i < kept.frame_nodes.size(); ++i)
       result.set("frame_nodes/" + std::to_string(i),
                  numbers_of(kept.frame_nodes[i]));
@@ -293,6 +308,10 @@ namespace squeal
       record.amplitudes.emplace_back(real[i], imaginary[i]);
     memory.get("nodes/open", n_nodes);
     record.nodes = from_fields(memory.group("nodes"), node_fields);
+    memory.get("stretches/n_steps", n_force_stretches);
+    record.stretches = from_fields(memory.group("stretches"), stretch_fields);
+    record.square_accelerations =
+      memory.get("square_accelerations", pressed.nodes().pairs().size());
     std::vector<double> frame_times;
     for (const ContactPair &pair : pressed.nodes().pairs())
       {

@@ -49,16 +49,6 @@ namespace squeal
       return x.empty() ? 0. : sum / x.size();
     }
 
-    double
-    rms_about_mean(const std::vector<double> &x)
-    {
-      const double mean = mean_of(x);
-      double       sum  = 0.;
-      for (const double value : x)
-        sum += (value - mean) * (value - mean);
-      return x.empty() ? 0. : std::sqrt(sum / x.size());
-    }
-
     /** What the time step adds to lambda of every recorded branch, 1/s. */
     std::vector<std::complex<double>>
     step_errors(const PreparedTransient &prepared, const TransientParameters &t)
@@ -230,25 +220,47 @@ namespace squeal
      * noise of the solver. */
     constexpr double least_vibration = 1e-4;
 
-    /** Of the source of a pair, from sample @p first on, m/s^2. */
+    /** Of the source of a pair over the steps of the second half, m/s^2. */
     double
-    largest_rms_acceleration(const TransientRecord &record,
-                             const std::size_t      first)
+    largest_rms_acceleration(const TransientRecord &record)
     {
-      double largest = 0.;
-      for (unsigned int pair = 0; pair < record.n_pairs(); ++pair)
-        {
-          std::vector<double> squares;
-          for (std::size_t i = first; i < record.samples.size(); ++i)
-            {
-              double square = 0.;
-              for (const double a : record.pair(i, pair).acceleration)
-                square += a * a;
-              squares.push_back(square);
-            }
-          largest = worst_of(largest, std::sqrt(mean_of(squares)));
-        }
+      double n_steps = 0., largest = 0.;
+      for (const NodeShares &node : record.nodes)
+        n_steps = std::max(n_steps, node.open + node.stick + node.slip);
+      for (const double square : record.square_accelerations)
+        largest = worst_of(largest, std::sqrt(square / std::max(n_steps, 1.)));
       return largest;
+    }
+
+    /** Forces of every step of the second half and of its four quarters. */
+    void
+    evaluate_forces(const TransientRecord &record, TransientFigures &f)
+    {
+      constexpr unsigned int n    = n_force_stretches;
+      const ForceStatistics  half = statistics_of(record.stretches, n / 2, n);
+      f.separates                 = half.n_apart > 0.;
+      f.mean_normal               = half.mean_normal;
+      f.rms_normal                = half.rms_normal();
+      f.min_normal                = half.min_normal;
+      f.max_normal                = half.max_normal;
+      f.mean_tangential           = half.mean_tangential;
+      f.rms_tangential            = half.rms_tangential();
+      // A pad that does not touch in all that time has neither.
+      const bool touches = f.mean_normal > 0.;
+      f.macroscopic_friction =
+        touches ? f.mean_tangential / f.mean_normal : not_known;
+      f.mean_leading_edge_factor =
+        touches ? half.mean_edge / f.mean_normal : not_known;
+      f.rms_acceleration = largest_rms_acceleration(record);
+      f.least_rms        = f.rms_normal;
+      for (unsigned int k = 4; k < 8; ++k)
+        {
+          const double rms =
+            statistics_of(record.stretches, k * n / 8, (k + 1) * n / 8)
+              .rms_normal();
+          f.least_rms = std::min(f.least_rms, rms);
+          f.most_rms  = std::max(f.most_rms, rms);
+        }
     }
 
     void
@@ -257,40 +269,9 @@ namespace squeal
                          const Parameters        &p,
                          TransientFigures        &f)
     {
-      const auto         &samples = record.samples;
-      const std::size_t   first   = samples.size() / 2;
-      std::vector<double> normal, tangential, edge;
-      const double        n_nodes = record.nodes.size();
-      for (std::size_t i = first; i < samples.size(); ++i)
-        {
-          normal.push_back(samples[i].normal);
-          tangential.push_back(samples[i].tangential);
-          // By force: it means little while there is next to none.
-          edge.push_back(samples[i].leading_edge * samples[i].normal);
-          f.separates = f.separates || samples[i].n_open == n_nodes;
-        }
-      f.mean_normal     = mean_of(normal);
-      f.rms_normal      = rms_about_mean(normal);
-      f.min_normal      = *std::min_element(normal.begin(), normal.end());
-      f.max_normal      = *std::max_element(normal.begin(), normal.end());
-      f.mean_tangential = mean_of(tangential);
-      f.rms_tangential  = rms_about_mean(tangential);
-      // A pad that does not touch in all that time has neither.
-      const bool touches = f.mean_normal > 0.;
-      f.macroscopic_friction =
-        touches ? f.mean_tangential / f.mean_normal : not_known;
-      f.mean_leading_edge_factor =
-        touches ? mean_of(edge) / f.mean_normal : not_known;
-      f.rms_acceleration = largest_rms_acceleration(record, first);
-      f.least_rms        = f.rms_normal;
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          const double rms =
-            rms_about_mean({normal.begin() + k * normal.size() / 4,
-                            normal.begin() + (k + 1) * normal.size() / 4});
-          f.least_rms = std::min(f.least_rms, rms);
-          f.most_rms  = std::max(f.most_rms, rms);
-        }
+      evaluate_forces(record, f);
+      const auto       &samples = record.samples;
+      const std::size_t first   = samples.size() / 2;
       // Weakly damped motion loses less than that in the half of a run; a mesh
       // that turns goes on exciting it.
       f.dies_out =
@@ -303,6 +284,12 @@ namespace squeal
       f.has_limit_cycle = f.vibrates && f.least_rms > 0.8 * f.most_rms;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
+      std::vector<double> normal, tangential;
+      for (std::size_t i = first; i < samples.size(); ++i)
+        {
+          normal.push_back(samples[i].normal);
+          tangential.push_back(samples[i].tangential);
+        }
       evaluate_lines(normal, interval, p.eigen.lowest_frequency, f);
       if (f.largest_line > 0.)
         f.phase =

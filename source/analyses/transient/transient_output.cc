@@ -243,7 +243,8 @@ namespace squeal
               const TransientRecord   &record,
               const Parameters        &p)
   {
-    constexpr std::size_t n_parts = 50;
+    constexpr unsigned int n_parts = 50;
+    static_assert(n_force_stretches % n_parts == 0, "whole stretches");
     Table        table({{"time_s", Type::real, "s", "middle of a stretch"},
                         {"speed_m_per_s", Type::real, "m/s", "sliding, there"},
                         {"macroscopic_friction",
@@ -252,27 +253,20 @@ namespace squeal
                          "mean tangential over mean normal force"},
                         {"mean_normal_n", Type::real, "N", ""},
                         {"rms_normal_n", Type::real, "N", "about the mean"}});
-    const auto  &s = record.samples;
     const double v = prepared.pressed.speed();
-    for (std::size_t k = 0; k < n_parts && s.size() >= 4 * n_parts; ++k)
+    for (unsigned int k = 0; k < n_parts && record.n_steps >= 4 * n_parts; ++k)
       {
-        const std::size_t first = k * s.size() / n_parts,
-                          end   = (k + 1) * s.size() / n_parts;
-        double n = 0., t = 0., variance = 0.;
-        for (std::size_t i = first; i < end; ++i)
-          {
-            n += s[i].normal / (end - first);
-            t += s[i].tangential / (end - first);
-          }
-        for (std::size_t i = first; i < end; ++i)
-          variance += (s[i].normal - n) * (s[i].normal - n) / (end - first);
-        const double time = 0.5 * (s[first].time + s[end - 1].time);
-        table.add_row({time,
-                       v * (1. + (p.transient.final_speed_ratio - 1.) * time /
-                                   p.transient.end_time),
-                       n > 0. ? Cell(t / n) : Cell(),
-                       n,
-                       std::sqrt(variance)});
+        constexpr unsigned int length = n_force_stretches / n_parts;
+        const ForceStatistics  s =
+          statistics_of(record.stretches, k * length, (k + 1) * length);
+        const double share = (k + 0.5) / n_parts;
+        table.add_row({share * p.transient.end_time,
+                       v * (1. + (p.transient.final_speed_ratio - 1.) * share),
+                       s.mean_normal > 0.
+                         ? Cell(s.mean_tangential / s.mean_normal)
+                         : Cell(),
+                       s.mean_normal,
+                       s.rms_normal()});
       }
     return table;
   }

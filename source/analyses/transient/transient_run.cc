@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 
 namespace squeal
@@ -110,7 +111,9 @@ namespace squeal
     const unsigned int n     = model.model().n_modes();
     const auto        &pairs = model.nodes().pairs();
     kept.nodes.resize(model.model().n_nodes());
-    sums = Eigen::MatrixXd::Zero(steady.forces.size(), 2);
+    kept.stretches.resize(n_force_stretches);
+    kept.square_accelerations.assign(pairs.size(), 0.);
+    sums = Eigen::MatrixXd::Zero(steady.forces.size(), 3);
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
       {
@@ -118,7 +121,7 @@ namespace squeal
         const bool              is_part = counts(model.nodes(), pair);
         axes.emplace_back(pair.geometry);
         if (is_part)
-          sums.middleRows(3 * pair.first, 3 * pair.n_nodes()) =
+          sums.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) =
             resultant_rows(pair.geometry).bottomRows<2>().transpose();
         for (std::size_t j = 0; j < of_pair.size(); ++j)
           {
@@ -127,6 +130,8 @@ namespace squeal
             edge_area += edge.back() ? pair.geometry.areas[j] : 0.;
           }
       }
+    for (std::size_t j = 0; j < edge.size(); ++j)
+      sums(3 * j, 2) = edge[j] ? area / edge_area : 0.;
     const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
       motion->start(Eigen::VectorXd::Zero(n),
@@ -172,9 +177,11 @@ namespace squeal
         linear_since_sample  = linear_since_sample && status == steady.status;
         const unsigned int n = static_cast<unsigned int>(kept.n_steps);
         if (n > n_steps / 2)
-          take_node_shares();
-        if (n_steps_left() < most_last_steps)
-          take_step_forces();
+          {
+            take_node_shares();
+            take_accelerations();
+          }
+        take_step_forces();
         if (n % stride == 0)
           {
             take_sample(linear_since_sample);
@@ -248,8 +255,30 @@ namespace squeal
   void
   TransientRun::take_step_forces()
   {
-    const Eigen::Vector2d force = sums.transpose() * motion->forces();
-    kept.last_steps.push_back({motion->time(), force[1], force[0]});
+    const Eigen::Vector3d force = sums.transpose() * motion->forces();
+    // Of step 1, 2, ...; in 64 bits, as long runs have 1e8 steps.
+    const auto n = static_cast<std::uint64_t>(kept.n_steps);
+    kept.stretches[(n - 1) * n_force_stretches / n_steps].add(
+      force[1],
+      force[0],
+      force[2],
+      std::all_of(status.begin(), status.end(), [](const ContactStatus s) {
+        return s == ContactStatus::open;
+      }));
+    if (n_steps_left() < most_last_steps)
+      kept.last_steps.push_back({motion->time(), force[1], force[0]});
+  }
+
+
+
+  void
+  TransientRun::take_accelerations()
+  {
+    const Eigen::VectorXd a = motion->observed_accelerations();
+    for (unsigned int i = 0; i < kept.square_accelerations.size(); ++i)
+      kept.square_accelerations[i] +=
+        a.segment<3>(PressedModel::observer(i, PressedModel::centre_x))
+          .squaredNorm();
   }
 
 

@@ -132,6 +132,8 @@ namespace squeal::tribology
       {
         if (run.record.analysis != "damage")
           continue;
+        for (const std::string &warning : run.record.warnings)
+          report.paragraph(run.record.scene + ": " + warning + ".");
         const std::string plots  = run.directory + "/plots/";
         const Table       totals = read_csv(run.directory + "/totals.csv");
         // One row alone compares nothing; the steps above have its figures.

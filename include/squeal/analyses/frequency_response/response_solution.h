@@ -54,6 +54,9 @@ namespace squeal
     Eigen::MatrixXd               mac;   /**< measured shapes x pairs */
     Eigen::VectorXd               comac; /**< of all points */
     unsigned int                  n_unknowns = 0;
+    /** Eigenvalues do not come in conjugates, and superposition with them is
+     * not exact however many modes it has. */
+    bool has_loss_factors = false;
 
     double worst_check() const;
     /** Names of pairs with sigma > 0. */

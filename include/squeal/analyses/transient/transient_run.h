@@ -2,6 +2,7 @@
 #ifndef squeal_analyses_transient_transient_run_h
 #define squeal_analyses_transient_transient_run_h
 
+#include <squeal/analyses/transient/force_statistics.h>
 #include <squeal/contact/contact_resultant.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/results/history_stream.h>
@@ -85,6 +86,11 @@ namespace squeal
     std::vector<HistorySamples> frame_nodes;
     /** Over the second half of the run. */
     std::vector<NodeShares> nodes;
+    /** Of every step; n_force_stretches of them make the run. */
+    std::vector<ForceStatistics> stretches;
+    /** Of the source of each pair: squares of the acceleration of its centre,
+     * added up over the steps of the second half of the run, (m/s^2)^2. */
+    std::vector<double> square_accelerations;
     double                  n_steps = 0., n_iterations = 0., n_sweeps = 0.;
     double                  worst_residual = 0.;
     double                  cpu_seconds    = 0.; /**< of the steps */
@@ -153,6 +159,7 @@ namespace squeal
     void take_frame(const TransientSample &sample);
     void take_node_shares();
     void take_step_forces();
+    void take_accelerations();
     /** Speed of the drive at the end of the last step, m/s. */
     double speed_now() const;
 
@@ -162,8 +169,8 @@ namespace squeal
     const TransientParameters &settings;
     const std::vector<double>  areas; /**< of all nodes */
     std::vector<FaceAxes>      axes;  /**< of each pair */
-    /** Of the forces of all nodes: the sums of StepForces, normal and
-     * tangential, a column each. */
+    /** Of the forces of all nodes, a column each: the sums of StepForces,
+     * tangential and normal, and ForceStatistics::mean_edge of one step. */
     Eigen::MatrixXd                      sums;
     std::vector<bool>                    edge; /**< of all nodes */
     double                               edge_area = 0., area = 0.;

@@ -44,6 +44,16 @@ namespace squeal::tribology
                             const DamageStudy &study,
                             const Table       &table,
                             bool               has_silent);
+
+  /** Sections of a @p report: what was done and what the histories do not tell
+   * (pauses, tension, order), damage with its pictures, the face, below it, and
+   * limits. @p silent: the run it is compared with, or null. */
+  void report_damage(HtmlReport        &report,
+                     const Context     &context,
+                     const Table       &table,
+                     const Table       &sums,
+                     const DamageStudy &study,
+                     const DamageStudy *silent);
 } // namespace squeal::tribology
 
 #endif

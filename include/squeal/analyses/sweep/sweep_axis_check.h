@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_analyses_sweep_sweep_axis_check_h
+#define squeal_analyses_sweep_sweep_axis_check_h
+
+#include <squeal/sweep/parametric_system.h>
+
+namespace squeal
+{
+  /**
+   * Looks for axes along which neither mass nor damping nor stiffness of the
+   * scene changes, nor the state of a contact: all points along them are the
+   * same, and a map over them says that what they name does not matter.
+   *
+   * Throws InputError naming the first one and what is likely behind it.
+   */
+  void check_axes_of_sweep(const SweepGrid        &grid,
+                           const ParametricSystem &system);
+} // namespace squeal
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What grows below the lowest frequency of the band is named: friction strong
+// enough makes a mass on a belt diverge, which has no frequency. Sweeps say
+// that they see the band only. Argument: the program.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+#include "source_directory.h"
+#include "worst.h"
+
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  std::string program;
+
+  /** The mass of hoffmann.prm with its inclined spring the other way round: K =
+   * [[2, 1 + 4 mu / 3], [1, 2]], whose smaller eigenvalue 2 - sqrt(1 + 4 mu /
+   * 3) is negative beyond mu = 2.25. Up to there it neither flutters nor
+   * diverges. */
+  Outcome
+  run(const std::string &analysis,
+      const std::string &friction,
+      const std::string &lowest)
+  {
+    write_text("mass.prm",
+               "include " SQUEAL_SOURCE_DIR "/prm/minimal/hoffmann.prm\n"
+               "drop Result checks\nset Analysis = " +
+                 analysis +
+                 "\nset Output directory = out\nset Overwrite = true\n"
+                 "subsection Output\n  set Plots = false\nend\n"
+                 "subsection Scene\n  subsection Spring inclined\n    set "
+                 "Direction = 0, 1.5, 1\n  end\n  subsection Contact belt\n    "
+                 "set Friction coefficient = " +
+                 friction +
+                 "\n  end\nend\nsubsection Eigenvalues\n  set Lowest frequency "
+                 "= " +
+                 lowest +
+                 "\nend\nsubsection Sweep\n  set Axes = mu\n  subsection Axis "
+                 "mu\n    set Entries = Scene/Contact belt/Friction "
+                 "coefficient\n    set From = 0\n    set To = 2\n    set "
+                 "Number = 3\n  end\nend\n");
+    const Outcome o = run_program({program, "mass.prm"});
+    check(o.code == 0, analysis + " runs: " + o.errors);
+    return o;
+  }
+
+  bool
+  has(const std::string &text, const std::string &part)
+  {
+    return unbroken(text).find(part) != std::string::npos;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "one argument");
+  program = argv[1];
+  // sqrt(sqrt(5) - 2) = 0.48587
+  const std::string divergence =
+    "divergence: a motion grows without vibration, by about 0.486 1/s";
+  check(has(run("cea", "3", "0.1").output, divergence),
+        "the first screen names divergence below the band");
+  check(has(text_of("out/run.json"), divergence), "and so does run.json");
+  check(has(text_of("out/report.html"), divergence), "and the report");
+  check(read_csv("out/eigenvalues.csv").n_rows() == 1,
+        "the band itself has one pair, which does not grow");
+
+  check(has(run("cea", "2", "0.1").output, "nothing grows below 0.1"),
+        "where none diverges the first screen says so");
+
+  check(!has(run("cea", "3", "0").output, "below the band"),
+        "a band from 0 has nothing below it");
+  const Table table = read_csv("out/eigenvalues.csv");
+  Worst       sigma;
+  for (std::size_t r = 0; r < table.n_rows(); ++r)
+    if (table.real(r, "frequency_hz") == 0.)
+      sigma.add(table.real(r, "sigma_per_s"));
+  check_close(sigma.largest(),
+              std::sqrt(std::sqrt(5.) - 2.),
+              1e-9,
+              "and has it as a row");
+
+  const std::string unseen = "not looked at: what grows below 0.1";
+  check(has(run("sweep", "1", "0.1").output, unseen),
+        "a sweep says that it sees the band only");
+  check(has(text_of("out/run.json"), unseen), "in run.json, too");
+}
