@@ -200,7 +200,7 @@ namespace squeal
   std::string
   text_of_friction(const ContactParameters &c)
   {
-    const auto text = [](const double x) { return rounded_text(x, 4); };
+    const auto text     = [](const double x) { return rounded_text(x, 4); };
     const auto at_speed = [&]() {
       return ", " + text(signed_coefficient(c, 1.)) + " at the sliding speed " +
              text(c.sliding_speed) + " m/s";
@@ -218,10 +218,10 @@ namespace squeal
                   : " in all that slips") +
                at_speed();
       case ContactParameters::FrictionLaw::table:
-        return "friction by a table, " +
-               text(c.friction_coefficients.front()) + " at rest to " +
-               text(c.friction_coefficients.back()) + " from " +
-               text(c.friction_speeds.back()) + " m/s on" + at_speed();
+        return "friction by a table, " + text(c.friction_coefficients.front()) +
+               " at rest to " + text(c.friction_coefficients.back()) +
+               " from " + text(c.friction_speeds.back()) + " m/s on" +
+               at_speed();
       }
     unknown_choice("friction law");
   }

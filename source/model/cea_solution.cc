@@ -208,8 +208,8 @@ namespace squeal
              " Hz in the basis of the band, divergence included; not certified";
     return (lambda.imag() == 0.
               ? std::string("divergence: a motion grows without vibration")
-              : "a motion at " +
-                  rounded_text(lambda.imag() / (2. * M_PI), 5) + " Hz grows") +
+              : "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
+                  " Hz grows") +
            ", by about " + rounded_text(lambda.real(), 3) +
            " 1/s, below the band: set 'Eigenvalues/Lowest frequency = 0' to "
            "have it in the tables";

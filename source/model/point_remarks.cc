@@ -106,8 +106,8 @@ namespace squeal
                                  "make it a body that is tied to a face"));
     for (const auto &spring : scene.springs)
       for (const std::string &body : {spring.body, spring.other_body})
-        if (spring.kind == SpringParameters::Kind::points &&
-            body != "ground" && bends(body, largest_stiffness(spring)) &&
+        if (spring.kind == SpringParameters::Kind::points && body != "ground" &&
+            bends(body, largest_stiffness(spring)) &&
             spacing(spring) > cells[body_index(scene, body)].edge)
           remarks.push_back(remark("spring '" + spring.name + "'",
                                    body,

@@ -363,21 +363,20 @@ namespace squeal
     const std::string unit  = unit_of_entry(axis.entries.at(0), scene);
     const bool        below = t.integer(loudest, "at_lower_limit") != 0,
                above        = t.integer(loudest, "at_upper_limit") != 0;
-    const auto leaves = [&](const std::string &column) {
+    const auto leaves       = [&](const std::string &column) {
       return t.has_column(column) && t.integer(loudest, column) != 0;
     };
-    std::string text = (t.n_rows() == 1 ? "unstable for " : "loudest for ") +
-                       name + " from " + brief(t.real(loudest, "lower")) +
-                       " to " + brief(t.real(loudest, "upper")) +
-                       (unit.empty() ? "" : " " + unit) +
-                       (below && above ? " (all that was tried)"
-                        : below        ? " (from the lowest tried on)"
-                        : above        ? " (to the highest tried)"
-                                       : "") +
-                       (leaves("leaves_band_below") ||
-                            leaves("leaves_band_above")
-                          ? " (and on, outside the frequency band)"
-                          : "");
+    std::string text =
+      (t.n_rows() == 1 ? "unstable for " : "loudest for ") + name + " from " +
+      brief(t.real(loudest, "lower")) + " to " +
+      brief(t.real(loudest, "upper")) + (unit.empty() ? "" : " " + unit) +
+      (below && above ? " (all that was tried)"
+       : below        ? " (from the lowest tried on)"
+       : above        ? " (to the highest tried)"
+                      : "") +
+      (leaves("leaves_band_below") || leaves("leaves_band_above")
+         ? " (and on, outside the frequency band)"
+         : "");
     for (std::size_t a = 1; a < sweep.axes.size(); ++a)
       if (t.has_column(sweep.axes[a].name))
         text +=

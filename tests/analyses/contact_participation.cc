@@ -26,9 +26,10 @@ namespace
   std::string
   with_held_mass(const std::string &mass)
   {
-    return small_brake + "subsection Scene\n  set Lumped masses = held\n"
-                         "  subsection Lumped mass held\n    set Body = disc\n"
-                         "    set Point = 0.05, 0, -0.005\n    set Mass = " +
+    return small_brake +
+           "subsection Scene\n  set Lumped masses = held\n"
+           "  subsection Lumped mass held\n    set Body = disc\n"
+           "    set Point = 0.05, 0, -0.005\n    set Mass = " +
            mass + "\n  end\nend\n";
   }
 
@@ -58,7 +59,7 @@ namespace
                     one.real(r, "frequency_hz"),
                     1e-9,
                     "a mass that is held moves no frequency");
-        const double p = one.real(r, "contact_participation"),
+        const double p     = one.real(r, "contact_participation"),
                      first = two.real(r, "contact_participation") - p,
                      last  = four.real(r, "contact_participation") - p;
         check(first > 1e-3 * p, "a lumped mass counts");
@@ -75,11 +76,10 @@ namespace
       "subsection Sweep\n  set Axes = rho\n  subsection Axis rho\n"
       "    set Entries = Scene/Body disc/Density\n    set Scale = list\n"
       "    set Values = 4000, 16000\n  end\nend\n";
-    const Table swept =
-      pairs_of(replaced_in(small_brake,
-                           "set Analysis         = cea",
-                           "set Analysis         = sweep") +
-               axis);
+    const Table swept = pairs_of(replaced_in(small_brake,
+                                             "set Analysis         = cea",
+                                             "set Analysis         = sweep") +
+                                 axis);
     const Table heavy =
       pairs_of(small_brake + "subsection Scene\n  subsection Body disc\n    "
                              "set Density = 16000\n  end\nend\n");

@@ -98,8 +98,7 @@ namespace
   friction_laws()
   {
     const auto law = [](const std::string &text) {
-      return in_scene("  subsection Contact pad_disc\n" +
-                      text + "  end\n");
+      return in_scene("  subsection Contact pad_disc\n" + text + "  end\n");
     };
     check(has(run(law("")).output, "friction coefficient 0.3"),
           "one coefficient is named");

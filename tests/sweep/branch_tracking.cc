@@ -352,15 +352,15 @@ namespace
     const auto solver      = [&](const double t) {
       Eigen::MatrixXd K(2, 2);
       K << 1., 0.1, -0.1, 1.;
-      const double scale = std::pow(2. * M_PI * t, 2);
-      const auto   all   = solve(scale * K, Eigen::MatrixXd::Zero(2, 2));
+      const double     scale = std::pow(2. * M_PI * t, 2);
+      const auto       all   = solve(scale * K, Eigen::MatrixXd::Zero(2, 2));
       std::vector<int> kept;
       for (unsigned int i = 0; i < all.size(); ++i)
         if (all.frequency(i) >= band.lowest_frequency &&
             all.frequency(i) <= band.highest_frequency)
           kept.push_back(i);
-      ComplexPairs   pairs = all;
-      const auto     n     = static_cast<Eigen::Index>(kept.size());
+      ComplexPairs pairs   = all;
+      const auto   n       = static_cast<Eigen::Index>(kept.size());
       pairs.lambda         = all.lambda(kept);
       pairs.right          = all.right(Eigen::all, kept);
       pairs.left           = all.left(Eigen::all, kept);

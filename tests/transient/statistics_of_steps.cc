@@ -120,10 +120,8 @@ namespace
                 claim + "leading edge");
     const double loudest =
       *std::max_element(accelerations.begin(), accelerations.end());
-    check_close(f.rms_acceleration,
-                std::sqrt(loudest),
-                rounding,
-                claim + "acceleration");
+    check_close(
+      f.rms_acceleration, std::sqrt(loudest), rounding, claim + "acceleration");
   }
 
   /** The largest force that samples of the second half see. */

@@ -238,6 +238,8 @@ namespace
       CorrelationParameters p;
       p.damage_tables           = std::vector<std::string>(30, "damage.csv");
       p.feature_tables          = std::vector<std::string>(30, "features.csv");
+      p.indices                 = {"index"};
+      p.features                = {"feature"};
       std::vector<PadMaps> pads = read_pads(p);
       for (std::size_t i = 0; i < values.size(); ++i)
         {

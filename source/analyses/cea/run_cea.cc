@@ -239,26 +239,26 @@ namespace squeal
     log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
     const UnstablePairs unstable = unstable_pairs(pairs, quantities);
     const std::string   below    = text_below_band(solution, p.eigen);
-    const bool          grows_below = solution.growth_below.real() > 0. &&
-                             p.eigen.lowest_frequency > 0.;
+    const bool          grows_below =
+      solution.growth_below.real() > 0. && p.eigen.lowest_frequency > 0.;
     warn_of_growth_below(solution, p.eigen, "", context.log);
-    context.record.n_dofs        = model.n_unknowns();
-    context.record.figures       = {
-            {"unstable pairs", std::to_string(unstable.number)},
-            {"which", unstable.number ? unstable.text : "none"},
-            {"pairs in the band", std::to_string(pairs.size())},
-            {"worst residual", rounded_text(worst_of(pairs.residual), 2)},
-            {"largest error of a pair, relative", largest_error(model, pairs, table)},
-            {"worst error estimate of the reduction",
-             rounded_text(worst_of(pairs.error_estimate), 2)},
-            {"unknowns", std::to_string(model.n_unknowns())},
-            {"basis", std::to_string(solution.basis_size)},
-            {"completeness",
-             "inertia, all " + std::to_string(modes.modes.n_certified) +
-               " undamped modes below " +
-               rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
-               " Hz"},
-            {"linear solver", linear_solver_text(*modes.inverse)}};
+    context.record.n_dofs  = model.n_unknowns();
+    context.record.figures = {
+      {"unstable pairs", std::to_string(unstable.number)},
+      {"which", unstable.number ? unstable.text : "none"},
+      {"pairs in the band", std::to_string(pairs.size())},
+      {"worst residual", rounded_text(worst_of(pairs.residual), 2)},
+      {"largest error of a pair, relative", largest_error(model, pairs, table)},
+      {"worst error estimate of the reduction",
+       rounded_text(worst_of(pairs.error_estimate), 2)},
+      {"unknowns", std::to_string(model.n_unknowns())},
+      {"basis", std::to_string(solution.basis_size)},
+      {"completeness",
+       "inertia, all " + std::to_string(modes.modes.n_certified) +
+         " undamped modes below " +
+         rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
+         " Hz"},
+      {"linear solver", linear_solver_text(*modes.inverse)}};
     if (!below.empty())
       context.record.figures.push_back({"below the band", below});
     if (!moduli.empty())

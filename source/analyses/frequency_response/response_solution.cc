@@ -132,10 +132,10 @@ namespace squeal
       solve_cea(model, modes, context.log, context.timers);
 
     StateResponse result;
-    result.state      = state;
-    result.n_unknowns = model.n_unknowns();
+    result.state            = state;
+    result.n_unknowns       = model.n_unknowns();
     result.has_loss_factors = modes.pencil->has_structural_damping();
-    result.names      = pair_quantities(model, modes, solution.pairs).names;
+    result.names = pair_quantities(model, modes, solution.pairs).names;
     const MeasuredPoints points(model);
     const Block          forces       = points.vectors(grid.excitations);
     const Block          observations = points.vectors(grid.responses);

@@ -148,7 +148,7 @@ namespace squeal
       const CeaSolution solution = solve_cea(model, modes, context.log, timers);
       warn_of_growth_below(
         solution, here.eigen, text_of(c) + ": ", context.log);
-      context.record.n_dofs      = model.n_unknowns();
+      context.record.n_dofs = model.n_unknowns();
       if (solution.pairs.size() == 0)
         refuse_empty_band(here, modes);
       const ComplexPairs loudest = select_pairs(

@@ -78,8 +78,7 @@ namespace squeal
         {
           SweepPoint point(grid.n_axes());
           for (unsigned int b = 0; b < grid.n_axes(); ++b)
-            point[b] =
-              grid.lower(b) + share * (grid.upper(b) - grid.lower(b));
+            point[b] = grid.lower(b) + share * (grid.upper(b) - grid.lower(b));
           add_changed_parts(grid, system, a, point, parts);
         }
       for (const std::size_t i : parts)

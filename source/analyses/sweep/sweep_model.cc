@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/analyses/sweep/sweep_model.h>
 #include <squeal/analyses/sweep/sweep_axis_check.h>
+#include <squeal/analyses/sweep/sweep_model.h>
 #include <squeal/analyses/sweep/sweep_scene_check.h>
 #include <squeal/base/dense_products.h>
 #include <squeal/base/exceptions.h>
@@ -374,8 +374,8 @@ namespace squeal
     Modes        result;
     const double top = 2. * M_PI * parameters.eigen.highest_frequency;
     // What friction makes of the modes is in V, hence they are too.
-    const ModelCell             &cell = small.cell_of(point);
-    const unsigned int           n_V  = cell.local.n_basis;
+    const ModelCell   &cell = small.cell_of(point);
+    const unsigned int n_V  = cell.local.n_basis;
     // A part of the box where nothing moves in the band.
     if (n_V == 0)
       return result;

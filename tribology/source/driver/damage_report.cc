@@ -47,8 +47,7 @@ namespace squeal::tribology
     const bool                 is_index = p.fatigue.constants.empty();
     const std::string         &pair     = study.reader.layout().pair;
     const auto                 picture  = [&](const std::string &name) {
-      return context.output.path() + "/plots/" + name + study.suffix() +
-             ".png";
+      return context.output.path() + "/plots/" + name + study.suffix() + ".png";
     };
     report.section("What was done" + (pair.empty() ? pair : ": " + pair));
     report.list(

@@ -364,12 +364,8 @@ namespace squeal::tribology
                       p.history.file);
     report.set_verdict(HtmlReport::Verdict::neutral, headline, figures);
     for (const PairDamage &pair : pairs)
-      report_damage(report,
-                    context,
-                    pair.table,
-                    pair.sums,
-                    *pair.study,
-                    pair.silent.get());
+      report_damage(
+        report, context, pair.table, pair.sums, *pair.study, pair.silent.get());
     context.finish(p.output.report ? &report : nullptr, open_this);
   }
 } // namespace squeal::tribology

@@ -189,10 +189,10 @@ namespace squeal::tribology
                      const std::string &samples,
                      const std::string &history)
   {
-    HistoryLayout layout = read_nodes(nodes);
-    LineReader    lines(samples);
-    lines.require_known(SampleColumns::names);
+    HistoryLayout       layout = read_nodes(nodes);
+    LineReader          lines(samples);
     const SampleColumns column(lines);
+    lines.require_known(SampleColumns::names);
     layout.name           = samples;
     layout.has_slip_rate  = column.slip_x >= 0;
     layout.has_gap        = column.gap >= 0;

@@ -91,10 +91,10 @@ namespace squeal
     /** Of the source of each pair: squares of the acceleration of its centre,
      * added up over the steps of the second half of the run, (m/s^2)^2. */
     std::vector<double> square_accelerations;
-    double                  n_steps = 0., n_iterations = 0., n_sweeps = 0.;
-    double                  worst_residual = 0.;
-    double                  cpu_seconds    = 0.; /**< of the steps */
-    double                  n_inversions   = 0.;
+    double              n_steps = 0., n_iterations = 0., n_sweeps = 0.;
+    double              worst_residual = 0.;
+    double              cpu_seconds    = 0.; /**< of the steps */
+    double              n_inversions   = 0.;
 
     std::vector<double> times() const;
     unsigned int        n_pairs() const;
