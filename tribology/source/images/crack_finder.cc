@@ -75,9 +75,11 @@ namespace squeal::tribology
     public:
       Search(const cv::Mat    &grey,
              const RidgeField &ridges,
-             const LineJudge  &judge)
+             const LineJudge  &judge,
+             const double      enlargement)
         : ridges(ridges)
         , judge(judge)
+        , enlargement(enlargement)
         , lines(grey, this->ridges)
       {
         lines.judge(judge);
@@ -174,8 +176,8 @@ namespace squeal::tribology
             }
         for (std::size_t i = 0; i < n; ++i)
           if (kept[i])
-            kept[i] =
-              sum[part[i]] >= needed_sum && length[part[i]] >= shortest_crack;
+            kept[i] = sum[part[i]] >= needed_sum * enlargement &&
+                      length[part[i]] >= shortest_crack * enlargement;
       }
 
       /** Straight lines that have little of the darkness of the wavy ones: a
@@ -311,6 +313,7 @@ namespace squeal::tribology
 
       const RidgeField  ridges;
       const LineJudge  &judge;
+      const double      enlargement; // pixels in one of the image
       JudgedLines       lines;
       std::vector<char> kept;
       std::vector<int>  part;
@@ -319,20 +322,24 @@ namespace squeal::tribology
 
 
 
-    /** Cracks in the pixels of the image. */
+    /** Cracks in the pixels of the image. Those of an @p enlargement are not
+     * independent: it needs as many more for the same evidence. */
     CrackLines
     find_in_pixels(const cv::Mat   &grey,
                    const int        n_octaves,
-                   const LineJudge &judge)
+                   const LineJudge &judge,
+                   const double     enlargement = 1.)
     {
-      const Search narrow(
-        grey, filter_ridges(grey, n_octaves, narrow_filters), judge);
+      const Search narrow(grey,
+                          filter_ridges(grey, n_octaves, narrow_filters),
+                          judge,
+                          enlargement);
       if (narrow.is_empty())
         return narrow.finished();
       const RidgeField ridges = filter_ridges(grey, n_octaves);
       if (narrow.strength_in(ridges) < stronger)
         return narrow.finished();
-      const Search wide(grey, ridges, judge);
+      const Search wide(grey, ridges, judge, enlargement);
       return wide.all_evidence() < more_evidence * narrow.all_evidence()
                ? narrow.finished()
                : wide.finished();
@@ -375,7 +382,7 @@ namespace squeal::tribology
     {
       cv::Mat twice;
       cv::resize(grey, twice, cv::Size(), 2., 2., cv::INTER_CUBIC);
-      const CrackLines found = find_in_pixels(twice, n_octaves, judge);
+      const CrackLines found = find_in_pixels(twice, n_octaves, judge, 2.);
       CrackLines       result{filter_ridges(grey, n_octaves, narrow_filters),
                         halved(found.centre_line, grey.size()),
                         found.excluded,
