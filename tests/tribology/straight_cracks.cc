@@ -54,6 +54,36 @@ namespace
 
 
 
+  /** The same scenes of 256 x 256 pixels: cracks are one pixel wide and half as
+   * long. */
+  void
+  check_small_scenes()
+  {
+    double recall = 0., precision = 0.;
+    for (int i = 0; i < n_scenes; ++i)
+      {
+        const StraightScene scene =
+          straight_scene(910000U + unsigned(i), false);
+        cv::Mat small;
+        cv::resize(scene.grey, small, cv::Size(), 0.5, 0.5, cv::INTER_AREA);
+        cv::Mat line = segment(small).cracks.centre_line;
+        cv::resize(line, line, scene.grey.size(), 0., 0., cv::INTER_NEAREST);
+        const LineScore s = score_lines(line, scene.cracks, 2.);
+        std::printf("scene %d at half the resolution: precision %.3f, "
+                    "recall %.3f\n",
+                    i,
+                    s.precision,
+                    s.recall);
+        recall += s.recall / n_scenes;
+        precision += s.precision / n_scenes;
+      }
+    std::printf("mean precision %.3f, recall %.3f\n", precision, recall);
+    check(recall >= 0.8, "four fifths of cracks of small images are found");
+    check(precision >= 0.8, "four fifths of what is found there is true");
+  }
+
+
+
   void
   check_drawn_crack(const double length)
   {
@@ -111,5 +141,6 @@ main()
   check_missed_crack();
   check_scenes(false);
   check_scenes(true);
+  check_small_scenes();
   return 0;
 }
