@@ -29,6 +29,9 @@ namespace squeal
     constexpr double least_ratio = 0.1, least_ratio_linear = 0.01;
     /** Least relative error of a growth rate over that of its frequency. */
     constexpr double least_share = 2.;
+    /** Of a frequency: a pair farther away than that on the side to which no
+     * finer mesh leads is another one. */
+    constexpr double farthest_against = 0.05;
 
     /** Displacements at the corners of the coarse mesh, body after body. */
     Functionals
@@ -134,7 +137,9 @@ namespace squeal
       // of the change may be left.
       if (std::isnan(of_cells))
         return {change.real(), of_cells};
-      const bool   is_against = change.imag() * of_cells < 0.;
+      const bool is_against =
+        change.imag() * of_cells < 0. &&
+        std::abs(change.imag()) < farthest_against * std::abs(lambda);
       const double ratio =
         is_against ? largest_ratio
                    : std::clamp(std::abs(of_cells) / std::abs(change.imag()),
