@@ -15,6 +15,9 @@ namespace squeal
   {
     using Type = Table::Type;
 
+    /** Multipliers beyond this are drawn on a logarithmic axis. */
+    constexpr double wide_range = 10.;
+
     /** The points of each stability over the parameter, and a line through all
      * of them. */
     Chart
@@ -154,6 +157,12 @@ namespace squeal
             branch, parameter, "largest multiplier", [](const auto &x) {
               return x.multipliers.largest;
             });
+    // Near a grazing contact one point may have hundreds.
+    if (std::any_of(
+          branch.points.begin(), branch.points.end(), [](const BranchPoint &x) {
+            return x.multipliers.largest > wide_range;
+          }))
+      multiplier.y.scale = AxisSettings::Scale::logarithmic;
     amplitude.title  = "Limit cycles along the branch";
     frequency.legend = multiplier.legend = Chart::Legend::none;
     ReferenceLine one;
