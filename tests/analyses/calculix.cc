@@ -70,6 +70,7 @@ main(int argc, char **argv)
           std::to_string(bounds) + ", linearised " + std::to_string(linear));
   write_text("damage.prm",
              "set Analysis = damage\nset Output directory = damage\n"
+             "set Overwrite = true\n"
              "subsection History\n"
              "  set File = transient/contact_history.h5\nend\n"
              "subsection Output\n  set Plots = false\nend\n");

@@ -83,7 +83,11 @@ namespace
     const Table heavy =
       pairs_of(small_brake + "subsection Scene\n  subsection Body disc\n    "
                              "set Density = 16000\n  end\nend\n");
-    unsigned int n = 0;
+    unsigned int n       = 0;
+    double       largest = 0.; // modes that leave the contact alone have none
+    for (std::size_t r = 0; r < heavy.n_rows(); ++r)
+      largest = std::max(largest, heavy.real(r, "contact_participation"));
+    check(largest > 0., "some mode moves the contact");
     for (std::size_t r = 0; r < heavy.n_rows(); ++r)
       for (std::size_t s = 0; s < swept.n_rows(); ++s)
         if (swept.real(s, "rho") == 16000. &&
@@ -92,9 +96,9 @@ namespace
                      1.) < 1e-8)
           {
             ++n;
-            check_close(swept.real(s, "contact_participation"),
-                        heavy.real(r, "contact_participation"),
-                        tolerance,
+            check_below(std::abs(swept.real(s, "contact_participation") -
+                                 heavy.real(r, "contact_participation")),
+                        tolerance * largest,
                         "participation at a point is that of its scene");
           }
     check(n == heavy.n_rows() && n > 0, "every pair is found again");

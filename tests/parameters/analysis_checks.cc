@@ -239,8 +239,13 @@ namespace
     };
     const std::string mu = "Scene/Contact pad_disc/Friction coefficient";
     read_parameters("example.prm", branch(mu, "0.1")).check();
-    check_change_refused(branch("Scene/Body pad/Young modulus", "0.1"),
-                         {"'Sweep/Axis mu/Entries'", "friction"});
+    read_parameters("example.prm",
+                    branch("Scene/Body pad/Young modulus", "0.1"))
+      .check();
+    check_change_refused(branch(mu, "-0.1"),
+                         {"'Sweep/Axis mu/From'", "direction of sliding"});
+    check_change_refused(branch("Scene/Contact pad_disc/Sliding speed", "0"),
+                         {"'Sweep/Axis mu/From'", "direction of sliding"});
     check_change_refused(branch(mu, "0.7"), {"'Sweep/Axis mu/From'", "below"});
   }
 
