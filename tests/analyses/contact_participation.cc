@@ -9,6 +9,7 @@
 #include "program.h"
 #include "worst.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace squeal;
