@@ -9,7 +9,6 @@
 #include "program.h"
 #include "worst.h"
 
-#include <algorithm>
 #include <cmath>
 
 using namespace squeal;
@@ -84,10 +83,11 @@ namespace
     const Table heavy =
       pairs_of(small_brake + "subsection Scene\n  subsection Body disc\n    "
                              "set Density = 16000\n  end\nend\n");
-    unsigned int n       = 0;
-    double       largest = 0.; // modes that leave the contact alone have none
+    unsigned int n = 0;
+    Worst        all; // modes that leave the contact alone have none
     for (std::size_t r = 0; r < heavy.n_rows(); ++r)
-      largest = std::max(largest, heavy.real(r, "contact_participation"));
+      all.add(heavy.real(r, "contact_participation"));
+    const double largest = all.largest();
     check(largest > 0., "some mode moves the contact");
     for (std::size_t r = 0; r < heavy.n_rows(); ++r)
       for (std::size_t s = 0; s < swept.n_rows(); ++s)
