@@ -97,6 +97,16 @@ namespace squeal
       throw InputError("Sweep/Axis " + axis.name + ": the scene's " +
                        axis.entries.front() + " = " + rounded_text(here, 6) +
                        " is outside: the branch starts there");
+    // Other entries go along with the first one, from the scene's value of it.
+    const std::vector<double> there =
+      SweepGrid(p).values(SweepPoint::Constant(1, place_on_axis(p)));
+    for (std::size_t i = 0; i < axis.entries.size(); ++i)
+      if (const double value = get_number(p, axis.entries[i]);
+          !(std::abs(value - there[i]) <= 1e-9 * std::abs(there[i])))
+        throw InputError("Sweep/Axis " + axis.name + ": the scene's " +
+                         axis.entries[i] + " = " + rounded_text(value, 6) +
+                         ", but the axis has " + rounded_text(there[i], 6) +
+                         " where the branch starts");
   }
 
 
