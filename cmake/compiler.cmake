@@ -12,6 +12,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
 # object file: ccache need not tell results by it.
 set(SQUEAL_ERRORS -Werror=switch)
 
+# The compiler's own memory is cleaned up less often: a twentieth of a first
+# build, for 150 MB more a process. No object file changes by it either.
+set(SQUEAL_COMPILER_MEMORY --param=ggc-min-expand=400)
+add_compile_options(
+  "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:${SQUEAL_COMPILER_MEMORY}>")
+
 find_program(SQUEAL_CCACHE ccache)
 mark_as_advanced(SQUEAL_CCACHE)
 if(SQUEAL_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
@@ -19,7 +25,7 @@ if(SQUEAL_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   # results; the sloppiness is what ccache asks for with precompiled headers.
   set(CMAKE_CXX_COMPILER_LAUNCHER
       "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}"
-      CCACHE_NOHASHDIR=1 "CCACHE_IGNOREOPTIONS=${SQUEAL_ERRORS}"
+      CCACHE_NOHASHDIR=1 "CCACHE_IGNOREOPTIONS=${SQUEAL_ERRORS} ${SQUEAL_COMPILER_MEMORY}"
       "CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime"
       "${SQUEAL_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER "${CMAKE_CXX_COMPILER_LAUNCHER}")

@@ -16,7 +16,8 @@ set(SQUEAL_CORE_HEADERS
     <deal.II/distributed/tria.h>
     <deal.II/dofs/dof_handler.h>
     <deal.II/fe/fe_values.h>
-    <deal.II/lac/affine_constraints.h>)
+    <deal.II/lac/affine_constraints.h>
+    <squeal/base/dense_decompositions.h>)
 set(SQUEAL_TRIBOLOGY_HEADERS <opencv2/core.hpp> <opencv2/imgproc.hpp>)
 
 # squeal_precompile(target header...): makes them once for this target.

@@ -11,6 +11,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/blas_kernels.cc
     source/base/checksum.cc
     source/base/child_process.cc
+    source/base/dense_decompositions.cc
     source/base/file_lock.cc
     source/base/files.cc
     source/base/input_file.cc
