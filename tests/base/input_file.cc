@@ -93,7 +93,7 @@ main()
   make_socket("socket");
   fs::create_directory("folder");
   for (const auto &[what, read] : readers())
-    for (const std::string &name :
+    for (const char *name :
          {"pipe", "socket", "folder", "/dev/zero", "/dev/null"})
       {
         const auto &action = read;

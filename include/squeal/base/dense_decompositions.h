@@ -20,7 +20,7 @@
 namespace squeal
 {
   /** Short names of Eigen's types in the lists below. */
-  namespace dense
+  namespace dense_types
   {
     using Eigen::Block;
     using Eigen::Dynamic;
@@ -37,103 +37,102 @@ namespace squeal
     using Factors   = Eigen::VectorBlock<const VectorXd>;
     using FactorsOfPart = Block<const VectorXd, Dynamic, 1, false>;
     using Triangle = Eigen::Matrix<double, Dynamic, Dynamic, Eigen::RowMajor>;
-  } // namespace dense
+  } // namespace dense_types
 } // namespace squeal
 
 /** The decompositions; PREFIX is `extern template` or `template`. */
-#  define SQUEAL_DENSE_DECOMPOSITIONS(PREFIX)                             \
-    PREFIX class Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;          \
-    PREFIX class Eigen::EigenSolver<Eigen::MatrixXd>;                     \
-    PREFIX class Eigen::ComplexEigenSolver<Eigen::MatrixXcd>;             \
-    PREFIX class Eigen::HouseholderQR<Eigen::MatrixXd>;                   \
-    PREFIX class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;             \
-    PREFIX class Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>; \
-    PREFIX class Eigen::PartialPivLU<Eigen::MatrixXd>;                    \
-    PREFIX class Eigen::PartialPivLU<Eigen::MatrixXcd>;                   \
-    PREFIX class Eigen::FullPivLU<Eigen::MatrixXcd>;                      \
-    PREFIX class Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>;               \
-    PREFIX class Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower>;              \
-    PREFIX class Eigen::BDCSVD<Eigen::MatrixXd>;                          \
+#  define SQUEAL_DENSE_DECOMPOSITIONS(PREFIX)                    \
+    PREFIX class Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>; \
+    PREFIX class Eigen::HouseholderQR<Eigen::MatrixXd>;          \
+    PREFIX class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;    \
+    PREFIX class Eigen::PartialPivLU<Eigen::MatrixXd>;           \
+    PREFIX class Eigen::PartialPivLU<Eigen::MatrixXcd>;          \
+    PREFIX class Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>;      \
+    PREFIX class Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower>;     \
     PREFIX class Eigen::JacobiSVD<Eigen::MatrixXd>;
 
 /** The kernels of small products and of LU. */
-#  define SQUEAL_DENSE_KERNELS(PREFIX)                                      \
-    PREFIX struct Eigen::internal::gebp_kernel<double,                      \
-                                               double,                      \
-                                               squeal::dense::Index,        \
-                                               squeal::dense::Result,       \
-                                               squeal::dense::Kernel::mr,   \
-                                               squeal::dense::Kernel::nr,   \
-                                               false,                       \
-                                               false>;                      \
-    PREFIX struct Eigen::internal::gemm_pack_lhs<                           \
-      double,                                                               \
-      squeal::dense::Index,                                                 \
-      squeal::dense::Columns,                                               \
-      squeal::dense::Kernel::mr,                                            \
-      squeal::dense::Kernel::LhsProgress,                                   \
-      squeal::dense::Kernel::LhsPacket4Packing,                             \
-      0,                                                                    \
-      false,                                                                \
-      false>;                                                               \
-    PREFIX struct Eigen::internal::gemm_pack_lhs<                           \
-      double,                                                               \
-      squeal::dense::Index,                                                 \
-      squeal::dense::Rows,                                                  \
-      squeal::dense::Kernel::mr,                                            \
-      squeal::dense::Kernel::LhsProgress,                                   \
-      squeal::dense::Kernel::LhsPacket4Packing,                             \
-      1,                                                                    \
-      false,                                                                \
-      false>;                                                               \
-    PREFIX struct Eigen::internal::gemm_pack_rhs<double,                    \
-                                                 squeal::dense::Index,      \
-                                                 squeal::dense::Columns,    \
-                                                 squeal::dense::Kernel::nr, \
-                                                 0,                         \
-                                                 false,                     \
-                                                 false>;                    \
-    PREFIX struct Eigen::internal::gemm_pack_rhs<double,                    \
-                                                 squeal::dense::Index,      \
-                                                 squeal::dense::Rows,       \
-                                                 squeal::dense::Kernel::nr, \
-                                                 1,                         \
-                                                 false,                     \
-                                                 false>;                    \
+#  define SQUEAL_DENSE_KERNELS(PREFIX)                \
+    PREFIX struct Eigen::internal::gebp_kernel<       \
+      double,                                         \
+      double,                                         \
+      squeal::dense_types::Index,                     \
+      squeal::dense_types::Result,                    \
+      squeal::dense_types::Kernel::mr,                \
+      squeal::dense_types::Kernel::nr,                \
+      false,                                          \
+      false>;                                         \
+    PREFIX struct Eigen::internal::gemm_pack_lhs<     \
+      double,                                         \
+      squeal::dense_types::Index,                     \
+      squeal::dense_types::Columns,                   \
+      squeal::dense_types::Kernel::mr,                \
+      squeal::dense_types::Kernel::LhsProgress,       \
+      squeal::dense_types::Kernel::LhsPacket4Packing, \
+      0,                                              \
+      false,                                          \
+      false>;                                         \
+    PREFIX struct Eigen::internal::gemm_pack_lhs<     \
+      double,                                         \
+      squeal::dense_types::Index,                     \
+      squeal::dense_types::Rows,                      \
+      squeal::dense_types::Kernel::mr,                \
+      squeal::dense_types::Kernel::LhsProgress,       \
+      squeal::dense_types::Kernel::LhsPacket4Packing, \
+      1,                                              \
+      false,                                          \
+      false>;                                         \
+    PREFIX struct Eigen::internal::gemm_pack_rhs<     \
+      double,                                         \
+      squeal::dense_types::Index,                     \
+      squeal::dense_types::Columns,                   \
+      squeal::dense_types::Kernel::nr,                \
+      0,                                              \
+      false,                                          \
+      false>;                                         \
+    PREFIX struct Eigen::internal::gemm_pack_rhs<     \
+      double,                                         \
+      squeal::dense_types::Index,                     \
+      squeal::dense_types::Rows,                      \
+      squeal::dense_types::Kernel::nr,                \
+      1,                                              \
+      false,                                          \
+      false>;                                         \
     PREFIX struct Eigen::internal::partial_lu_impl<double, 0, int, -1>;
 
 /** Reflections, and the symmetric eigenproblem of a tridiagonal matrix. */
-#  define SQUEAL_DENSE_REFLECTIONS(PREFIX)                                   \
-    PREFIX void Eigen::internal::make_block_householder_triangular_factor(   \
-      squeal::dense::Triangle &,                                             \
-      const squeal::dense::Part &,                                           \
-      const squeal::dense::Factors &);                                       \
-    PREFIX void Eigen::internal::make_block_householder_triangular_factor(   \
-      squeal::dense::Triangle &,                                             \
-      const squeal::dense::Part &,                                           \
-      const squeal::dense::FactorsOfPart &);                                 \
-    PREFIX void Eigen::internal::apply_block_householder_on_the_left(        \
-      squeal::dense::Part &,                                                 \
-      const squeal::dense::Part &,                                           \
-      const squeal::dense::Factors &,                                        \
-      bool);                                                                 \
-    PREFIX void                                                              \
-    Eigen::MatrixBase<squeal::dense::Part>::applyHouseholderOnTheRight(      \
-      const squeal::dense::Column &, const double &, double *);              \
-    PREFIX void                                                              \
-    Eigen::MatrixBase<squeal::dense::Part>::applyHouseholderOnTheLeft(       \
-      const squeal::dense::Column &, const double &, double *);              \
-    PREFIX void                                                              \
-    Eigen::MatrixBase<squeal::dense::Part>::applyHouseholderOnTheLeft(       \
-      const squeal::dense::ColumnEnd &, const double &, double *);           \
-    PREFIX void Eigen::internal::tridiagonalization_inplace(                 \
-      squeal::dense::MatrixXd &, squeal::dense::VectorXd &);                 \
-    PREFIX Eigen::ComputationInfo                                            \
-    Eigen::internal::computeFromTridiagonal_impl(squeal::dense::VectorXd &,  \
-                                                 squeal::dense::VectorXd &,  \
-                                                 const squeal::dense::Index, \
-                                                 bool,                       \
-                                                 squeal::dense::MatrixXd &);
+#  define SQUEAL_DENSE_REFLECTIONS(PREFIX)                                    \
+    PREFIX void Eigen::internal::make_block_householder_triangular_factor(    \
+      squeal::dense_types::Triangle &,                                        \
+      const squeal::dense_types::Part &,                                      \
+      const squeal::dense_types::Factors &);                                  \
+    PREFIX void Eigen::internal::make_block_householder_triangular_factor(    \
+      squeal::dense_types::Triangle &,                                        \
+      const squeal::dense_types::Part &,                                      \
+      const squeal::dense_types::FactorsOfPart &);                            \
+    PREFIX void Eigen::internal::apply_block_householder_on_the_left(         \
+      squeal::dense_types::Part &,                                            \
+      const squeal::dense_types::Part &,                                      \
+      const squeal::dense_types::Factors &,                                   \
+      bool);                                                                  \
+    PREFIX void                                                               \
+    Eigen::MatrixBase<squeal::dense_types::Part>::applyHouseholderOnTheRight( \
+      const squeal::dense_types::Column &, const double &, double *);         \
+    PREFIX void                                                               \
+    Eigen::MatrixBase<squeal::dense_types::Part>::applyHouseholderOnTheLeft(  \
+      const squeal::dense_types::Column &, const double &, double *);         \
+    PREFIX void                                                               \
+    Eigen::MatrixBase<squeal::dense_types::Part>::applyHouseholderOnTheLeft(  \
+      const squeal::dense_types::ColumnEnd &, const double &, double *);      \
+    PREFIX void Eigen::internal::tridiagonalization_inplace(                  \
+      squeal::dense_types::MatrixXd &, squeal::dense_types::VectorXd &);      \
+    PREFIX Eigen::ComputationInfo                                             \
+           Eigen::internal::computeFromTridiagonal_impl(                      \
+      squeal::dense_types::VectorXd &,                                 \
+      squeal::dense_types::VectorXd &,                                 \
+      const squeal::dense_types::Index,                                \
+      bool,                                                            \
+      squeal::dense_types::MatrixXd &);
 
 SQUEAL_DENSE_KERNELS(extern template)
 SQUEAL_DENSE_REFLECTIONS(extern template)
