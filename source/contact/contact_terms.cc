@@ -71,6 +71,10 @@ namespace squeal
         force[i] = state.force_share[i];
     if (force.isZero())
       return;
+    const auto unit_of_force =
+      [in_newtons = state.in_newtons](const ContactParameters &c) {
+        return in_newtons ? 1. : c.normal_force;
+      };
     if (contact.transverse_slip_term)
       {
         Eigen::VectorXd w = force;
@@ -80,14 +84,15 @@ namespace squeal
           {"transverse slip of " + contact.name,
            std::make_shared<LowRankMatrix>(
              geometry.transverse, w, geometry.transverse),
-           [number, mu](const SceneParameters &s) {
+           [number, mu, unit_of_force](const SceneParameters &s) {
              const auto &c = s.contacts[number];
              return TermCoefficients{
                0.,
                std::abs(signed_coefficient(c, mu.speed_ratio)) *
-                 c.normal_force / c.sliding_speed,
+                 unit_of_force(c) / c.sliding_speed,
                0.};
-           }});
+           },
+           true});
       }
     const NodalShares slope = shares_of_largest(
       [&](const double ratio) { return sliding_slope(contact, ratio); },
@@ -98,11 +103,12 @@ namespace squeal
        std::make_shared<LowRankMatrix>(geometry.tangential,
                                        force.cwiseProduct(slope.share),
                                        geometry.tangential),
-       [number, slope](const SceneParameters &s) {
+       [number, slope, unit_of_force](const SceneParameters &s) {
          const auto &c = s.contacts[number];
          return TermCoefficients{
-           0., c.normal_force * sliding_slope(c, slope.speed_ratio), 0.};
-       }});
+           0., unit_of_force(c) * sliding_slope(c, slope.speed_ratio), 0.};
+       },
+       true});
   }
 
 
@@ -146,7 +152,8 @@ namespace squeal
              // Friction follows the whole normal force, its damping included.
              return elastic(
                s, signed_coefficient(c, mu.speed_ratio) * normal_stiffness(c));
-           }});
+           },
+           true});
 
       const Eigen::VectorXd stick =
         selected_weights(geometry, state, contact, false, true);

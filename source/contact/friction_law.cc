@@ -236,6 +236,15 @@ namespace squeal
 
 
 
+  bool
+  has_slip_rate_terms(const ContactParameters &c)
+  {
+    return c.transverse_slip_term || c.friction_slope != 0. ||
+           !FrictionLaw(c).is_constant();
+  }
+
+
+
   NodalShares
   shares_of_largest(const std::function<double(double)> &value,
                     const std::vector<double>           &speed_ratio)

@@ -192,7 +192,8 @@ namespace squeal
         reduced.terms.push_back(
           {term.name,
            std::make_shared<EliminatedOperator>(term.matrix, elimination),
-           term.coefficients});
+           term.coefficients,
+           term.is_friction});
       for (const auto &contact : mortar_contacts)
         {
           const auto tangential = elimination->reduce(
@@ -213,7 +214,8 @@ namespace squeal
                  value.damping *= mu;
                  value.stiffness *= mu;
                  return value;
-               }});
+               },
+               true});
         }
       result.system = std::move(reduced);
       result.expand = [elimination](const Block &v) {

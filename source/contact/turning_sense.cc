@@ -2,6 +2,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/contact/turning_sense.h>
+#include <squeal/scene/coarse_mesh.h>
+#include <squeal/scene/turning.h>
 
 namespace squeal
 {
@@ -16,13 +18,12 @@ namespace squeal
                      const dealii::Point<3> &x)
     {
       Vector velocity;
-      for (const auto &body : scene.bodies)
-        if (body.name == name)
-          {
-            const Vector3 &centre = body.centre_of_rotation();
-            velocity[0]           = -body.rotation_speed * (x[1] - centre[1]);
-            velocity[1]           = body.rotation_speed * (x[0] - centre[0]);
-          }
+      if (name == "ground")
+        return velocity;
+      const auto    &body   = carrier_of(scene, body_index(scene, name));
+      const Vector3 &centre = body.centre_of_rotation();
+      velocity[0]           = -body.rotation_speed * (x[1] - centre[1]);
+      velocity[1]           = body.rotation_speed * (x[0] - centre[0]);
       return velocity;
     }
   } // namespace

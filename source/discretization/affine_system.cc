@@ -4,6 +4,7 @@
 #include <squeal/discretization/affine_system.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/point_evaluator.h>
+#include <squeal/scene/turning.h>
 
 namespace squeal
 {
@@ -57,13 +58,13 @@ namespace squeal
              matrices.gyroscopic,
              [b, density](const SceneParameters &s) {
                return TermCoefficients{
-                 0., density(s) * s.bodies[b].rotation_speed, 0.};
+                 0., density(s) * carrier_of(s, b).rotation_speed, 0.};
              }});
           system.terms.push_back(
             {"convective of " + body.name,
              matrices.convective,
              [b, density](const SceneParameters &s) {
-               const double speed = s.bodies[b].rotation_speed;
+               const double speed = carrier_of(s, b).rotation_speed;
                return TermCoefficients{0., 0., density(s) * speed * speed};
              }});
         }
@@ -205,11 +206,10 @@ namespace squeal
                      const PointEvaluator &evaluator,
                      const unsigned int    number)
     {
-      const auto            &scene = d.scene();
-      const auto            &mass  = scene.lumped_masses[number];
-      const unsigned int     body  = body_index(scene, mass.body);
-      const dealii::Point<3> point(mass.point[0], mass.point[1], mass.point[2]);
-      const auto             found = evaluator.displacements(body, {point});
+      const auto        &scene = d.scene();
+      const auto        &mass  = scene.lumped_masses[number];
+      const unsigned int body  = body_index(scene, mass.body);
+      const auto found = evaluator.displacements(body, {place_of(scene, mass)});
       if (!found.found[0])
         throw InputError("Scene/Lumped mass " + mass.name +
                          "/Point lies outside body '" + mass.body + "'");
@@ -225,6 +225,20 @@ namespace squeal
               }};
     }
   } // namespace
+
+
+
+  AffineSystem
+  friction_terms(const AffineSystem &system)
+  {
+    AffineSystem result;
+    result.space = system.space;
+    std::copy_if(system.terms.begin(),
+                 system.terms.end(),
+                 std::back_inserter(result.terms),
+                 [](const AffineTerm &term) { return term.is_friction; });
+    return result;
+  }
 
 
 

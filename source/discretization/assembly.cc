@@ -3,6 +3,7 @@
 
 #include <squeal/discretization/assembly.h>
 #include <squeal/discretization/element_matrices.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -49,7 +50,8 @@ namespace squeal
         d.dof_handler(), d.mapping(), d.has_lumped_mass());
       const auto [cells, rows] = cells_of(d, body, element);
 
-      const bool          turning = p.rotation_speed != 0.;
+      const auto         &carrier = carrier_of(d.scene(), body);
+      const bool          turning = carrier.rotation_speed != 0.;
       const ElasticTensor C       = elastic_tensor(p);
       PatternedMatrix     K(d.space(), rows, false), M(d.space(), rows, true);
       PatternedMatrix     G(
@@ -67,7 +69,7 @@ namespace squeal
           M.add(rows[c], matrix);
           if (turning)
             {
-              const Vector3 &axis = p.centre_of_rotation();
+              const Vector3 &axis = carrier.centre_of_rotation();
               element.rotation(axis[0], axis[1], matrix, second);
               G.add(rows[c], matrix);
               N.add(rows[c], second);

@@ -131,12 +131,10 @@ namespace squeal
 
   namespace
   {
-    /** Shortening below which products are not updated but computed afresh:
-     * updated ones are good to 1e-13. */
-    constexpr double cancellation = 1e-3;
-
-    /** Shortening above which one projection leaves 1e-14 of the basis. */
-    constexpr double once_is_enough = 1e-2;
+    /** Shortening above which one projection is enough. What it leaves of the
+     * basis is divided by the shortening, step after step: with 0.01 a basis
+     * that came to hold most of the space was no longer orthogonal. */
+    constexpr double once_is_enough = 0.1;
 
     Eigen::VectorXd
     mass_norms(const RowSpace &space, const Block &W, const Block &MW)
@@ -190,12 +188,9 @@ namespace squeal
           solver.eigenvectors().rightCols(n) *
           values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal();
         W = (W * T).eval();
-        // A direction that is what remains of a much longer vector needs its
-        // product afresh: the update holds the rounding errors of the long one.
-        if (n > 0 && values[first] < cancellation * cancellation)
-          MW = pencil.multiply_mass(W);
-        else
-          MW = (MW * T).eval();
+        // Afresh: an updated product holds the rounding errors of all before,
+        // times the shortening of each.
+        MW = pencil.multiply_mass(W);
         // Once is enough where little was taken away.
         if (!twice && n > 0 && values[first] > once_is_enough * once_is_enough)
           break;

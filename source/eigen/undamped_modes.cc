@@ -388,7 +388,12 @@ namespace squeal
 
 
 
-    /** Sets n_certified; throws where a mode below the limit is missing. */
+    /** No mode whose residual is larger may pass: good ones have 1e-6 and
+     * less. */
+    constexpr double largest_residual = 1e-4;
+
+    /** Sets n_certified; throws where a mode below the limit is missing or is
+     * none. */
     void
     certify(UndampedModes &modes, const Wanted &wanted)
     {
@@ -403,6 +408,17 @@ namespace squeal
           rounded_text(std::sqrt(wanted.limit) / (2. * M_PI), 6) +
           " Hz, but the Lanczos iteration found " + std::to_string(n_below) +
           ": tighten Eigenvalues/Mode tolerance");
+      const double worst =
+        n_below == 0
+          ? 0.
+          : modes.residual.head(n_below).maxCoeff<Eigen::PropagateNaN>();
+      if (!(worst <= largest_residual))
+        throw ComputationError(
+          "the undamped modes leave a relative residual of " +
+          rounded_text(worst, 2) + " (" + rounded_text(largest_residual, 1) +
+          " is the most that passes): lower Eigenvalues/Highest frequency, of "
+          "which " +
+          std::to_string(n_below) + " modes lie below");
       modes.n_certified = n_below;
     }
   } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/model/contact_states.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/parameters/entry_traits.h>
@@ -88,6 +89,63 @@ namespace squeal
       return result;
     }
 
+    /** True where forces at the contact enter the matrices: by damping across
+     * the sliding or by a friction coefficient that depends on the speed. */
+    bool
+    forces_matter(const SweepGrid &grid)
+    {
+      for (std::size_t i = 0; i < grid.n_points(); ++i)
+        for (const auto &contact : grid.scene(grid.point(i)).contacts)
+          if (contact.state == State::preload && has_slip_rate_terms(contact))
+            return true;
+      return false;
+    }
+
+    /** True where all forces agree to 1e-9 of the largest of their pair. */
+    bool
+    same_forces(const std::vector<ContactStates> &a,
+                const std::vector<ContactStates> &b)
+    {
+      for (std::size_t pair = 0; pair < a.size(); ++pair)
+        for (std::size_t k = 0; k < a[pair].size(); ++k)
+          {
+            const Eigen::Map<const Eigen::VectorXd> f(
+              a[pair][k].force_share.data(), a[pair][k].force_share.size()),
+              g(b[pair][k].force_share.data(), b[pair][k].force_share.size());
+            if (!((f - g).lpNorm<Eigen::Infinity>() <=
+                  1e-9 * f.lpNorm<Eigen::Infinity>()))
+              return false;
+          }
+      return true;
+    }
+
+    /** Points whose contact makes the same matrices, in the order of the
+     * status: where forces enter them, equal status is not enough. */
+    std::vector<std::vector<std::size_t>>
+    points_of_one_contact(const std::vector<std::vector<ContactStates>> &all,
+                          const bool forces_matter)
+    {
+      std::map<std::vector<ContactStatus>,
+               std::vector<std::vector<std::size_t>>>
+        of_status;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        {
+          auto &groups = of_status[joined_status(all[i])];
+          auto  group =
+            std::find_if(groups.begin(), groups.end(), [&](const auto &points) {
+              return !forces_matter || same_forces(all[points[0]], all[i]);
+            });
+          if (group == groups.end())
+            groups.push_back({i});
+          else
+            group->push_back(i);
+        }
+      std::vector<std::vector<std::size_t>> result;
+      for (auto &[status, groups] : of_status)
+        result.insert(result.end(), groups.begin(), groups.end());
+      return result;
+    }
+
     unsigned int
     n_closed(const std::vector<ContactStatus> &status)
     {
@@ -107,16 +165,14 @@ namespace squeal
     if (!has_preload_state(scene))
       return {};
     const auto all = states_of_points(parameters, grid, context);
-    std::map<std::vector<ContactStatus>, std::vector<std::size_t>> members;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      members[joined_status(all[i])].push_back(i);
     // State k of every pair holds where the contact of all pairs is the k-th.
     std::vector<ContactStates> different(scene.contacts.size());
     std::vector<unsigned int>  state_of_point(all.size());
     unsigned int               fewest = -1u, most = 0, n_states = 0;
     std::size_t                n_nodes = 0;
-    for (const auto &[status, points] : members)
+    for (const auto &points : points_of_one_contact(all, forces_matter(grid)))
       {
+        const auto status = joined_status(all[points[0]]);
         for (const std::size_t i : points)
           state_of_point[i] = n_states;
         const auto &middle = all[points[points.size() / 2]];

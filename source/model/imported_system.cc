@@ -70,7 +70,8 @@ namespace squeal
          [](const SceneParameters &s) {
            return elastic_coefficients(
              s, s.friction_coefficient * s.contact_normal_stiffness, 0., 0.);
-         }});
+         },
+         true});
     }
   } // namespace
 
@@ -84,10 +85,17 @@ namespace squeal
     result.expand          = [](const Block &v) { return v; };
     result.restrict_forces = result.expand;
     for (unsigned int i = 0; i < model.parts.size(); ++i)
-      result.system.terms.push_back(
-        {model.parts[i].name,
-         operator_of(model.parts[i], result.system.space),
-         [i](const SceneParameters &s) { return coefficients_of(s, i); }});
+      {
+        const auto matrix = operator_of(model.parts[i], result.system.space);
+        // A stiffness that is not symmetric holds friction too.
+        const Role role = model.parts[i].role;
+        result.system.terms.push_back(
+          {model.parts[i].name,
+           matrix,
+           [i](const SceneParameters &s) { return coefficients_of(s, i); },
+           role == Role::friction ||
+             (role == Role::stiffness && !matrix->is_symmetric())});
+      }
     return result;
   }
 

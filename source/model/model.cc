@@ -10,6 +10,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -317,13 +318,14 @@ namespace squeal
     for (const auto &lumped : scene.lumped_masses)
       {
         total_mass += lumped.mass;
+        const dealii::Point<3> point = place_of(scene, lumped);
         for (unsigned int c = 0; c < 3; ++c)
-          total_centre[c] += lumped.mass * lumped.point[c];
+          total_centre[c] += lumped.mass * point[c];
         table.add_row({lumped.name,
                        lumped.mass,
-                       mm(lumped.point[0]),
-                       mm(lumped.point[1]),
-                       mm(lumped.point[2]),
+                       mm(point[0]),
+                       mm(point[1]),
+                       mm(point[2]),
                        "point on " + lumped.body,
                        Cell()});
       }

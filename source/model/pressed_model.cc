@@ -399,12 +399,11 @@ namespace squeal
     for (const ContactPair &pair : contact_nodes.pairs())
       {
         ContactState state;
-        state.status                    = pair.part(steady.status);
-        const Eigen::VectorXd forces    = pair.part(steady.forces);
-        const double          reference = pair.parameters.normal_force;
+        state.status                 = pair.part(steady.status);
+        state.in_newtons             = true;
+        const Eigen::VectorXd forces = pair.part(steady.forces);
         for (unsigned int j = 0; j < pair.n_nodes(); ++j)
-          state.force_share.push_back(std::max(0., forces[3 * j]) /
-                                      (reference > 0. ? reference : 1.));
+          state.force_share.push_back(std::max(0., forces[3 * j]));
         result.push_back({state});
       }
     return result;

@@ -4,6 +4,7 @@
 #include <squeal/model/model.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/scene/layer_mesh.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -56,11 +57,18 @@ namespace squeal
       return result;
     }
 
+    /** By its shape alone, with nothing fixed to it. */
     bool
-    is_of_revolution(const BodyParameters &body)
+    is_of_revolution(const SceneParameters &scene, const unsigned int number)
     {
-      return body.shape == BodyParameters::Shape::annulus ||
-             body.shape == BodyParameters::Shape::cylinder;
+      const BodyParameters &body = scene.bodies[number];
+      return (body.shape == BodyParameters::Shape::annulus ||
+              body.shape == BodyParameters::Shape::cylinder ||
+              body.shape == BodyParameters::Shape::rigid) &&
+             std::none_of(
+               scene.lumped_masses.begin(),
+               scene.lumped_masses.end(),
+               [&](const auto &mass) { return mass.body == body.name; });
     }
   } // namespace
 
@@ -81,6 +89,15 @@ namespace squeal
                                dealii::update_quadrature_points |
                                  dealii::update_JxW_values);
     std::array<double, 2 * (highest_order + 1)> moments{};
+    const auto add = [&](const dealii::Point<3> &x, const double mass) {
+      const Vector r     = x - origin;
+      const double angle = std::atan2(r * f, r * e);
+      for (unsigned int n = 0; n <= highest_order; ++n)
+        {
+          moments[2 * n] += mass * std::cos(n * angle);
+          moments[2 * n + 1] += mass * std::sin(n * angle);
+        }
+    };
     for (const auto &cell : d.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() &&
           std::count(bodies.begin(), bodies.end(), cell->material_id()) > 0)
@@ -88,16 +105,7 @@ namespace squeal
           values.reinit(cell);
           const double density = d.scene().bodies[cell->material_id()].density;
           for (unsigned int q = 0; q < quadrature.size(); ++q)
-            {
-              const Vector r     = values.quadrature_point(q) - origin;
-              const double angle = std::atan2(r * f, r * e),
-                           mass  = density * values.JxW(q);
-              for (unsigned int n = 0; n <= highest_order; ++n)
-                {
-                  moments[2 * n] += mass * std::cos(n * angle);
-                  moments[2 * n + 1] += mass * std::sin(n * angle);
-                }
-            }
+            add(values.quadrature_point(q), density * values.JxW(q));
         }
     MPI_Allreduce(MPI_IN_PLACE,
                   moments.data(),
@@ -105,6 +113,14 @@ namespace squeal
                   MPI_DOUBLE,
                   MPI_SUM,
                   d.space()->communicator());
+    // On the axis a mass has no angle.
+    for (const auto &mass : d.scene().lumped_masses)
+      if (const Vector r = place_of(d.scene(), mass) - origin;
+          std::count(bodies.begin(),
+                     bodies.end(),
+                     body_index(d.scene(), mass.body)) > 0 &&
+          std::hypot(r * e, r * f) > 1e-9)
+        add(place_of(d.scene(), mass), mass.mass);
     std::vector<unsigned int> orders;
     for (unsigned int n = 1; n <= highest_order; ++n)
       if (std::hypot(moments[2 * n], moments[2 * n + 1]) >
@@ -130,8 +146,7 @@ namespace squeal
         const auto  rotor = glued_to(scene, contact.target_body);
         const auto &body = scene.bodies[body_index(scene, contact.target_body)];
         if (std::all_of(rotor.begin(), rotor.end(), [&](const unsigned int b) {
-              return is_of_revolution(scene.bodies[b]) ||
-                     scene.bodies[b].shape == BodyParameters::Shape::rigid;
+              return is_of_revolution(scene, b);
             }))
           continue;
         const auto orders = angular_orders(

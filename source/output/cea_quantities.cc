@@ -73,9 +73,9 @@ namespace squeal
       return squares.row(0);
     }
 
-    /** -2 pi Im(x^H K_f x) over |lambda|^2 x^H M x. */
+    /** -2 pi Im(x^H (K_f + lambda C_f) x) over |lambda|^2 x^H M x. */
     std::vector<double>
-    friction_energies(const Pencil          &pencil,
+    friction_energies(const Model           &model,
                       const ComplexPairs    &pairs,
                       const Eigen::VectorXd &masses)
     {
@@ -83,24 +83,25 @@ namespace squeal
       both << pairs.right.real(), pairs.right.imag();
       const Eigen::Index n   = pairs.size();
       Eigen::MatrixXd    sum = Eigen::MatrixXd::Zero(1, n);
-      for (const auto &part : pencil.parts())
-        if (!part.symmetric)
-          {
-            const Block &F = part.matrix->multiply(both);
-            const auto  &c = part.coefficients;
-            for (Eigen::Index j = 0; j < n; ++j)
-              {
-                ComplexBlock f(F.rows(), 1);
-                f.real()             = F.col(j);
-                f.imag()             = F.col(n + j);
-                const Complex lambda = pairs.lambda[j];
-                const Complex work   = (lambda * lambda * c.mass +
-                                      lambda * c.damping + c.stiffness) *
-                                     (pairs.right.col(j).adjoint() * f)(0);
-                sum(0, j) -= 2. * M_PI * work.imag();
-              }
-          }
-      pencil.space()->sum(sum);
+      const Pencil       friction(friction_terms(model.linearized().system),
+                            model.parameters().scene);
+      for (const auto &part : friction.parts())
+        {
+          const Block &F = part.matrix->multiply(both);
+          const auto  &c = part.coefficients;
+          for (Eigen::Index j = 0; j < n; ++j)
+            {
+              ComplexBlock f(F.rows(), 1);
+              f.real()             = F.col(j);
+              f.imag()             = F.col(n + j);
+              const Complex lambda = pairs.lambda[j];
+              const Complex work =
+                (lambda * lambda * c.mass + lambda * c.damping + c.stiffness) *
+                (pairs.right.col(j).adjoint() * f)(0);
+              sum(0, j) -= 2. * M_PI * work.imag();
+            }
+        }
+      friction.space()->sum(sum);
       std::vector<double> result;
       for (Eigen::Index j = 0; j < n; ++j)
         result.push_back(sum(0, j) / (std::norm(pairs.lambda[j]) * masses[j]));
@@ -198,7 +199,7 @@ namespace squeal
     const RowSpace &space   = *modes.pencil->space();
     q.energy_shares         = model.energy_shares(pairs.right);
     q.names                 = names_of(model, pairs, q.energy_shares);
-    q.energy_per_cycle      = friction_energies(*modes.pencil, pairs, masses);
+    q.energy_per_cycle      = friction_energies(model, pairs, masses);
     q.contact_participation = contact_participations(model, pairs, masses);
 
     const ComplexBlock     shapes       = modes.modes.shapes.cast<Complex>();

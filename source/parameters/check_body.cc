@@ -108,12 +108,15 @@ namespace squeal
                        "is not on the body's own axis: an annulus or a "
                        "cylinder with an 'Angle' would move; give 'Position' "
                        "instead");
-        // a block that turns is not at rest in the fixed frame
-        if (body.rotation_speed != 0. && body.shape == Shape::block)
+        // A block that turns is not at rest in the fixed frame, and a rigid
+        // body has no terms of turning.
+        if (body.rotation_speed != 0. &&
+            (body.shape == Shape::block || body.shape == Shape::rigid))
           refuse_entry(section,
                        "Rotation speed",
                        "= " + format_number(body.rotation_speed) +
-                         " rad/s is for bodies of revolution; a block needs 0");
+                         " rad/s is for meshed bodies of revolution; a " +
+                         choice_name(body.shape) + " needs 0");
       }
 
 
@@ -146,6 +149,12 @@ namespace squeal
                            "Angle",
                            "= " + format_number(body.angle) +
                              ": a layer turns with the body that it lies on");
+            if (body.rotation_speed != 0.)
+              refuse_entry(section,
+                           "Rotation speed",
+                           "= " + format_number(body.rotation_speed) +
+                             " rad/s: a layer turns with the body that it lies "
+                             "on");
             if (body.material_model != BodyParameters::MaterialModel::isotropic)
               refuse_entry(section,
                            "Material model",

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace squeal
 {
@@ -138,6 +139,46 @@ namespace squeal
 
 
 
+      /** Refuses conditions that would make equal what the scene keeps apart:
+       * one pressure for all loads, one speed for all contacts. */
+      void
+      check_one_for_all(const OperatingMatrixParameters &m,
+                        const SceneParameters           &scene,
+                        const std::string               &section)
+      {
+        std::set<double> pressures, speeds;
+        for (const auto &load : scene.loads)
+          if (load.pressure != 0.)
+            pressures.insert(load.pressure);
+        for (const auto &contact : scene.contacts)
+          if (contact.sliding_speed > 0.)
+            speeds.insert(contact.sliding_speed);
+        const auto refuse = [&](const std::string      &entry,
+                                const std::string      &of,
+                                const std::set<double> &values) {
+          refuse_entry(section,
+                       entry,
+                       "gives all " + of + " one value, but they have " +
+                         format_number(*values.begin()) + " to " +
+                         format_number(*values.rbegin()) +
+                         " in the scene: make them equal there");
+        };
+        if (!m.pressures.empty() && pressures.size() > 1)
+          refuse("Pressures", "loads", pressures);
+        if (!m.speeds.empty() && speeds.size() > 1)
+          refuse("Speeds", "contacts", speeds);
+        for (const auto &body : scene.bodies)
+          if (!m.speeds.empty() && body.rotation_speed != 0.)
+            refuse_entry(section,
+                         "Speeds",
+                         "would leave the 'Rotation speed' of body " +
+                           in_quotes(body.name) + " at " +
+                           format_number(body.rotation_speed) +
+                           " rad/s: remove one of them");
+      }
+
+
+
       void
       check_operating_matrix(const Parameters &parameters)
       {
@@ -170,6 +211,7 @@ namespace squeal
             }))
           refuse_entry(
             section, "Speeds", "needs a contact with a 'Sliding speed'");
+        check_one_for_all(m, scene, section);
         if (m.both_directions &&
             (scene.contacts.empty() || any(scene.contacts, [](const auto &c) {
                return c.friction_coefficient == 0.;

@@ -53,6 +53,23 @@ namespace squeal
 
 
 
+      /** Of the body, or of the one that it lies on as a layer, rad/s. */
+      double
+      turning_speed(const SceneParameters &scene, const BodyParameters &body)
+      {
+        if (body.shape != Shape::layer)
+          return body.rotation_speed;
+        // Layers stand behind what they lie on.
+        for (const BodyParameters &below : scene.bodies)
+          if (&below == &body)
+            break;
+          else if (below.name == body.layer_body)
+            return turning_speed(scene, below);
+        return 0.;
+      }
+
+
+
       void
       check_tie(const SceneParameters &scene, const TieParameters &tie)
       {
@@ -70,6 +87,15 @@ namespace squeal
                        "exchange source and target");
         require_face(source, tie.source_face, section, "Source face");
         require_face(target, tie.target_face, section, "Target face");
+        if (turning_speed(scene, source) != turning_speed(scene, target))
+          refuse_entry(section,
+                       "Target body",
+                       ": " + in_quotes(source.name) + " turns with " +
+                         format_number(turning_speed(scene, source)) +
+                         " rad/s ('Rotation speed') and " +
+                         in_quotes(target.name) + " with " +
+                         format_number(turning_speed(scene, target)) +
+                         ", but what is tied turns together");
         if (target.shape == Shape::rigid &&
             tie.kind == TieParameters::Kind::conforming)
           refuse_entry(section,
@@ -213,6 +239,13 @@ namespace squeal
         const BodyParameters &body =
           require_body(scene, mass.body, section, "Body");
         require_point_on_body(body, mass.point, section, "Point");
+        if (turning_speed(scene, body) != 0.)
+          refuse_entry(section,
+                       "Body",
+                       "= " + in_quotes(body.name) +
+                         " turns ('Rotation speed'), and what is seen from the "
+                         "fixed frame has no mass at one of its points; spread "
+                         "it around as a body of revolution");
         if (!(mass.mass > 0.))
           refuse_entry(section, "Mass", "must be greater than 0");
       }

@@ -181,7 +181,12 @@ namespace squeal
       {
         schema.add("Body", m.body, Allowed::text(), "Body that carries it.");
         schema.add(
-          "Point", m.point, Allowed::vector(), "Where it is fixed.", "m");
+          "Point",
+          m.point,
+          Allowed::vector(),
+          "Where it is fixed while the body's 'Angle' is 0: it turns with the "
+          "body.",
+          "m");
         schema.add("Mass", m.mass, Allowed::number(0.), "Its mass.", "kg")
           .affine();
       }

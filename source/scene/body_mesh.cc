@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/scene/coarse_mesh.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>
@@ -207,23 +208,11 @@ namespace squeal
     void
     turn(const BodyParameters &body, BodyMesh &mesh)
     {
-      const Vector3             &a = body.rotation_axis;
-      const dealii::Tensor<1, 3> axis({a[0], a[1], a[2]});
-      const dealii::Tensor<1, 3> e = axis / axis.norm();
-      const Vector3             &c = body.centre_of_rotation();
-      const dealii::Point<3>     centre(c[0], c[1], c[2]);
-      const double               angle      = body.angle * (M_PI / 180.);
-      const auto                 turn_point = [&](dealii::Point<3> &x) {
-        const dealii::Tensor<1, 3> r     = x - centre;
-        const dealii::Tensor<1, 3> along = (e * r) * e;
-        x = centre + along + std::cos(angle) * (r - along) +
-            std::sin(angle) * dealii::cross_product_3d(e, r);
-      };
       for (auto &vertex : mesh.vertices)
-        turn_point(vertex);
+        vertex = turned_point(body, vertex);
       for (auto &[cell, nodes] : mesh.curved)
         for (auto &node : nodes)
-          turn_point(node);
+          node = turned_point(body, node);
     }
   } // namespace
 

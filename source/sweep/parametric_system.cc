@@ -83,7 +83,7 @@ namespace squeal
     struct Group
     {
       Eigen::VectorXd                profile;
-      bool                           symmetric;
+      bool                           symmetric, is_friction;
       std::size_t                    first;
       std::vector<SumOperator::Part> operators;
     };
@@ -93,25 +93,29 @@ namespace squeal
         const Eigen::VectorXd p = profile(samples[i]);
         if (p.isZero(0.))
           continue;
-        const bool symmetric = system.terms[i].matrix->is_symmetric();
-        bool       placed    = false;
+        const bool symmetric   = system.terms[i].matrix->is_symmetric();
+        const bool is_friction = system.terms[i].is_friction;
+        bool       placed      = false;
         for (auto &group : groups)
           if (const double f = common_factor(p, group.profile);
-              f != 0. && symmetric == group.symmetric)
+              f != 0. && symmetric == group.symmetric &&
+              is_friction == group.is_friction)
             {
               group.operators.emplace_back(f, system.terms[i].matrix);
               placed = true;
               break;
             }
         if (!placed)
-          groups.push_back({p, symmetric, i, {{1., system.terms[i].matrix}}});
+          groups.push_back(
+            {p, symmetric, is_friction, i, {{1., system.terms[i].matrix}}});
       }
     parts.space = system.space;
     for (auto &group : groups)
       parts.terms.push_back(
         {system.terms[group.first].name,
          std::make_shared<SumOperator>(std::move(group.operators)),
-         system.terms[group.first].coefficients});
+         system.terms[group.first].coefficients,
+         group.is_friction});
     for (const auto &group : groups)
       {
         is_there.emplace_back(grid.n_states(), false);

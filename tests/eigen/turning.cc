@@ -164,6 +164,68 @@ namespace
                       number(b / a - 1.));
       }
   }
+
+  /** A layer turns with what it lies on: a ring whose outer half is a layer is
+   * the same ring. */
+  void
+  test_layer()
+  {
+    SceneParameters whole;
+    whole.bodies                   = {make_annulus({{24, 2, 1}}, .006)};
+    whole.bodies[0].inner_radius   = .098;
+    whole.bodies[0].outer_radius   = .102;
+    whole.bodies[0].rotation_speed = 10.;
+    SceneParameters coated         = whole;
+    coated.bodies[0].outer_radius  = .1;
+    coated.bodies[0].cells         = {{24, 1, 1}};
+    BodyParameters layer           = whole.bodies[0];
+    layer.name                     = "coat";
+    layer.shape                    = BodyParameters::Shape::layer;
+    layer.layer_body               = coated.bodies[0].name;
+    layer.layer_face               = "outer";
+    layer.thickness                = .002;
+    layer.rotation_speed           = 0.;
+    coated.bodies.push_back(layer);
+    const auto one = turning_frequencies(whole, 2, 100., 900.),
+               two = turning_frequencies(coated, 2, 100., 900.);
+    check(one.size() >= 4 && two.size() == one.size(), "as many modes");
+    for (std::size_t i = 0; i < one.size(); ++i)
+      check_close(two[i], one[i], 1e-9, "frequency of a layered ring");
+  }
+
+  /** A lumped mass turns with the angle of its body. */
+  void
+  test_turned_mass()
+  {
+    SceneParameters s;
+    BodyParameters  block;
+    block.name          = "block";
+    block.shape         = BodyParameters::Shape::block;
+    block.size          = {{.04, .02, .01}};
+    block.cells         = {{2, 2, 1}};
+    block.rotation_axis = {{0., 0., 1.}};
+    s.bodies            = {block};
+    LumpedMassParameters mass;
+    mass.name        = "weight";
+    mass.body        = "block";
+    mass.point       = {{.02, .01, .01}};
+    mass.mass        = .05;
+    s.lumped_masses  = {mass};
+    s.supports       = {make_clamp("block", "x_min")};
+    const auto still = turning_frequencies(s, 2, 100., 60e3);
+    for (const double angle : {30., 90., 200.})
+      {
+        s.bodies[0].angle = angle;
+        const auto turned = turning_frequencies(s, 2, 100., 60e3);
+        check(turned.size() == still.size() && still.size() > 3,
+              "as many modes at an angle");
+        for (std::size_t i = 0; i < still.size(); ++i)
+          check_close(turned[i],
+                      still[i],
+                      1e-8,
+                      "frequency of a block with a weight at an angle");
+      }
+  }
 } // namespace
 
 
@@ -174,4 +236,6 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   test_ring();
   test_disc();
+  test_layer();
+  test_turned_mass();
 }

@@ -9,6 +9,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <Eigen/Eigenvalues>
+
 using namespace squeal;
 using namespace squeal::testing;
 
@@ -109,6 +111,45 @@ namespace
                 "the first of them as from a narrow band");
   }
 
+  /** Bands that hold more and more of the 216 unknowns of a clamped block, up
+   * to all of them: the modes of the dense matrices. */
+  void
+  test_most_unknowns()
+  {
+    SceneParameters s;
+    BodyParameters  block;
+    block.name          = "block";
+    block.shape         = BodyParameters::Shape::block;
+    block.size          = {{.02, .03, .1}};
+    block.cells         = {{1, 1, 4}};
+    block.density       = 1500.;
+    block.poisson_ratio = .4;
+    block.young_modulus = 1e9;
+    s.bodies            = {block};
+    s.supports          = {make_clamp("block", "z_min")};
+    const Model narrow(s, 2, 1000.);
+    const Block I = Block::Identity(216, 216);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(
+      narrow.pencil.multiply_undamped_stiffness(I),
+      narrow.pencil.multiply_mass(I));
+    for (const double highest : {30e3, 40e3, 50e3, 60e3, 1e5})
+      {
+        const Model         model(s, 2, highest);
+        const UndampedModes modes = undamped_modes(model.pencil, model.inverse);
+        const unsigned int  n     = modes.n_certified;
+        check_modes(model, modes, 1e-5);
+        check(n > 90 && (highest < 1e5 || n == 216),
+              "modes below " + number(highest) + ": " + number(n));
+        check_below((modes.omega_squared.head(n).array() /
+                       dense.eigenvalues().head(n).array() -
+                     1.)
+                      .abs()
+                      .maxCoeff<Eigen::PropagateNaN>(),
+                    1e-8,
+                    "the modes of the dense matrices below " + number(highest));
+      }
+  }
+
   void
   test_shift_on_mode(const SceneParameters &scene, const UndampedModes &modes)
   {
@@ -179,6 +220,7 @@ main(int argc, char **argv)
   test_hidden_mode(model, modes);
   test_exact_shift();
   test_wide_band();
+  test_most_unknowns();
   try
     {
       test_shift_on_mode(scene, modes);

@@ -49,6 +49,55 @@ namespace
       {"missing.msh", "no such file"});
     check_change_refused({"Scene/Body pad/Rotation speed = 1"},
                          {"'Scene/Body pad/Rotation speed'"});
+    check_struct_refused(
+      [](Parameters &p) {
+        p.scene = SceneParameters();
+        BodyParameters rotor;
+        rotor.name           = "rotor";
+        rotor.shape          = BodyParameters::Shape::rigid;
+        rotor.mass           = 1.;
+        rotor.rotation_speed = 5.;
+        p.scene.bodies.push_back(rotor);
+      },
+      {"'Scene/Body rotor/Rotation speed'", "a rigid needs 0"},
+      "turning rigid body");
+    check_struct_refused(
+      [](Parameters &p) {
+        BodyParameters coat = p.scene.bodies[0];
+        coat.name           = "coat";
+        coat.shape          = BodyParameters::Shape::layer;
+        coat.layer_body     = p.scene.bodies[0].name;
+        coat.layer_face     = "bottom";
+        coat.rotation_speed = 5.;
+        p.scene.bodies.push_back(coat);
+      },
+      {"'Scene/Body coat/Rotation speed'", "turns with the body"},
+      "layer with a speed of its own");
+    check_struct_refused(
+      [](Parameters &p) {
+        p.scene.bodies[0].rotation_speed = 5.;
+        LumpedMassParameters weight;
+        weight.name  = "weight";
+        weight.body  = p.scene.bodies[0].name;
+        weight.point = {{.05, 0., -.005}};
+        weight.mass  = 1.;
+        p.scene.lumped_masses.push_back(weight);
+      },
+      {"'Scene/Lumped mass weight/Body'", "turns"},
+      "lumped mass on a turning body");
+    check_struct_refused(
+      [](Parameters &p) {
+        p.scene.bodies[0].rotation_speed = 5.;
+        TieParameters tie;
+        tie.name        = "hub";
+        tie.source_body = p.scene.bodies[1].name;
+        tie.source_face = "z_min";
+        tie.target_body = p.scene.bodies[0].name;
+        tie.target_face = "top";
+        p.scene.ties.push_back(tie);
+      },
+      {"'Scene/Tie hub/Target body'", "turns together"},
+      "tied bodies of different speeds");
     write_text("empty_scene.prm", "set Analysis = modes\n");
     check_override_refused("empty_scene.prm",
                            {},

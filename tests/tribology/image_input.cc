@@ -128,6 +128,19 @@ namespace
       read_micrograph("bar.png", 0., {made.scale_bar, made.scale_bar_length});
     check_close(bar.pixel_size, 0.8, 0.01, "pixel size from the scale bar");
     check(bar.frame.height == cvRound(768. / 0.8), "the data bar is left out");
+    write(
+      "comma.tif",
+      tiff(34118, "AP_IMAGE_PIXEL_SIZE\r\nImage Pixel Size = 27,91 nm\r\n"));
+    check_close(read_micrograph("comma.tif", 0.).pixel_size,
+                0.02791,
+                1e-12,
+                "a decimal comma in Zeiss tags");
+    write(
+      "inch.tif",
+      tiff(34118, "AP_IMAGE_PIXEL_SIZE\r\nImage Pixel Size = 27.91 inch\r\n"));
+    check_throws<InputError>([]() { read_micrograph("inch.tif", 0.); },
+                             "no scale",
+                             "a length in an unknown unit is none");
     write_png("own.png",
               made.image,
               "Kind = synthetic specimen\nPixel size = 0.8 um\n");
@@ -190,6 +203,88 @@ namespace
             }
         check(n_files == 0, "nothing is left half written");
       }
+  }
+
+  /** A bar of 200 pixels, 6 high, in a data bar: bright on dark or dark on
+   * bright, as long as the box holds its ends. */
+  void
+  check_scale_bars()
+  {
+    for (const bool bright : {true, false})
+      {
+        cv::Mat grey(512, 640, CV_32F, cv::Scalar(100.));
+        grey.rowRange(480, 512).setTo(bright ? 10. : 250.);
+        grey(cv::Rect(100, 500, 200, 6)).setTo(bright ? 250. : 10.);
+        const std::string claim =
+          std::string(bright ? "bright bar on dark" : "dark bar on bright");
+        check_close(
+          scale_bar_pixels(grey, {80, 490, 240, 20}, "a"), 200., 1e-12, claim);
+        for (const cv::Rect &box : {cv::Rect(150, 490, 100, 20),
+                                    cv::Rect(150, 490, 240, 20),
+                                    cv::Rect(60, 490, 240, 20)})
+          check_throws<InputError>([&]() { scale_bar_pixels(grey, box, "a"); },
+                                   "border",
+                                   claim + " that the box cuts");
+        check_throws<InputError>(
+          [&]() {
+            scale_bar_pixels(grey, {400, 490, 200, 20}, "a");
+          },
+          "no bar",
+          "no bar where there is none");
+      }
+  }
+
+  /** What two statements of one run would contradict is refused. */
+  void
+  check_registration_by_points(const std::string &program)
+  {
+    cv::Mat plain(480, 640, CV_8U, cv::Scalar(90));
+    for (const char *name : {"field_1.png", "field_2.png"})
+      write_png(name, plain);
+    const auto errors_of = [&](const std::string &images,
+                               const std::string &pixel) {
+      write("points.prm",
+            "set Analysis = segmentation\nset Overwrite = true\n"
+            "set Output directory = points\nset Images = " +
+              images + "\nset Pixel size = " + pixel +
+              "\nsubsection Segmentation\n  set Registration = points\n"
+              "  set Image points = 0, 0, 640, 0, 0, 480\n"
+              "  set Pad points = -0.64, -0.48, 0.64, -0.48, -0.64, 0.48\n"
+              "  set Pad size = 4, 4\n  set Cells = 4, 4\nend\n");
+      const int status =
+        std::system((program + " points.prm > out.txt 2> err.txt").c_str());
+      const std::string text = read("err.txt");
+      check((status == 0) == text.empty(), "an error has its line: " + text);
+      return text;
+    };
+    check(errors_of("field_1.png", "2").empty(), "2 um and 2 um agree");
+    check(errors_of("field_1.png", "1").find("but by 'Image points'") !=
+            std::string::npos,
+          "1 um and 2 um do not");
+    check(errors_of("field_?.png", "2").find("is for one image") !=
+            std::string::npos,
+          "one set of points lays one image");
+  }
+
+  /** Element maps keep their numbers; colours are none. */
+  void
+  check_element_maps()
+  {
+    cv::imwrite("counts.png", cv::Mat(64, 64, CV_16U, cv::Scalar(1000)));
+    check_close(read_element_map("counts.png").at<float>(5, 5),
+                1000.,
+                1e-12,
+                "counts of 16 bit");
+    cv::imwrite("colours.png",
+                cv::Mat(64, 64, CV_8UC3, cv::Scalar(200, 20, 30)));
+    check_throws<InputError>([]() { read_element_map("colours.png"); },
+                             "colours",
+                             "a map in colours is refused");
+    cv::imwrite("grey.png", cv::Mat(64, 64, CV_8UC3, cv::Scalar(7, 7, 7)));
+    check_close(read_element_map("grey.png").at<float>(5, 5),
+                7.,
+                1e-12,
+                "a grey map in three channels");
   }
 
   /** Images that a wildcard does not reach are named. */

@@ -89,6 +89,14 @@ namespace
         "end\n");
     run("set Images = frame_?.png\nset Output directory = mosaic\n" + pad +
         "  set Mosaic = true\nend\n");
+    write_png("narrow.png", cv::Mat(64, 256, CV_8U, cv::Scalar(9)));
+    write_text("narrow.prm",
+               "include test.prm\nsubsection Segmentation\n"
+               "  set Element maps = narrow.png\nend\n");
+    const Outcome narrow = run_program({program, "narrow.prm"});
+    check(narrow.code != 0 &&
+            narrow.errors.find("has its shape") != std::string::npos,
+          "a map of another shape is refused: " + narrow.errors);
     const cv::Mat joined = read_grey("mosaic/mosaic.png");
     check(std::abs(joined.cols - 1024) <= 1 && std::abs(joined.rows - 768) <= 1,
           "the mosaic has the size of the picture");

@@ -256,14 +256,44 @@ namespace
     std::sort(means.begin() + 15, means.end(), std::greater<double>());
     check_close(p_of(means) / p, 1., 1e-12, "whatever their order");
   }
+
+  /** Rows of images: a pad's are known from its centre on, however near that
+   * is, and several images without a pad lie nowhere. */
+  void
+  rows_of_images()
+  {
+    const auto write = [](const std::vector<std::string> &images) {
+      std::ofstream out("features.csv");
+      out << "image,x_m,y_m,coverage,feature\n";
+      for (const std::string &image : images)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+            out << image << "," << place(i) << "," << place(j) << ",1,"
+                << value(i, j) << "\n";
+    };
+    // Half a cell beside the centre: the features would reach a border.
+    write_damage(0.4e-3, 0.);
+    write({"field", "pad"});
+    const PadMaps pad = read();
+    Worst         difference;
+    for (std::size_t k = 0; k < n * n; ++k)
+      difference.add(std::abs(pad.features.at("feature").values[k] -
+                              pad.indices.at("index").values[k]));
+    check_within(difference, 1e-12, "cells of a pad beside the centre");
+    write({"field_1", "field_2"});
+    check_throws<InputError>([]() { read(); },
+                             "none laid on the pad",
+                             "two images without a pad are refused");
+    write({"field_1"});
+    check(read().features.size() == 1, "one image is read");
+  }
 } // namespace
-
-
 
 int
 main()
 {
   shifts();
+  rows_of_images();
   rows_of_a_cell();
   covariates();
   nowhere();

@@ -14,14 +14,16 @@
 namespace squeal
 {
   /**
-   * Contact state of a pair: the status of every contact point and the share
-   * of the normal force it carries (sums to one over the closed points). One
-   * type for the linearised operators and for the contact solvers.
+   * Contact state of a pair: the status of every contact point and the normal
+   * force it carries, as a share of the pair's `Normal force` (sums to one over
+   * the closed points) or, of a contact that loads press, in N. One type for
+   * the linearised operators and for the contact solvers.
    */
   struct ContactState
   {
     std::vector<ContactStatus> status;
     std::vector<double>        force_share;
+    bool                       in_newtons = false; /**< of @p force_share */
   };
 
   /** Contact states of one pair, of which the scene's `state_number` tells the

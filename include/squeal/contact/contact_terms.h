@@ -34,7 +34,7 @@ namespace squeal
 
   /**
    * The slip-rate terms of the friction law alone (transverse slip and slope),
-   * with normal forces @p state.force_share times the pair's normal force.
+   * with the normal forces of @p state.
    */
   void add_slip_rate_terms(const SceneParameters &scene,
                            const unsigned int     number,

@@ -125,6 +125,10 @@ namespace squeal
   double sliding_slope(const ContactParameters &contact,
                        const double             speed_ratio);
 
+  /** True where the matrices hold the normal forces of the contact: damping
+   * across the sliding, or a coefficient that depends on the slip rate. */
+  bool has_slip_rate_terms(const ContactParameters &contact);
+
   /** What @p value gives at each @p speed_ratio as shares of the largest; all
    * one where all are zero. */
   NodalShares shares_of_largest(const std::function<double(double)> &value,

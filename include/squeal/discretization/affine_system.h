@@ -42,6 +42,7 @@ namespace squeal
     std::string                                              name;
     std::shared_ptr<const LinearOperator>                    matrix;
     std::function<TermCoefficients(const SceneParameters &)> coefficients;
+    bool is_friction = false; /**< whether its forces are those of friction */
   };
 
   /**
@@ -53,6 +54,9 @@ namespace squeal
     std::shared_ptr<const RowSpace> space;
     std::vector<AffineTerm>         terms;
   };
+
+  /** The terms whose forces are those of friction. */
+  AffineSystem friction_terms(const AffineSystem &system);
 
   /** Stiffness, mass and turning terms of all bodies, springs, dashpots and
    * lumped masses of a scene (everything but contact). */

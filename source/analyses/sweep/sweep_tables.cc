@@ -18,7 +18,8 @@ namespace squeal
     using Complex = std::complex<double>;
     using Type    = Table::Type;
 
-    /** -2 pi Im(x^H K_f x) over |lambda|^2 x^H M x, with x^H M x = 1. */
+    /** -2 pi Im(x^H (K_f + lambda C_f) x) over |lambda|^2 x^H M x, with
+     * x^H M x = 1. */
     std::vector<double>
     friction_energies(const SweepModel                    &model,
                       const std::vector<TermCoefficients> &coefficients,
@@ -27,7 +28,8 @@ namespace squeal
       std::vector<double> result(pairs.size(), 0.);
       for (std::size_t p = 0; p < coefficients.size(); ++p)
         {
-          if (model.symmetric_parts()[p] || coefficients[p].is_zero())
+          if (!model.system().merged().terms[p].is_friction ||
+              coefficients[p].is_zero())
             continue;
           const Eigen::MatrixXcd F =
             times(model.reduced().parts[p], pairs.right);

@@ -451,16 +451,11 @@ namespace squeal
 
 
   ComplexPairs
-  whole_model_pairs(const Parameters                 &given,
+  whole_model_pairs(const Parameters                 &parameters,
                     const std::vector<ContactStates> &states,
                     RunLog                           &log,
                     Timers                           &timers)
   {
-    // Shares of the nodes are forces in N where there is no reference.
-    Parameters parameters = given;
-    for (auto &contact : parameters.scene.contacts)
-      if (contact.normal_force == 0.)
-        contact.normal_force = 1.;
     Model        model(parameters, timers, states);
     ModeSolution modes = solve_modes(model, log, timers);
     return solve_cea(model, modes, log, timers).pairs;

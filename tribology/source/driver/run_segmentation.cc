@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
@@ -24,13 +25,22 @@ namespace squeal::tribology
     using R = SegmentationParameters::Registration;
     using V = SegmentationParameters::View;
 
+    /** Two statements of the size of a pixel may differ by so much. */
+    constexpr double scale_agreement = 0.05;
+
+    /** The shapes (width over height) of a map and its view by so much. */
+    constexpr double shape_agreement = 0.02;
+
+    /** Two octaves reach nine pixels, six 144. */
+    constexpr unsigned int most_octaves = 6;
+
     SegmentationSettings
     settings_of(const SegmentationParameters &p, const double pixel_size)
     {
       SegmentationSettings s;
-      // Two octaves reach nine pixels.
-      const double width = p.largest_width / pixel_size;
-      while (s.n_octaves < 6 && width > 4.5 * std::pow(2., s.n_octaves - 1))
+      const double         width = p.largest_width / pixel_size;
+      while (s.n_octaves < most_octaves &&
+             width > 4.5 * std::pow(2., s.n_octaves - 1))
         ++s.n_octaves;
       if (p.smallest_area > 0.)
         s.areas.smallest_area = p.smallest_area / (pixel_size * pixel_size);
@@ -138,12 +148,40 @@ namespace squeal::tribology
         read_masks(p.masks, "Masks", crack_marks);
         read_masks(p.area_masks, "Area masks", area_marks);
         if (p.registration == R::points)
-          by_points = fit_placement(points_of(p.image_points, 1.),
-                                    points_of(p.pad_points, 1e3),
-                                    p.transform);
+          place_by_points();
         if (p.registration == R::stage)
           for (const Micrograph &m : images)
             place_by_stage(m);
+      }
+
+      /** One set of points belongs to one image, and both ways to tell the
+       * size of a pixel have to agree. */
+      void
+      place_by_points()
+      {
+        if (images.size() > 1 && !p.mosaic)
+          throw InputError(
+            "Segmentation/Registration = points: one set of 'Image points' is "
+            "for one image, and there are " +
+            std::to_string(images.size()) +
+            ": run each by itself, or take 'Registration = stage'");
+        by_points = fit_placement(points_of(p.image_points, 1.),
+                                  points_of(p.pad_points, 1e3),
+                                  p.transform);
+        // Of a homography, at the middle of the image.
+        const cv::Point2d middle(0.5 * cv::Point2d(images[0].frame.size()));
+        const cv::Point2d origin = by_points(middle),
+                          x = by_points(middle + cv::Point2d(1., 0.)) - origin,
+                          y = by_points(middle + cv::Point2d(0., 1.)) - origin;
+        const double by_registration = std::sqrt(std::abs(x.cross(y)));
+        const double stated          = images[0].pixel_size;
+        if (!(std::abs(by_registration / stated - 1.) <= scale_agreement))
+          throw InputError(images[0].path + ": a pixel is " +
+                           rounded_text(stated, 4) + " um (" +
+                           images[0].scale_source +
+                           "), but by 'Image points' and 'Pad points' " +
+                           rounded_text(by_registration, 4) +
+                           " um: one of them is wrong (pixels, mm on the pad)");
       }
 
       /** The marks of each image. */
@@ -248,11 +286,26 @@ namespace squeal::tribology
       }
 
       void
+      warn_of_width(const Micrograph &m) const
+      {
+        const double reach = 4.5 * std::pow(2., most_octaves - 1);
+        if (p.largest_width > reach * m.pixel_size)
+          context.log.warning(
+            m.path + ": cracks wider than " +
+            rounded_text(reach * m.pixel_size, 3) + " um (" +
+            rounded_text(reach, 3) +
+            " pixels) are not looked for, although 'Largest crack width' is " +
+            rounded_text(p.largest_width, 3) +
+            " um: give the image with larger pixels");
+      }
+
+      void
       process(const std::size_t i)
       {
         const Micrograph &m = images[i];
         SegmentedImage    entry;
         Segmentation      found;
+        warn_of_width(m);
         {
           Timers::Section section(context.timers, "Solve: segment images");
           found = segment(m.grey(m.frame), settings_of(p, m.pixel_size));
@@ -302,6 +355,32 @@ namespace squeal::tribology
         record.images.push_back(entry);
       }
 
+      /** An element map with the pixels of the frame of @p m. It may show the
+       * data bar or not: its shape tells. */
+      cv::Mat
+      on_frame(const std::string &path, const Micrograph &m) const
+      {
+        cv::Mat values =
+          read_element_map(path, context.parameters.images.largest_image);
+        const auto has_shape_of = [&](const cv::Size &size) {
+          return std::abs(values.cols * double(size.height) /
+                            (values.rows * double(size.width)) -
+                          1.) <= shape_agreement;
+        };
+        const cv::Size whole = m.grey.size(), frame = m.frame.size();
+        if (!has_shape_of(whole) && !has_shape_of(frame))
+          throw InputError(path + " has " + std::to_string(values.cols) +
+                           " x " + std::to_string(values.rows) +
+                           " pixels, the view of " + m.path + " " +
+                           std::to_string(whole.width) + " x " +
+                           std::to_string(whole.height) +
+                           ": an element map of that view has its shape");
+        const bool with_bar = has_shape_of(whole);
+        cv::resize(
+          values, values, with_bar ? whole : frame, 0., 0., cv::INTER_AREA);
+        return with_bar ? values(m.frame) : values;
+      }
+
       void
       gather(const Micrograph   &m,
              const Segmentation &found,
@@ -315,11 +394,9 @@ namespace squeal::tribology
         if (is_first)
           for (const std::string &path : p.element_maps)
             {
-              cv::Mat values =
-                read_grey(path, context.parameters.images.largest_image);
-              cv::resize(values, values, m.grey.size(), 0., 0., cv::INTER_AREA);
-              grid.add_covariate(
-                std::filesystem::path(path).stem(), values(m.frame), placement);
+              grid.add_covariate(std::filesystem::path(path).stem(),
+                                 on_frame(path, m),
+                                 placement);
             }
         if (!pad)
           append(own, m.stem);

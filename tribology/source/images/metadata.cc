@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace squeal::tribology
@@ -19,6 +20,37 @@ namespace squeal::tribology
     constexpr unsigned int fei_tags[]      = {34680, 34682};
     constexpr unsigned int zeiss_tag       = 34118;
     constexpr unsigned int description_tag = 270;
+
+    /** A number with a decimal comma, as microscopes of some countries write,
+     * with a point. */
+    std::string
+    with_decimal_point(std::string text)
+    {
+      const std::size_t comma = text.find(',');
+      if (comma != std::string::npos && comma > 0 && comma + 1 < text.size() &&
+          std::isdigit(text[comma - 1]) && std::isdigit(text[comma + 1]) &&
+          text.find('.') == std::string::npos)
+        text[comma] = '.';
+      return text;
+    }
+
+    /** What @p word stands for in um, @p usual where there is none; nothing of
+     * a word that is no unit. */
+    std::optional<double>
+    unit_of_length(const std::string &word, const double usual)
+    {
+      const std::map<std::string, double> units = {{"", usual},
+                                                   {"pm", 1e-6},
+                                                   {"nm", 1e-3},
+                                                   {"um", 1.},
+                                                   {"\xb5m", 1.},
+                                                   {"\xc2\xb5m", 1.},
+                                                   {"mm", 1e3},
+                                                   {"m", 1e6}};
+      const auto                          found = units.find(word);
+      return found == units.end() ? std::nullopt
+                                  : std::optional<double>(found->second);
+    }
 
     /** The number after "@p key = " on a line of its own, times the unit that
      * follows it, in um; @p unit (um) where the file names none. */
@@ -38,21 +70,18 @@ namespace squeal::tribology
           name.erase(name.find_last_not_of(" \t") + 1);
           if (name != key)
             continue;
-          char        *end   = nullptr;
-          const char  *begin = line.c_str() + sign + 1;
-          const double value = std::strtod(begin, &end);
+          const std::string number = with_decimal_point(line.substr(sign + 1));
+          char             *end    = nullptr;
+          const char       *begin  = number.c_str();
+          const double      value  = std::strtod(begin, &end);
           if (end == begin || !std::isfinite(value))
             return std::nullopt;
           std::string word;
           std::istringstream(end) >> word;
-          const double factor =
-            word == "nm"                                             ? 1e-3
-            : word == "pm"                                           ? 1e-6
-            : word == "mm"                                           ? 1e3
-            : word == "m"                                            ? 1e6
-            : word == "um" || word == "\xb5m" || word == "\xc2\xb5m" ? 1.
-                                                                     : unit;
-          return value * factor;
+          const auto factor = unit_of_length(word, unit);
+          if (!factor)
+            return std::nullopt;
+          return value * *factor;
         }
       return std::nullopt;
     }

@@ -114,6 +114,27 @@ namespace squeal::tribology
 
 
 
+  cv::Mat
+  read_element_map(const std::string &path, const double largest)
+  {
+    cv::Mat values;
+    read_raw(path, largest).convertTo(values, CV_32F);
+    const std::string data  = read_file(path);
+    const cv::Mat     whole = cv::imdecode(
+      cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(data.data())),
+      cv::IMREAD_ANYDEPTH | cv::IMREAD_COLOR);
+    cv::Mat channels[3];
+    cv::split(whole, channels);
+    if (cv::norm(channels[0], channels[1], cv::NORM_INF) > 0. ||
+        cv::norm(channels[0], channels[2], cv::NORM_INF) > 0.)
+      throw InputError(path + " is a map in colours, which hold no numbers: "
+                              "save the counts of the element as a grey "
+                              "image");
+    return values;
+  }
+
+
+
   int
   rows_above_data_bar(const cv::Mat &grey)
   {
@@ -135,6 +156,46 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** True where most pixels at the border of a mask are set. */
+    bool
+    most_of_border(const cv::Mat &mask)
+    {
+      const int n_set = cv::countNonZero(mask.row(0)) +
+                        cv::countNonZero(mask.row(mask.rows - 1)) +
+                        cv::countNonZero(mask.col(0)) +
+                        cv::countNonZero(mask.col(mask.cols - 1));
+      return n_set > mask.rows + mask.cols;
+    }
+
+    /** Pixels in a row that are set. */
+    struct Run
+    {
+      int first = 0, length = 0;
+    };
+
+    Run
+    longest_run(const cv::Mat &mask)
+    {
+      Run longest;
+      for (int y = 0; y < mask.rows; ++y)
+        {
+          Run run;
+          for (int x = 0; x < mask.cols; ++x)
+            {
+              if (mask.at<unsigned char>(y, x) == 0)
+                run = {x + 1, 0};
+              else if (++run.length > longest.length)
+                longest = run;
+            }
+        }
+      return longest;
+    }
+  } // namespace
+
+
+
   double
   scale_bar_pixels(const cv::Mat     &grey,
                    const cv::Rect    &box,
@@ -145,21 +206,16 @@ namespace squeal::tribology
     double        low, high;
     const cv::Mat part = grey(box);
     cv::minMaxLoc(part, &low, &high);
-    const float middle  = float(0.5 * (low + high));
-    int         longest = 0;
-    for (int y = 0; y < part.rows; ++y)
-      {
-        int run = 0;
-        for (int x = 0; x < part.cols; ++x)
-          {
-            run     = part.at<float>(y, x) > middle ? run + 1 : 0;
-            longest = std::max(longest, run);
-          }
-      }
-    if (longest < 10 || high - low < 30.)
-      throw InputError(path + ": there is no bright bar in the box of "
-                              "'Scale bar'");
-    return longest;
+    const cv::Mat bright = part > 0.5 * (low + high);
+    const cv::Mat bar    = most_of_border(bright) ? cv::Mat(~bright) : bright;
+    const Run     run    = longest_run(bar);
+    if (run.length < 10 || high - low < 30.)
+      throw InputError(path + ": there is no bar in the box of 'Scale bar'");
+    if (run.first == 0 || run.first + run.length == part.cols)
+      throw InputError(path + ": the bar reaches the left or the right border "
+                              "of the box of 'Scale bar': draw the box wider "
+                              "than the bar, with its background around it");
+    return run.length;
   }
 
 

@@ -99,7 +99,8 @@ namespace squeal::tribology
       schema.add("Scale bar box",
                  s.scale_bar_box,
                  Allowed::list(Allowed::integer(0), 0, 4),
-                 "x, y, width and height of a box around the scale bar.");
+                 "x, y, width and height of a box around the scale bar, "
+                 "wider than the bar.");
       schema.add("Scale bar length",
                  s.scale_bar_length,
                  Allowed::number(0.),
@@ -115,8 +116,9 @@ namespace squeal::tribology
       schema.add("Element maps",
                  s.element_maps,
                  Allowed::list(Allowed::file()),
-                 "Element maps of the same view as the first image; the mean "
-                 "of each cell becomes a column named like the file.");
+                 "Element maps, grey images, of the same view as the first "
+                 "image or, with 'Mosaic', as all of them joined; the mean of "
+                 "each cell becomes a column named like the file.");
       declare_masks(schema, s);
       schema.leave_section();
     }

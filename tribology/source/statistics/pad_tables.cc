@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 #include <tuple>
 
 namespace squeal::tribology
@@ -107,17 +108,39 @@ namespace squeal::tribology
 
     /** Rows of a table of features that count: those of the whole pad where
      * there are such, else all. */
-    std::vector<std::size_t>
-    rows_of_pad(const Table &table)
+    struct PadRows
     {
-      std::vector<std::size_t> all, of_pad;
+      std::vector<std::size_t> rows;
+      bool of_pad = false; /**< placed from the centre of the pad on */
+    };
+
+    /** Throws InputError where several images have not been laid on the pad:
+     * each is known from its own centre on. */
+    PadRows
+    rows_of_pad(const Table &table, const std::string &file)
+    {
+      PadRows               all, pad;
+      std::set<std::string> images;
+      pad.of_pad = true;
       for (std::size_t row = 0; row < table.n_rows(); ++row)
         {
-          all.push_back(row);
-          if (table.has_column("image") && table.text(row, "image") == "pad")
-            of_pad.push_back(row);
+          all.rows.push_back(row);
+          if (!table.has_column("image"))
+            continue;
+          const std::string image = table.text(row, "image");
+          images.insert(image);
+          if (image == "pad")
+            pad.rows.push_back(row);
         }
-      return of_pad.empty() ? all : of_pad;
+      if (!pad.rows.empty())
+        return pad;
+      if (images.size() > 1)
+        throw InputError(file + ": its rows are of " +
+                         std::to_string(images.size()) + " images ('" +
+                         *images.begin() + "', '" + *std::next(images.begin()) +
+                         "', ...), none laid on the pad: segment them with "
+                         "'Registration', or give a table of one image");
+      return all;
     }
 
 
@@ -146,15 +169,17 @@ namespace squeal::tribology
 
     /** What takes places of features to those of the nodes. Images are known
      * from the centre of the pad on; a transient's nodes stand where the pad
-     * stands on the disc. Zero where all features lie on the face as they are.
+     * stands on the disc. Zero where all features lie on the face as they are,
+     * unless the table says that they are known from the centre on.
      */
     std::array<double, 2>
     pad_centre(const std::vector<std::array<double, 3>> &points,
                const Table                              &features,
-               const std::vector<std::size_t>           &rows)
+               const std::vector<std::size_t>           &rows,
+               const bool                                from_centre)
     {
       std::array<double, 2> centre{{0., 0.}};
-      bool                  is_beside = false;
+      bool                  is_beside = from_centre;
       for (const int axis : {0, 1})
         {
           const auto [lower, upper] = std::minmax_element(
@@ -240,10 +265,10 @@ namespace squeal::tribology
             throw InputError("'" + damage_file + "': the index '" + name +
                              "' is not known in every cell");
         }
-      const std::vector<std::size_t> rows = rows_of_pad(features);
-      std::vector<std::size_t>       nodes;
-      std::vector<double>            coverages;
-      const auto centre = pad_centre(points, features, rows);
+      const auto [rows, of_pad] = rows_of_pad(features, feature_file);
+      std::vector<std::size_t> nodes;
+      std::vector<double>      coverages;
+      const auto centre = pad_centre(points, features, rows, of_pad);
       for (const std::size_t row : rows)
         {
           nodes.push_back(

@@ -95,10 +95,12 @@ namespace squeal::tribology
       Scaled result;
       result.variance = scale * shape + floor;
       result.resolved = (scale * shape) / result.variance.array();
+      // Not Eigen's log(): its vector form makes the compiler warn.
+      double sum = 0.;
+      for (Eigen::Index i = 0; i < energy.size(); ++i)
+        sum += std::log(result.variance[i]) + energy[i] / result.variance[i];
       result.likelihood =
-        -.5 * (result.variance.array().log() + energy / result.variance.array())
-                .sum() -
-        .5 * std::log(result.resolved.squaredNorm());
+        -.5 * sum - .5 * std::log(result.resolved.squaredNorm());
       return result;
     }
   } // namespace

@@ -56,13 +56,20 @@ namespace squeal::tribology
   cv::Mat read_grey(const std::string &path,
                     double             largest = usual_largest_image);
 
+  /** The numbers of an element map as stored, CV_32F. Throws InputError as
+   * read_raw() does, and where the image has colours. */
+  cv::Mat read_element_map(const std::string &path,
+                           double             largest = usual_largest_image);
+
   /** Rows above a data bar at the bottom; all rows when there is none. A data
    * bar is at least 2 and at most 20 percent of the height and has one and the
    * same value in more than half of each row. */
   int rows_above_data_bar(const cv::Mat &grey);
 
-  /** Pixels of the longest bright horizontal run in the box. Throws InputError
-   * when there is no bar. */
+  /** Pixels of the longest horizontal run in the box that differs from the
+   * background at the border of the box: a bright bar on dark or a dark one on
+   * bright. Throws InputError when there is no bar, or when it reaches the left
+   * or the right border, where nobody can tell how long it is. */
   double scale_bar_pixels(const cv::Mat     &grey,
                           const cv::Rect    &box,
                           const std::string &path);
