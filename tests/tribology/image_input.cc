@@ -377,7 +377,12 @@ main(int argc, char **argv)
   check_missed_images();
   check_messages();
   check_damaged_pixels();
+  check_scale_bars();
+  check_element_maps();
   if (argc > 1)
-    check_refusals(argv[1]);
+    {
+      check_refusals(argv[1]);
+      check_registration_by_points(argv[1]);
+    }
   return 0;
 }
