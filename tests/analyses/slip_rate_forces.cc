@@ -23,7 +23,8 @@ namespace
   std::string
   pressed_brake()
   {
-    return small_brake + R"(
+    write_text("small.prm", small_brake);
+    return R"(include small.prm
 set Overwrite = true
 subsection Scene
   set Loads = press
@@ -42,6 +43,9 @@ subsection Scene
 end
 subsection Discretization
   set Estimate error = false
+end
+subsection Eigenvalues
+  set Highest frequency = 20000
 end
 )";
   }
@@ -103,19 +107,18 @@ end
       "subsection Sweep\n  set Axes = mu\n  set Sigma tolerance = 0.01\n"
       "  subsection Axis mu\n"
       "    set Entries = Scene/Contact pad_disc/Friction coefficient\n"
-      "    set Scale = list\n    set Values = 0.05, 0.3, 0.6\n  end\nend\n";
-    const Table swept = pairs_of(replaced_in(pressed_brake(),
-                                             "set Analysis         = cea",
-                                             "set Analysis         = sweep") +
-                                   axis,
-                                 {});
-    for (const double mu : {0.05, 0.3, 0.6})
+      "    set Scale = list\n    set Values = 0.05, 0.3, 0.4\n  end\nend\n";
+    const Table swept =
+      pairs_of(pressed_brake() + "set Analysis = sweep\n" + axis, {});
+    for (const double mu : {0.05, 0.3, 0.4})
       {
         const Table alone =
           pairs_of(pressed_brake(),
                    {"Scene/Contact pad_disc/Friction coefficient = " +
                     std::to_string(mu)});
-        unsigned int n = 0;
+        unsigned int n = 0, n_all = 0;
+        for (std::size_t r = 0; r < alone.n_rows(); ++r)
+          n_all += alone.real(r, "frequency_hz") > 0.;
         for (std::size_t r = 0; r < alone.n_rows(); ++r)
           for (std::size_t s = 0; s < swept.n_rows(); ++s)
             if (swept.real(s, "mu") == mu &&
@@ -125,9 +128,9 @@ end
                 std::abs(swept.real(s, "sigma_per_s") -
                          alone.real(r, "sigma_per_s")) < 0.02)
               ++n;
-        check(n == alone.n_rows() && n > 0,
+        check(n == n_all && n > 3,
               "the sweep has the pairs of mu = " + std::to_string(mu) + ": " +
-                std::to_string(n) + " of " + std::to_string(alone.n_rows()));
+                std::to_string(n) + " of " + std::to_string(n_all));
       }
   }
 

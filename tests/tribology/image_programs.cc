@@ -91,7 +91,8 @@ namespace
         "  set Mosaic = true\nend\n");
     write_png("narrow.png", cv::Mat(64, 256, CV_8U, cv::Scalar(9)));
     write_text("narrow.prm",
-               "include test.prm\nsubsection Segmentation\n"
+               "include test.prm\nset Output directory = narrow\n"
+               "subsection Segmentation\n"
                "  set Element maps = narrow.png\nend\n");
     const Outcome narrow = run_program({program, "narrow.prm"});
     check(narrow.code != 0 &&

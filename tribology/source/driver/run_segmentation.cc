@@ -89,6 +89,9 @@ namespace squeal::tribology
         read();
         if (p.mosaic)
           join();
+        read_element_maps();
+        if (p.mosaic)
+          write_png(context.output.file("mosaic.png"), bytes(images[0].grey));
         if (p.registration != R::none)
           pad.emplace(cv::Size2d(1e3 * p.pad_size[0], 1e3 * p.pad_size[1]),
                       p.cells[0],
@@ -254,7 +257,41 @@ namespace squeal::tribology
         record.mosaic_refined    = mosaic.n_refined;
         record.mosaic_correction = mosaic.correction * s;
         images                   = {m};
-        write_png(context.output.file("mosaic.png"), bytes(mosaic.grey));
+      }
+
+      /** An element map with the pixels of the frame of @p m. It may show the
+       * data bar or not: its shape tells. */
+      cv::Mat
+      on_frame(const std::string &path, const Micrograph &m) const
+      {
+        cv::Mat values =
+          read_element_map(path, context.parameters.images.largest_image);
+        const auto has_shape_of = [&](const cv::Size &size) {
+          return std::abs(values.cols * double(size.height) /
+                            (values.rows * double(size.width)) -
+                          1.) <= shape_agreement;
+        };
+        const cv::Size whole = m.grey.size(), frame = m.frame.size();
+        if (!has_shape_of(whole) && !has_shape_of(frame))
+          throw InputError(path + " has " + std::to_string(values.cols) +
+                           " x " + std::to_string(values.rows) +
+                           " pixels, the view of " + m.path + " " +
+                           std::to_string(whole.width) + " x " +
+                           std::to_string(whole.height) +
+                           ": an element map of that view has its shape");
+        const bool with_bar = has_shape_of(whole);
+        cv::resize(
+          values, values, with_bar ? whole : frame, 0., 0., cv::INTER_AREA);
+        return with_bar ? values(m.frame) : values;
+      }
+
+      /** Of the first image, or of all joined. */
+      void
+      read_element_maps()
+      {
+        for (const std::string &path : p.element_maps)
+          element_maps.emplace_back(std::filesystem::path(path).stem(),
+                                    on_frame(path, images[0]));
       }
 
       static cv::Mat
@@ -355,32 +392,6 @@ namespace squeal::tribology
         record.images.push_back(entry);
       }
 
-      /** An element map with the pixels of the frame of @p m. It may show the
-       * data bar or not: its shape tells. */
-      cv::Mat
-      on_frame(const std::string &path, const Micrograph &m) const
-      {
-        cv::Mat values =
-          read_element_map(path, context.parameters.images.largest_image);
-        const auto has_shape_of = [&](const cv::Size &size) {
-          return std::abs(values.cols * double(size.height) /
-                            (values.rows * double(size.width)) -
-                          1.) <= shape_agreement;
-        };
-        const cv::Size whole = m.grey.size(), frame = m.frame.size();
-        if (!has_shape_of(whole) && !has_shape_of(frame))
-          throw InputError(path + " has " + std::to_string(values.cols) +
-                           " x " + std::to_string(values.rows) +
-                           " pixels, the view of " + m.path + " " +
-                           std::to_string(whole.width) + " x " +
-                           std::to_string(whole.height) +
-                           ": an element map of that view has its shape");
-        const bool with_bar = has_shape_of(whole);
-        cv::resize(
-          values, values, with_bar ? whole : frame, 0., 0., cv::INTER_AREA);
-        return with_bar ? values(m.frame) : values;
-      }
-
       void
       gather(const Micrograph   &m,
              const Segmentation &found,
@@ -392,12 +403,8 @@ namespace squeal::tribology
         CellGrid &grid = pad ? *pad : own;
         grid.add(found, placement, sliding);
         if (is_first)
-          for (const std::string &path : p.element_maps)
-            {
-              grid.add_covariate(std::filesystem::path(path).stem(),
-                                 on_frame(path, m),
-                                 placement);
-            }
+          for (const auto &[name, values] : element_maps)
+            grid.add_covariate(name, values, placement);
         if (!pad)
           append(own, m.stem);
       }
@@ -460,8 +467,9 @@ namespace squeal::tribology
       std::vector<std::vector<Marks>> crack_marks, area_marks; // of each image
       Placement                       by_points;
       std::optional<CellGrid>         pad;
-      Table                           cells;
-      SegmentationRecord              record;
+      std::vector<std::pair<std::string, cv::Mat>> element_maps;
+      Table                                        cells;
+      SegmentationRecord                           record;
     };
   } // namespace
 
