@@ -30,6 +30,13 @@ namespace squeal
       return false;
     }
 
+    bool
+    are_equal(const TermCoefficients &a, const TermCoefficients &b)
+    {
+      return a.mass == b.mass && a.damping == b.damping &&
+             a.stiffness == b.stiffness;
+    }
+
     /** The parts whose coefficients change along axis @p a from @p point. */
     void
     add_changed_parts(const SweepGrid        &grid,
@@ -45,9 +52,7 @@ namespace squeal
           point[a]       = x;
           const auto now = system.coefficients(point);
           for (std::size_t i = 0; i < now.size(); ++i)
-            if (now[i].mass != first[i].mass ||
-                now[i].damping != first[i].damping ||
-                now[i].stiffness != first[i].stiffness)
+            if (!are_equal(now[i], first[i]))
               parts.insert(i);
         }
     }
@@ -89,6 +94,34 @@ namespace squeal
     }
 
 
+
+    /** Whether a tenth more of entry @p e beside the axes changes anything; one
+     * that is 0 has no tenth. */
+    bool
+    acts_beside(const SweepGrid        &grid,
+                const ParametricSystem &system,
+                const unsigned int      e)
+    {
+      const unsigned int n_own  = grid.entries().size();
+      const SweepPoint   centre = grid.spread(1).back();
+      if (grid.entry_value(centre, n_own + e) == 0.)
+        return true;
+      for (const double share : {0., .5, 1.})
+        {
+          SweepPoint point(grid.n_axes());
+          for (unsigned int b = 0; b < grid.n_axes(); ++b)
+            point[b] = grid.lower(b) + share * (grid.upper(b) - grid.lower(b));
+          const auto before = system.coefficients(point);
+          const auto after =
+            system.coefficients(grid.scene(point, n_own + e, 1.1));
+          for (std::size_t i = 0; i < before.size(); ++i)
+            if (!are_equal(before[i], after[i]) &&
+                is_nonzero(*system.merged().terms[i].matrix,
+                           *system.merged().space))
+              return true;
+        }
+      return false;
+    }
 
     bool
     ends_with(const std::string &text, const std::string &end)
@@ -166,5 +199,13 @@ namespace squeal
           text << "; '" << entry << "': " << reason_of(scene, entry);
         throw InputError(text.str());
       }
+    for (unsigned int e = 0; e < grid.other_entries().size(); ++e)
+      if (!acts_beside(grid, system, e))
+        throw InputError(
+          "Sweep: '" + grid.other_entries()[e] +
+          "' is to be varied beside the axes, but neither mass nor damping nor "
+          "stiffness changes with it: " +
+          reason_of(grid.scene(grid.spread(1).back()),
+                    grid.other_entries()[e]));
   }
 } // namespace squeal
