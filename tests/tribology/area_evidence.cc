@@ -86,7 +86,7 @@ namespace
   void
   check_shown(const cv::Mat &mask, const std::string &what)
   {
-    const ImageStatistics s  = measure(segmentation_of(mask, 0.4, 1.), 1., 0.);
+    const ImageStatistics s  = measure(segmentation_of(mask, 0.4, 1.), 1., {});
     const double          is = cv::countNonZero(mask) / double(mask.total());
     std::printf("%s: %.3f %%, stated %.3f +- %.3f %%\n",
                 what.c_str(),
@@ -109,7 +109,7 @@ namespace
                   const std::string &what)
   {
     const ImageStatistics s =
-      measure(segmentation_of(mask, share, edge), 1., 0.);
+      measure(segmentation_of(mask, share, edge), 1., {});
     std::printf("%s: stated %.3f +- %.3f %%, dark without a rim %.3f %%\n",
                 what.c_str(),
                 100. * s.exfoliation_fraction,
@@ -131,7 +131,7 @@ namespace
     check_not_shown(disc({200, 150}, 45), 0.5, 20., "a place in the shade");
     check_not_shown(bar({60, 140, 280, 14}), 0.4, 1., "a band of grooves");
     check_not_shown(bar({0, 0, 16, 300}), 0.4, 1., "the border of a specimen");
-    const ImageStatistics none = measure(segment(surface()), 1., 0.);
+    const ImageStatistics none = measure(segment(surface()), 1., {});
     check(none.exfoliation_fraction == 0. && !none.shows_exfoliations() &&
             none.exfoliation_fraction_error > 0.,
           "nothing is 0, but not for certain");
@@ -144,7 +144,7 @@ namespace
   check_plateau()
   {
     const ImageStatistics s =
-      measure(segmentation_of(disc({200, 150}, 50), -0.2, 1.), 1., 0.);
+      measure(segmentation_of(disc({200, 150}, 50), -0.2, 1.), 1., {});
     check(s.plateau_fraction > 0.05, "a bright place is listed");
     check(s.plateau_fraction_error >= s.plateau_fraction,
           "with an error that holds that it is none");

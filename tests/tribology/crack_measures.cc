@@ -223,7 +223,7 @@ namespace
     cv::Mat        grey;
     made.image.convertTo(grey, CV_32F);
     const Segmentation    found = segment(grey);
-    const ImageStatistics s     = measure(found, 1., 0.);
+    const ImageStatistics s     = measure(found, 1., {});
     // cells of whole pixels from a corner of the image on; the last ones reach
     // beyond it
     const cv::Size2d size(5. * std::ceil(grey.cols / 5.),

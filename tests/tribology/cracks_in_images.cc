@@ -108,7 +108,7 @@ namespace
         const Segmentation    segmentation = segment(read_grey(file));
         const cv::Mat        &found        = segmentation.cracks.centre_line;
         const cv::Mat         ignored      = (mask > 100) & (mask < 200);
-        const ImageStatistics s            = measure(segmentation, 1., 0.);
+        const ImageStatistics s            = measure(segmentation, 1., {});
         const double          error        = 1e3 * s.crack_length_error;
         const double          stated       = 1e3 * s.crack_length;
         const double          seen         = length_of(found, ignored);
@@ -201,7 +201,7 @@ namespace
                   ? cv::Mat(cv::imread(path.string(), cv::IMREAD_GRAYSCALE) >= 200)
                   : cv::Mat(cv::Mat::zeros(grey.size(), CV_8U));
           const Segmentation    found = segment(grey);
-          const ImageStatistics s     = measure(found, 1., 0.);
+          const ImageStatistics s     = measure(found, 1., {});
           const double share = cv::countNonZero(truth) / double(truth.total());
           std::printf(
             "%-28s defect %5.2f %%, stated %5.2f +- %5.2f %%%s, "

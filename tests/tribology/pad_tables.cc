@@ -257,6 +257,39 @@ namespace
     check_close(p_of(means) / p, 1., 1e-12, "whatever their order");
   }
 
+  /** Means of pads weigh what was seen of the face; angles of lines are no
+   * features. */
+  void
+  means_of_pads()
+  {
+    write_damage(0., 0.);
+    {
+      std::ofstream out("features.csv");
+      out << "x_m,y_m,coverage,feature,crack_angle_deg\n";
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          out << place(i) << "," << place(j) << "," << (i == 0 ? .01 : 1.)
+              << "," << (i == 0 ? 1000. : 0.) << ",89\n";
+    }
+    CorrelationParameters p;
+    p.damage_tables  = {"damage.csv", "damage.csv"};
+    p.feature_tables = {"features.csv", "features.csv"};
+    p.groups         = {"silent", "squealing"};
+    p.indices        = {"index"};
+    const auto pads  = read_pads(p);
+    check(pads[0].features.size() == 1, "an angle of lines is no feature");
+    const auto groups = compare_groups(pads, p);
+    check(groups.size() == 1, "one feature of two groups");
+    check_close(groups[0].mean_silent,
+                1000. * .01 / 4.01,
+                1e-9,
+                "mean over what was seen");
+    p.features = {"crack_angle_deg"};
+    check_throws<InputError>([&]() { read_pads(p); },
+                             "crack_along_sliding",
+                             "an angle of lines is refused by name");
+  }
+
   /** Rows of images: those of the pad count where there are such, known from
    * its centre on, and several images without a pad lie nowhere. */
   void
@@ -303,6 +336,7 @@ main()
 {
   shifts();
   rows_of_images();
+  means_of_pads();
   rows_of_a_cell();
   covariates();
   nowhere();

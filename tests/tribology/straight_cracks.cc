@@ -95,7 +95,7 @@ namespace
     scene.cracks = cv::Mat::zeros(scene.grey.size(), CV_8U);
     darken_line(scene.grey, c - half, c + half, 2., 70.);
     cv::line(scene.cracks, c - half, c + half, 255);
-    const ImageStatistics s = measure(segment(scene.grey), 1., 0.);
+    const ImageStatistics s = measure(segment(scene.grey), 1., {});
     std::printf("a straight crack of %g px: recall %.3f, %.1f +- %.1f px\n",
                 length,
                 score(scene).recall,
@@ -121,7 +121,7 @@ namespace
     const cv::Point2d a(150., 200.), b(350., 260.);
     cv::Mat           grey = grainy_surface(random);
     darken_line(grey, a, b, 1., 12.);
-    const ImageStatistics s = measure(segment(grey), 1., 0.);
+    const ImageStatistics s = measure(segment(grey), 1., {});
     std::printf("a faint crack of 209 px: %.1f +- %.1f px\n",
                 1e3 * s.crack_length,
                 1e3 * s.crack_length_error);

@@ -45,7 +45,7 @@ namespace
         const cv::Rect frame(0, 0, grey.cols, rows_above_data_bar(grey));
         check(frame.height < grey.rows, "the data bar is found");
         const Segmentation found = segment(grey(frame));
-        const auto         s     = measure(found, pixel_size, CV_PI / 2.);
+        const auto         s     = measure(found, pixel_size, {CV_PI / 2.});
         const double       f1 =
           score_lines(found.cracks.centre_line, made.cracks(frame), 2.).f1();
         const double overlap =

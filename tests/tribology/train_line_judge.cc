@@ -235,7 +235,7 @@ namespace
   score(const Lesson &lesson, const LineJudge &judge)
   {
     const Segmentation    found = segment(lesson.grey, {}, judge);
-    const ImageStatistics s     = measure(found, 1., 0.);
+    const ImageStatistics s     = measure(found, 1., {});
     const LineScore       score =
       score_lines(found.cracks.centre_line, lesson.mask, 2.);
     std::printf("%-24s P %.3f R %.3f F1 %.3f, %d px, stated %.1f +- %.1f\n",

@@ -79,7 +79,8 @@ namespace squeal::tribology
     report.section("Damage");
     report.table(sums, "Over the whole face");
     report.figure(picture("damage_maps"),
-                  "Damage seen from the disc; the leading edge is below.");
+                  "Damage seen through the back of the pad; the leading "
+                  "edge is below.");
     report.figure(picture("range_mean"),
                   "Range-mean matrix of the node with the largest damage: "
                   "number of counted cycles of each range and mean of the " +

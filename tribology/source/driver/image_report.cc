@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/driver/image_report.h>
+#include <squeal/tribology/images/line_length.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -144,7 +145,7 @@ namespace squeal::tribology
           table.add_row({l.image->stem,
                          pixels[pixels.size() / 2].x,
                          pixels[pixels.size() / 2].y,
-                         l.image->pixel_size * double(pixels.size()),
+                         l.image->pixel_size * length_of_pixels(pixels),
                          l.line->probability,
                          name_of(l.line->reason)});
         }

@@ -32,7 +32,7 @@ namespace squeal::tribology
     constexpr double shape_agreement = 0.02;
 
     /** Two octaves reach nine pixels, six 144. */
-    constexpr unsigned int most_octaves = 6;
+    constexpr int most_octaves = 6;
 
     SegmentationSettings
     settings_of(const SegmentationParameters &p, const double pixel_size)
@@ -143,11 +143,20 @@ namespace squeal::tribology
         for (const std::string &line : missed_images(names, files))
           context.log.warning(line);
         for (const std::string &file : files)
-          images.push_back(
-            read_micrograph(file,
-                            context.parameters.images.pixel_size,
-                            bar,
-                            context.parameters.images.largest_image));
+          {
+            images.push_back(
+              read_micrograph(file,
+                              context.parameters.images.pixel_size,
+                              bar,
+                              context.parameters.images.largest_image,
+                              p.data_bar));
+            const Micrograph &m = images.back();
+            if (const int n = m.grey.rows - m.frame.height; n > 0)
+              context.log.info("  " + m.path + ": the last " +
+                               std::to_string(n) + " of " +
+                               std::to_string(m.grey.rows) +
+                               " rows are a data bar and left out");
+          }
         read_masks(p.masks, "Masks", crack_marks);
         read_masks(p.area_masks, "Area masks", area_marks);
         if (p.registration == R::points)
@@ -359,10 +368,14 @@ namespace squeal::tribology
         entry.residual     = p.registration == R::points
                                ? std::optional<double>(by_points.residual)
                                : std::nullopt;
-        entry.statistics   = measure(found, m.pixel_size, sliding);
-        entry.excluded     = found.excluded;
-        entry.missed       = found.cracks.doubt.missed;
-        entry.invented     = found.cracks.doubt.invented;
+        entry.statistics   = measure(
+          found,
+          m.pixel_size,
+          sliding_in_image(
+            sliding, placement_of(m), 0.5 * cv::Point2d(m.frame.size())));
+        entry.excluded = found.excluded;
+        entry.missed   = found.cracks.doubt.missed;
+        entry.invented = found.cracks.doubt.invented;
         add_deviations(entry.crack_rating,
                        entry.area_rating,
                        m.pixel_size,

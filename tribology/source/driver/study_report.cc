@@ -145,9 +145,11 @@ namespace squeal::tribology
             const std::string end = (pair.empty() ? "" : "_" + pair) + ".png",
                               of  = run.record.scene +
                                    (pair.empty() ? "" : ", " + pair);
-            report.figure(plots + "damage_maps" + end,
-                          "Damage of " + of +
-                            ", seen from the disc; the leading edge is below.");
+            report.figure(
+              plots + "damage_maps" + end,
+              "Damage of " + of +
+                ", seen through the back of the pad; the leading edge is "
+                "below.");
             report.figure(
               plots + "ratio_maps" + end,
               "Squealing over silent run, node by node; grey where the silent "

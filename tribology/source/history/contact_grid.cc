@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace squeal::tribology
 {
@@ -34,13 +35,41 @@ namespace squeal::tribology
 
 
 
-    /** From midway to the level before to midway to the one behind. */
+    /** From midway to the level before to midway to the one behind. At the
+     * border to the level itself, the node of a mesh, or as far beyond it where
+     * levels are middles of cells. */
     std::array<double, 2>
-    around(const std::vector<double> &levels, const std::size_t i)
+    around(const std::vector<double> &levels,
+           const std::size_t          i,
+           const bool                 are_middles)
     {
-      return {{i == 0 ? levels[i] : .5 * (levels[i - 1] + levels[i]),
-               i + 1 == levels.size() ? levels[i]
-                                      : .5 * (levels[i] + levels[i + 1])}};
+      const std::size_t last  = levels.size() - 1;
+      const double      below = .5 * (levels[i] - levels[i == 0 ? 0 : i - 1]),
+                   above = .5 * (levels[i == last ? last : i + 1] - levels[i]);
+      const double outer = are_middles ? 1. : 0.;
+      return {{levels[i] - (i == 0 ? outer * above : below),
+               levels[i] + (i == last ? outer * below : above)}};
+    }
+
+    double
+    extent(const std::vector<double> &levels, const bool are_middles)
+    {
+      return around(levels, levels.size() - 1, are_middles)[1] -
+             around(levels, 0, are_middles)[0];
+    }
+
+    /** Whether the areas add up to the face that reaches half a cell beyond the
+     * outermost points, and not to the one that ends there: points are middles
+     * of cells (of elements, of a pressure film), not nodes of a mesh. */
+    bool
+    are_middles_of_cells(const std::vector<double> &xs,
+                         const std::vector<double> &ys,
+                         const std::vector<double> &areas)
+    {
+      const double sum    = std::accumulate(areas.begin(), areas.end(), 0.),
+                   ends   = extent(xs, false) * extent(ys, false),
+                   beyond = extent(xs, true) * extent(ys, true);
+      return std::abs(std::log(sum / beyond)) < std::abs(std::log(sum / ends));
     }
   } // namespace
 
@@ -92,13 +121,14 @@ namespace squeal::tribology
     else
       ordered.clear();
 
+    const bool middles = grid && are_middles_of_cells(xs, ys, areas);
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const double h = .5 * std::sqrt(areas[i]);
         if (grid)
           {
-            const auto x = around(xs, level_of(xs, all_x[i]));
-            const auto y = around(ys, level_of(ys, all_y[i]));
+            const auto x = around(xs, level_of(xs, all_x[i]), middles);
+            const auto y = around(ys, level_of(ys, all_y[i]), middles);
             cells.push_back({x[0], x[1], y[0], y[1]});
           }
         else

@@ -241,4 +241,19 @@ namespace squeal::tribology
   {
     return Measurement(skeleton)();
   }
+
+
+
+  double
+  length_of_pixels(const std::vector<cv::Point> &line)
+  {
+    if (line.empty())
+      return 0.;
+    // A border, so that no pixel lies at the rim of the drawing.
+    const cv::Rect box = cv::boundingRect(line);
+    cv::Mat drawing    = cv::Mat::zeros(box.height + 2, box.width + 2, CV_8U);
+    for (const cv::Point &p : line)
+      drawing.at<uchar>(p - box.tl() + cv::Point(1, 1)) = 255;
+    return cv::sum(pixel_lengths(drawing))[0];
+  }
 } // namespace squeal::tribology

@@ -15,6 +15,10 @@ namespace squeal::tribology
 {
   namespace
   {
+    /** Part of the pixels of a data bar that are its background: texts and the
+     * scale bar are small. Saturated rows of a picture have less. */
+    constexpr double mostly_background = 0.7;
+
     /** The decoders fill what a cut file lacks with grey; its end mark tells.
      */
     void
@@ -135,23 +139,45 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** The most frequent value of a row and how many pixels have it. */
+    std::pair<float, int>
+    most_frequent(const float *row, const int n)
+    {
+      std::map<float, int>  counts;
+      std::pair<float, int> most(0.f, 0);
+      for (int x = 0; x < n; ++x)
+        if (const int count = ++counts[row[x]]; count > most.second)
+          most = {row[x], count};
+      return most;
+    }
+  } // namespace
+
+
+
   int
   rows_above_data_bar(const cv::Mat &grey)
   {
-    int top = grey.rows;
+    const float background =
+      most_frequent(grey.ptr<float>(grey.rows - 1), grey.cols).first;
+    int    top = grey.rows;
+    double sum = 0.;
     for (int y = grey.rows - 1; y >= 0; --y)
       {
-        std::map<float, int> counts;
-        int                  most = 0;
-        const float         *row  = grey.ptr<float>(y);
-        for (int x = 0; x < grey.cols; ++x)
-          most = std::max(most, ++counts[row[x]]);
-        if (2 * most <= grey.cols)
+        const auto [value, n] = most_frequent(grey.ptr<float>(y), grey.cols);
+        // A row of another value is a frame line of the bar.
+        const bool is_line = 10 * n > 9 * grey.cols;
+        if (2 * n <= grey.cols || (value != background && !is_line))
           break;
+        sum += double(n) / grey.cols;
         top = y;
       }
-    const double share = double(grey.rows - top) / grey.rows;
-    return share >= 0.02 && share <= 0.2 ? top : grey.rows;
+    const int    n     = grey.rows - top;
+    const double share = double(n) / grey.rows;
+    return share >= 0.02 && share <= 0.2 && sum >= mostly_background * n
+             ? top
+             : grey.rows;
   }
 
 
@@ -224,14 +250,22 @@ namespace squeal::tribology
   read_micrograph(const std::string &path,
                   const double       pixel_size,
                   const ScaleBar    &bar,
-                  const double       largest)
+                  const double       largest,
+                  const int          data_bar)
   {
     Micrograph m;
     m.path     = path;
     m.stem     = std::filesystem::path(path).stem().string();
     m.grey     = read_grey(path, largest);
     m.metadata = read_metadata(path);
-    m.frame    = {0, 0, m.grey.cols, rows_above_data_bar(m.grey)};
+    if (data_bar >= m.grey.rows)
+      throw InputError(path + " has " + std::to_string(m.grey.rows) +
+                       " rows, no more than 'Data bar'");
+    m.frame = {0,
+               0,
+               m.grey.cols,
+               data_bar < 0 ? rows_above_data_bar(m.grey)
+                            : m.grey.rows - data_bar};
     if (pixel_size > 0.)
       {
         m.pixel_size   = pixel_size;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/results/json_file.h>
+#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/segmentation_record.h>
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace squeal::tribology
 {
@@ -16,18 +19,15 @@ namespace squeal::tribology
     std::vector<double>
     size_classes(const std::vector<double> &areas, std::vector<double> &lower)
     {
-      std::vector<double> counts;
-      double              edge = 10.;
-      for (const double factor :
-           {2., 2.5, 2., 2., 2.5, 2., 2., 2.5, 2., 2., 2.5, 2., 2., 2.5, 2.})
-        {
-          lower.push_back(edge);
-          double n = 0.;
-          for (const double a : areas)
-            n += a >= edge && a < factor * edge;
-          counts.push_back(n);
-          edge *= factor;
-        }
+      lower = {0.};
+      for (double decade = 10.; decade < 1e6; decade *= 10.)
+        for (const double step : {1., 2., 5.})
+          lower.push_back(step * decade);
+      lower.push_back(1e6);
+      std::vector<double> counts(lower.size(), 0.);
+      for (const double a : areas)
+        counts[std::upper_bound(lower.begin(), lower.end(), a) - lower.begin() -
+               1] += 1.;
       return counts;
     }
 
@@ -61,7 +61,7 @@ namespace squeal::tribology
           list.push_back(
             {{"x_px", p.x},
              {"y_px", p.y},
-             {"length_um", i.pixel_size * double(line.pixels.size())},
+             {"length_um", i.pixel_size * length_of_pixels(line.pixels)},
              {"probability", line.probability},
              {"reason", name_of(line.reason)}});
         }

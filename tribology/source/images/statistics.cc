@@ -89,21 +89,53 @@ namespace squeal::tribology
 
 
 
-    /** Area of a pixel on the pad, um^2. */
-    double
-    pixel_area(const Placement &placement, const cv::Point2d &p)
+    /** What a placement makes of a pixel: its edges on the pad, um. */
+    struct PixelOnPad
     {
-      const cv::Point2d o = placement(p);
-      const cv::Point2d u = placement(p + cv::Point2d(1., 0.)) - o;
-      const cv::Point2d v = placement(p + cv::Point2d(0., 1.)) - o;
-      return std::abs(u.cross(v));
-    }
+      cv::Point2d u, v;
+
+      PixelOnPad(const Placement &placement, const cv::Point2d &p)
+      {
+        const cv::Point2d o = placement(p);
+        u                   = placement(p + cv::Point2d(1., 0.)) - o;
+        v                   = placement(p + cv::Point2d(0., 1.)) - o;
+      }
+
+      double
+      area() const
+      {
+        return std::abs(u.cross(v));
+      }
+
+      /** Of a step of one pixel in a direction of the image. */
+      cv::Point2d
+      step(const double direction) const
+      {
+        return std::cos(direction) * u + std::sin(direction) * v;
+      }
+    };
   } // namespace
 
 
 
+  SlidingInImage
+  sliding_in_image(const double       on_pad,
+                   const Placement   &placement,
+                   const cv::Point2d &middle)
+  {
+    const PixelOnPad  pixel(placement, middle);
+    const double      area = pixel.u.cross(pixel.v);
+    const cv::Point2d t(std::cos(on_pad), std::sin(on_pad));
+    return {std::atan2(pixel.u.cross(t) / area, t.cross(pixel.v) / area),
+            area < 0.};
+  }
+
+
+
   ImageStatistics
-  measure(const Segmentation &s, const double pixel_size, const double sliding)
+  measure(const Segmentation   &s,
+          const double          pixel_size,
+          const SlidingInImage &sliding)
   {
     ImageStatistics r;
     const cv::Mat  &line  = s.cracks.centre_line;
@@ -119,7 +151,9 @@ namespace squeal::tribology
     for (const cv::Point &p : pixels)
       {
         const double l = lengths.at<float>(p);
-        double       a = s.cracks.direction.at<float>(p) - sliding;
+        double       a = s.cracks.direction.at<float>(p) - sliding.direction;
+        if (sliding.is_mirrored)
+          a = -a;
         a -= CV_PI * std::floor(a / CV_PI);
         const int bin =
           std::min(ImageStatistics::n_orientations - 1,
@@ -166,6 +200,7 @@ namespace squeal::tribology
     , n_x(n_x)
     , n_y(n_y)
     , cells(std::size_t(n_x) * n_y)
+    , views(n_y * parts_of_a_cell, n_x * parts_of_a_cell, 0.f)
   {
   }
 
@@ -188,28 +223,82 @@ namespace squeal::tribology
   {
     const cv::Mat &line    = s.cracks.centre_line;
     const cv::Mat  lengths = pixel_lengths(line);
+    note_view(line.size(), placement);
     for (int y = 0; y < line.rows; ++y)
       for (int x = 0; x < line.cols; ++x)
         {
           const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
           if (i < 0)
             continue;
-          Cell        &cell = cells[i];
-          const double area = pixel_area(placement, cv::Point2d(x, y));
+          Cell            &cell = cells[i];
+          const PixelOnPad pixel(placement, cv::Point2d(x, y));
+          const double     area = pixel.area();
           cell.area += area;
           cell.exfoliation += s.areas.exfoliation.at<uchar>(y, x) ? area : 0.;
           cell.plateau += s.areas.plateau.at<uchar>(y, x) ? area : 0.;
           if (line.at<uchar>(y, x) == 0)
             continue;
-          const double scale  = std::sqrt(area);
-          const double length = lengths.at<float>(y, x) * scale;
-          const double angle =
-            2. * (s.cracks.direction.at<float>(y, x) - sliding);
+          // Along the crack by that direction, across it by what is left of
+          // the area.
+          const cv::Point2d step =
+            pixel.step(s.cracks.direction.at<float>(y, x));
+          const double along  = cv::norm(step);
+          const double length = lengths.at<float>(y, x) * along;
+          const double angle  = 2. * (std::atan2(step.y, step.x) - sliding);
           cell.crack_length += length;
-          cell.crack_width += length * scale * s.cracks.width.at<float>(y, x);
+          cell.crack_width +=
+            length * area / along * s.cracks.width.at<float>(y, x);
           cell.cosine += length * std::cos(angle);
           cell.sine += length * std::sin(angle);
         }
+  }
+
+
+
+  void
+  CellGrid::note_view(const cv::Size &size_of_image, const Placement &placement)
+  {
+    const double             w = size_of_image.width, h = size_of_image.height;
+    std::vector<cv::Point2d> corners;
+    for (const cv::Point2d &c : {cv::Point2d(0., 0.),
+                                 cv::Point2d(w, 0.),
+                                 cv::Point2d(w, h),
+                                 cv::Point2d(0., h)})
+      {
+        const cv::Point2d p = placement(c);
+        corners.emplace_back((p.x / size.width + 0.5) * views.cols,
+                             (p.y / size.height + 0.5) * views.rows);
+      }
+    // Parts whose middles lie in the view, row by row.
+    for (int y = 0; y < views.rows; ++y)
+      {
+        double left = 1e300, right = -1e300;
+        for (int k = 0; k < 4; ++k)
+          {
+            const cv::Point2d from = corners[k], to = corners[(k + 1) % 4];
+            if ((from.y > y + 0.5) == (to.y > y + 0.5))
+              continue;
+            const double x =
+              from.x + (y + 0.5 - from.y) / (to.y - from.y) * (to.x - from.x);
+            left  = std::min(left, x);
+            right = std::max(right, x);
+          }
+        const double first = std::clamp(left - 0.5, 0., double(views.cols));
+        for (int x = int(std::ceil(first)); x < views.cols && x + 0.5 < right;
+             ++x)
+          views(y, x) += 1.f;
+      }
+  }
+
+  double
+  CellGrid::share_seen_once(const int i, const int j) const
+  {
+    const cv::Mat part = views(cv::Rect(i * parts_of_a_cell,
+                                        j * parts_of_a_cell,
+                                        parts_of_a_cell,
+                                        parts_of_a_cell));
+    const double  sum  = cv::sum(part)[0];
+    return sum > 0. ? cv::countNonZero(part) / sum : 1.;
   }
 
 
@@ -259,6 +348,10 @@ namespace squeal::tribology
        T::real,
        "",
        "0: every direction alike, 1: all cracks parallel"},
+      {"crack_along_sliding",
+       T::real,
+       "",
+       "mean of cos 2a of that angle: 1 along the sliding, -1 across it"},
       {"exfoliation_fraction", T::real, "", "area of exfoliations"},
       {"plateau_fraction", T::real, "", "area of contact plateaus"}};
     for (const Covariate &c : covariates)
@@ -283,13 +376,15 @@ namespace squeal::tribology
             int(k),
             1e-6 * size.width * ((i + 0.5) / n_x - 0.5),
             1e-6 * size.height * ((j + 0.5) / n_y - 0.5),
-            std::min(1., c.area * n_x * n_y / size.area()),
+            std::min(1.,
+                     share_seen_once(i, j) * c.area * n_x * n_y / size.area()),
             seen ? squeal::Cell(1e6 * c.crack_length / c.area) : nothing,
             has ? squeal::Cell(1e-6 * c.crack_width / c.crack_length) : nothing,
             has ? squeal::Cell(90. / CV_PI * std::atan2(c.sine, c.cosine))
                 : nothing,
             has ? squeal::Cell(std::hypot(c.sine, c.cosine) / c.crack_length)
                 : nothing,
+            has ? squeal::Cell(c.cosine / c.crack_length) : nothing,
             seen ? squeal::Cell(c.exfoliation / c.area) : nothing,
             seen ? squeal::Cell(c.plateau / c.area) : nothing};
           for (const Covariate &v : covariates)

@@ -58,7 +58,8 @@ namespace squeal::tribology
                  s.sliding_direction,
                  Allowed::number(0., 180.),
                  "In the image, from its x axis towards its y axis, which "
-                 "points down.",
+                 "points down; with 'Registration' on the pad, from x towards "
+                 "y.",
                  "degrees");
       schema.add("Largest crack width",
                  s.largest_width,
@@ -106,6 +107,12 @@ namespace squeal::tribology
                  Allowed::number(0.),
                  "What the bar stands for; 0: no bar is used.",
                  "um");
+      schema.add("Data bar",
+                 s.data_bar,
+                 Allowed::integer(-1),
+                 "Rows at the bottom of each image that are no picture; -1: "
+                 "found by their even background, which the log tells.",
+                 "pixels");
       schema.add(
         "Mosaic", s.mosaic, "Join all images to one by their stage positions.");
       schema.add("Depth band",

@@ -67,8 +67,13 @@ namespace squeal::tribology
         yy += (y[i] - my) * (y[i] - my);
         xy += (x[i] - mx) * (y[i] - my);
       }
-    return xx > 0. && yy > 0. ? std::clamp(xy / std::sqrt(xx * yy), -1., 1.)
-                              : NAN;
+    // What rounding of the mean leaves of a constant is no variation.
+    const auto varies = [n](const double squares, const double mean) {
+      return squares > n * std::pow(1e-12 * mean, 2);
+    };
+    return varies(xx, mx) && varies(yy, my)
+             ? std::clamp(xy / std::sqrt(xx * yy), -1., 1.)
+             : NAN;
   }
 
 

@@ -48,14 +48,24 @@ namespace squeal::tribology
 
 
 
+    /** An angle of lines jumps from 90 to -90 degrees: it has no mean and no
+     * correlation as a number. */
+    constexpr const char *angle_of_lines = "crack_angle_deg";
+
     std::vector<std::string>
     feature_columns(const Table &table, const CorrelationParameters &p)
     {
+      if (is_among(p.features, angle_of_lines) ||
+          is_among(p.covariates, angle_of_lines))
+        throw InputError(std::string("'") + angle_of_lines +
+                         "' jumps from 90 to -90 degrees where lines turn "
+                         "across the sliding: take 'crack_along_sliding'");
       if (!p.features.empty())
         return p.features;
       std::vector<std::string> names;
       for (const Table::Column &column : table.columns())
         if (column.type != Table::Type::text && !is_place(column.name) &&
+            column.name != angle_of_lines &&
             !is_among(p.covariates, column.name))
           names.push_back(column.name);
       return names;
@@ -228,6 +238,22 @@ namespace squeal::tribology
 
 
 
+    /** The area of each cell that rows tell about, m^2. */
+    GridMap
+    seen_areas(const ContactGrid              &grid,
+               const std::vector<std::size_t> &nodes,
+               const std::vector<double>      &coverages)
+    {
+      std::vector<double> seen(grid.n_nodes(), 0.);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        seen[nodes[i]] += coverages[i];
+      for (std::size_t k = 0; k < seen.size(); ++k)
+        seen[k] = std::min(1., seen[k]) * grid.area(k);
+      return on_grid(grid, seen);
+    }
+
+
+
     PadMaps
     read_pad(const std::string           &damage_file,
              const std::string           &feature_file,
@@ -261,9 +287,14 @@ namespace squeal::tribology
                           map.values.end(),
                           [](const double v) { return std::isfinite(v); }))
             pad.indices[name] = map;
-          else if (!p.indices.empty())
-            throw InputError("'" + damage_file + "': the index '" + name +
-                             "' is not known in every cell");
+          else if (!p.indices.empty() ||
+                   std::any_of(map.values.begin(),
+                               map.values.end(),
+                               [](const double v) { return std::isfinite(v); }))
+            throw InputError(
+              "'" + damage_file + "': the index '" + name +
+              "' is not known in every cell" +
+              (p.indices.empty() ? ": name the others in 'Indices'" : ""));
         }
       const auto [rows, of_pad] = rows_of_pad(features, feature_file);
       std::vector<std::size_t> nodes;
@@ -278,6 +309,7 @@ namespace squeal::tribology
                     feature_file + ":" + std::to_string(row + 2) + ": "));
           coverages.push_back(coverage(features, row, feature_file));
         }
+      pad.seen                  = seen_areas(*pad.grid, nodes, coverages);
       const auto map_of_feature = [&](const std::string &name) {
         return feature_map(*pad.grid, features, rows, nodes, coverages, name);
       };
@@ -312,17 +344,18 @@ namespace squeal::tribology
 
 
 
+    /** The mean over what is known of the face. */
     double
-    known_mean(const GridMap &map)
+    known_mean(const GridMap &map, const GridMap &weights)
     {
-      double sum = 0., n = 0.;
-      for (const double v : map.values)
-        if (std::isfinite(v))
+      double sum = 0., weight = 0.;
+      for (std::size_t k = 0; k < map.values.size(); ++k)
+        if (std::isfinite(map.values[k]))
           {
-            sum += v;
-            n += 1.;
+            sum += weights.values[k] * map.values[k];
+            weight += weights.values[k];
           }
-      return n > 0. ? sum / n : NAN;
+      return weight > 0. ? sum / weight : NAN;
     }
 
 
@@ -483,7 +516,8 @@ namespace squeal::tribology
         result.feature = feature;
         for (const PadMaps &pad : pads)
           if (pad.features.count(feature) > 0)
-            if (const double mean = known_mean(pad.features.at(feature));
+            if (const double mean =
+                  known_mean(pad.features.at(feature), pad.seen);
                 std::isfinite(mean))
               (pad.is_silent ? silent : squealing).push_back(mean);
         if (silent.empty() || squealing.empty())

@@ -56,8 +56,8 @@ namespace squeal::tribology
      * of the grid; none where neither tells them. */
     const std::vector<std::array<unsigned int, 4>> &quads() const;
 
-    /** The face as pictures draw it, seen from the disc: x to the right, y
-     * (along the sliding) up, the leading edge below. */
+    /** The face as pictures draw it, seen through the back of the pad: x to the
+     * right, y (along the sliding) up, the leading edge below. */
     DrawnFace drawn_face() const;
 
     /** Distance of a node from the nearest edge of the face. */

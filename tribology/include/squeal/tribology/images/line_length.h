@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <vector>
+
 namespace squeal::tribology
 {
   /**
@@ -18,6 +20,10 @@ namespace squeal::tribology
    * node at their centre.
    */
   cv::Mat pixel_lengths(const cv::Mat &skeleton);
+
+  /** The length of a line of which the pixels are known, in any order; pixels.
+   */
+  double length_of_pixels(const std::vector<cv::Point> &line);
 } // namespace squeal::tribology
 
 #endif

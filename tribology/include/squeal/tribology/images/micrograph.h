@@ -63,7 +63,8 @@ namespace squeal::tribology
 
   /** Rows above a data bar at the bottom; all rows when there is none. A data
    * bar is at least 2 and at most 20 percent of the height and has one and the
-   * same value in more than half of each row. */
+   * same value in more than half of each row, but for lines across it, and in
+   * 70 percent of its pixels. */
   int rows_above_data_bar(const cv::Mat &grey);
 
   /** Pixels of the longest horizontal run in the box that differs from the
@@ -76,13 +77,15 @@ namespace squeal::tribology
 
   /**
    * Reads an image with its scale: @p pixel_size (um) if it is not 0, else the
-   * scale bar if one is given, else the metadata. Throws InputError when there
-   * is no scale.
+   * scale bar if one is given, else the metadata. @p data_bar: rows at the
+   * bottom that are no picture, -1 for rows_above_data_bar(). Throws InputError
+   * when there is no scale or nothing above the data bar.
    */
   Micrograph read_micrograph(const std::string &path,
                              double             pixel_size,
-                             const ScaleBar    &bar     = {},
-                             double             largest = usual_largest_image);
+                             const ScaleBar    &bar      = {},
+                             double             largest  = usual_largest_image,
+                             int                data_bar = -1);
 } // namespace squeal::tribology
 
 #endif

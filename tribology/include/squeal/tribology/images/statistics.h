@@ -50,10 +50,22 @@ namespace squeal::tribology
     }
   };
 
-  /** @p sliding is the direction in the image, radians from x towards y. */
-  ImageStatistics measure(const Segmentation &segmentation,
-                          double              pixel_size,
-                          double              sliding);
+  /** The sliding direction as an image shows it. */
+  struct SlidingInImage
+  {
+    double direction   = 0.;    /**< radians from x towards y */
+    bool   is_mirrored = false; /**< angles on the pad go the other way round */
+  };
+
+  /** The direction @p on_pad, radians from the x axis of the pad towards its y
+   * axis, in an image that @p placement takes to the pad, at @p middle. */
+  SlidingInImage sliding_in_image(double             on_pad,
+                                  const Placement   &placement,
+                                  const cv::Point2d &middle);
+
+  ImageStatistics measure(const Segmentation   &segmentation,
+                          double                pixel_size,
+                          const SlidingInImage &sliding);
 
   /** Features of the images gathered on cells of the pad or of one image. */
   class CellGrid
@@ -62,8 +74,9 @@ namespace squeal::tribology
     /** Cells over a rectangle of @p size (um) about the origin. */
     CellGrid(const cv::Size2d &size, int n_x, int n_y);
 
-    /** Adds a segmented image whose pixels @p placement takes to um. Lines
-     * are weighed with the local scale. */
+    /** Adds a segmented image whose pixels @p placement takes to um. Lengths,
+     * widths and directions of cracks are those on the pad; @p sliding is the
+     * direction there, radians from x towards y. */
     void add(const Segmentation &segmentation,
              const Placement    &placement,
              double              sliding);
@@ -91,11 +104,20 @@ namespace squeal::tribology
       std::vector<double> sum, weight;
     };
     int index(const cv::Point2d &p) const;
+    /** Notes which parts of the cells an image shows. */
+    void note_view(const cv::Size &size_of_image, const Placement &placement);
+    /** What images show of a cell over what they show of it one by one: less
+     * than 1 where they overlap. */
+    double share_seen_once(int i, int j) const;
+
+    /** Overlaps are seen on a grid of so many parts in each direction. */
+    static constexpr int parts_of_a_cell = 32;
 
     cv::Size2d             size;
     int                    n_x, n_y;
     std::vector<Cell>      cells;
     std::vector<Covariate> covariates;
+    cv::Mat1f              views; /**< number of images that show each part */
   };
 
   /** The picture with cracks in red, exfoliations outlined in magenta, dark

@@ -53,20 +53,21 @@ namespace squeal
         instead,
         beside
       };
-      View                     view              = View::face;
-      double                   sliding_direction = 90.; /**< degrees */
-      double                   largest_width     = 0.;  /**< um */
-      double                   smallest_area     = 0.;  /**< um^2 */
-      std::vector<int>         cells             = {11, 11};
-      std::vector<double>      pad_size          = {10., 10.}; /**< mm */
-      Registration             registration      = Registration::none;
-      Transform                transform         = Transform::similarity;
-      std::vector<double>      image_points;  /**< px, x and y in turn */
-      std::vector<double>      pad_points;    /**< mm, x and y in turn */
-      std::vector<int>         scale_bar_box; /**< px: x, y, width, height */
-      double                   scale_bar_length = 0.; /**< um */
-      bool                     mosaic           = false;
-      double                   depth_band       = 10.; /**< um */
+      View                view              = View::face;
+      double              sliding_direction = 90.; /**< degrees */
+      double              largest_width     = 0.;  /**< um */
+      double              smallest_area     = 0.;  /**< um^2 */
+      std::vector<int>    cells             = {11, 11};
+      std::vector<double> pad_size          = {10., 10.}; /**< mm */
+      Registration        registration      = Registration::none;
+      Transform           transform         = Transform::similarity;
+      std::vector<double> image_points;          /**< px, x and y in turn */
+      std::vector<double> pad_points;            /**< mm, x and y in turn */
+      std::vector<int>    scale_bar_box;         /**< px: x, y, width, height */
+      double              scale_bar_length = 0.; /**< um */
+      int    data_bar   = -1; /**< rows at the bottom; -1: found by itself */
+      bool   mosaic     = false;
+      double depth_band = 10.; /**< um */
       std::vector<std::string> element_maps;
       std::vector<std::string> masks;      /**< of cracks; files or wildcards */
       std::vector<std::string> area_masks; /**< of exfoliations */

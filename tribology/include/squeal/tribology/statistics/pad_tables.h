@@ -18,6 +18,7 @@ namespace squeal::tribology
     std::unique_ptr<ContactGrid>   grid;
     std::map<std::string, GridMap> indices;
     std::map<std::string, GridMap> features; /**< NaN where not looked at */
+    GridMap                        seen;     /**< area of features, m^2 */
     SharedCauses                   causes;   /**< taken out of both */
     bool                           is_silent = false;
   };
