@@ -77,6 +77,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/tribology_parameters.cc
     source/statistics/association.cc
     source/statistics/conditional_link.cc
+    source/statistics/group_comparison.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
     source/statistics/quantity_text.cc

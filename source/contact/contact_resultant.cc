@@ -13,6 +13,10 @@ namespace squeal
 
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+    /** Below this length of the mean of unit normals a face looks to no side:
+     * half a cylinder has 0.64. */
+    constexpr double least_side = 0.5;
+
     /** Below this length of the mean of unit vectors there is no common
      * direction: a pad all round the axis. */
     constexpr double least_direction = 1e-6;
@@ -81,6 +85,27 @@ namespace squeal
                          : some_direction(frame.normal);
     frame.transverse = dealii::cross_product_3d(frame.sliding, frame.normal);
     return frame;
+  }
+
+
+
+  bool
+  looks_to_one_side(const ContactGeometry &g)
+  {
+    Vector normal;
+    double area = 0.;
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      {
+        area += g.areas[j];
+        normal += g.areas[j] * g.frames[j].normal;
+      }
+    return normal.norm() > least_side * area;
+  }
+
+  double
+  transverse_sense(const ContactGeometry &first, const ContactGeometry &other)
+  {
+    return mean_frame(first).normal * mean_frame(other).normal < 0. ? -1. : 1.;
   }
 
 
@@ -171,8 +196,9 @@ namespace squeal
         const Vector arm = moment / r.force[2] - face / total;
         r.centre         = {{arm * frame.transverse, arm * frame.sliding}};
       }
-    r.leading_edge_factor =
-      is_pressed ? edge_force / edge_area / r.mean_pressure : not_known;
+    r.leading_edge_factor = is_pressed && looks_to_one_side(g)
+                              ? edge_force / edge_area / r.mean_pressure
+                              : not_known;
     return r;
   }
 

@@ -101,17 +101,37 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** @p factor: of a part by its number. */
+    template <typename Factor>
+    std::shared_ptr<const LinearOperator>
+    sum_of_masses(const ImportedModel &model, const Factor &factor)
+    {
+      const auto rows = std::make_shared<const RowSpace>(model.n_dofs);
+      std::vector<SumOperator::Part> masses;
+      for (unsigned int i = 0; i < model.parts.size(); ++i)
+        if (model.parts[i].role == Role::mass)
+          masses.emplace_back(factor(i),
+                              std::make_shared<const SparseMatrix>(
+                                rows, lower_symmetric_part(model.parts[i])));
+      return std::make_shared<SumOperator>(std::move(masses));
+    }
+  } // namespace
+
   std::shared_ptr<const LinearOperator>
   imported_mass(const ImportedModel &model)
   {
-    const auto rows = std::make_shared<const RowSpace>(model.n_dofs);
-    std::vector<SumOperator::Part> masses;
-    for (const ImportedMatrix &part : model.parts)
-      if (part.role == Role::mass)
-        masses.emplace_back(part.factor,
-                            std::make_shared<const SparseMatrix>(
-                              rows, lower_symmetric_part(part)));
-    return std::make_shared<SumOperator>(std::move(masses));
+    return sum_of_masses(
+      model, [&](const unsigned int i) { return model.parts[i].factor; });
+  }
+
+  std::shared_ptr<const LinearOperator>
+  imported_mass(const ImportedModel &model, const SceneParameters &scene)
+  {
+    return sum_of_masses(model, [&](const unsigned int i) {
+      return scene.matrix_parts[i].factor;
+    });
   }
 
 

@@ -14,7 +14,8 @@ namespace squeal
     if (const ImportedModel *const imported = model.imported())
       {
         const Block rigid = translations(*imported);
-        return rigid.cwiseProduct(imported_mass(*imported)->multiply(rigid))
+        return rigid
+          .cwiseProduct(imported_mass(*imported, scene)->multiply(rigid))
           .colwise()
           .sum()
           .maxCoeff();

@@ -154,8 +154,9 @@ namespace squeal
         .add("Sliding speed",
              c.sliding_speed,
              Allowed::number(0.),
-             "Speed |V| of the target's surface at the centre of the "
-             "source face; 0: a pair at rest, whose nodes stick until "
+             "Speed |V| of the target's surface, in the mean over the "
+             "contact points of the source face; 0: a pair at rest, whose "
+             "nodes stick until "
              "they are pushed, such as a pad in its abutment.",
              "m/s")
         .affine();

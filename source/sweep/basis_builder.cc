@@ -392,6 +392,25 @@ namespace squeal
 
 
 
+  void
+  BasisBuilder::require_held(const UndampedModes &modes,
+                             const double         shift) const
+  {
+    unsigned int n = 0;
+    while (n < modes.omega_squared.size() &&
+           modes.omega_squared[n] < 1e-9 * shift)
+      ++n;
+    // lambda = 0 is defective there: what it becomes is rounding.
+    if (n > 0 && options.band.lowest == 0.)
+      throw InputError(
+        std::to_string(n) +
+        (n == 1 ? " motion at 0 Hz is" : " motions at 0 Hz are") +
+        " held by nothing: raise Eigenvalues/Lowest frequency above 0, or hold "
+        "the bodies by Scene/Supports or Scene/Springs");
+  }
+
+
+
   ReducedModel
   BasisBuilder::build(const std::function<void(const BasisRound &)> &report,
                       const Block                                   &start)
@@ -403,6 +422,7 @@ namespace squeal
       mode_options.tolerance = options.mode_tolerance;
       const UndampedModes modes =
         undamped_modes(first.pencil, first.inverse, mode_options);
+      require_held(modes, first.inverse.shift());
       reduced.extend(modes.shapes);
       reduced.extend(modes.supplement);
       if (start.rows() == modes.shapes.rows())

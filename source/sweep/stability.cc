@@ -20,6 +20,22 @@ namespace squeal
                                 std::abs(pairs.lambda[i]);
     }
 
+    /** At the complex @p z, of the polynomial through four points. */
+    Complex
+    interpolated(const double (&x)[4], const Complex (&y)[4], const Complex z)
+    {
+      Complex sum = 0.;
+      for (int i = 0; i < 4; ++i)
+        {
+          Complex term = y[i];
+          for (int k = 0; k < 4; ++k)
+            if (k != i)
+              term *= (z - x[k]) / (x[i] - x[k]);
+          sum += term;
+        }
+      return sum;
+    }
+
     /** The root nearest to @p start of the polynomial through four points. */
     Complex
     interpolated_root(const double (&x)[4],
@@ -323,8 +339,28 @@ namespace squeal
       (b.pairs.size() > 0 &&
        squared_split(b.pairs, b.pair_of(branch_1), b.pair_of(branch_2)) <
          squared_split(a.pairs, a.pair_of(branch_1), a.pair_of(branch_2)));
-    result.frequency = nearest.mean.imag() / (2. * M_PI);
-    result.sigma     = nearest.mean.real();
+    // The mean is smooth in the coordinate: its continuation to the complex one
+    // is the eigenvalue there, from points as far apart as that is from the
+    // axis.
+    Complex lambda = nearest.mean;
+    if (std::abs(root.imag()) > 1e-6 * std::abs(h))
+      {
+        const double reach =
+          std::min(0.5, std::max(std::abs(root.imag() / h), 0.1)) * std::abs(h);
+        const double low    = std::min(a.coordinate, b.coordinate) + reach,
+                     high   = std::max(a.coordinate, b.coordinate) - reach;
+        const double middle = std::min(std::max(root.real(), low), high);
+        double       x[4];
+        Complex      y[4];
+        for (int k = 0; k < 4; ++k)
+          {
+            x[k] = middle + reach * (2. * k / 3. - 1.);
+            y[k] = at(x[k]).mean;
+          }
+        lambda = interpolated(x, y, root);
+      }
+    result.frequency = lambda.imag() / (2. * M_PI);
+    result.sigma     = lambda.real();
     result.condition = nearest.condition;
     return result;
   }

@@ -101,6 +101,9 @@ namespace
                            heavy.real(r, "contact_participation")) <=
                     tolerance * largest,
                   "participation at a point is that of its scene");
+            check(swept.text(s, "partner_1") == heavy.text(r, "partner_1"),
+                  "its undamped partner, too: " + swept.text(s, "partner_1") +
+                    " and " + heavy.text(r, "partner_1"));
           }
     check(n == heavy.n_rows() && n > 0, "every pair is found again");
   }

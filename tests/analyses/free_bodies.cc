@@ -109,6 +109,13 @@ main(int argc, char **argv)
   check(o.code == 2 && says(o.errors, "of the bodies pad") &&
           says(o.errors, "Eigenvalues/Lowest frequency"),
         "complex eigenvalues from 0 Hz are refused: " + o.errors);
+  o = run(free_pad() + "subsection Sweep\n  set Axes = rho\n  subsection Axis "
+                       "rho\n    set Entries = Scene/Body disc/Density\n    "
+                       "set Scale = list\n    set Values = 4000, 8000\n  end\n"
+                       "end\n",
+          {"Analysis = sweep"});
+  check(o.code == 2 && says(o.errors, "3 motions at 0 Hz are held by nothing"),
+        "and so is a sweep from 0 Hz: " + o.errors);
   o = run(free_pad(), {"Eigenvalues/Lowest frequency = 100"});
   check(o.code == 0 && says(o.output, "of the bodies pad"),
         "from 100 Hz on they are computed");

@@ -83,8 +83,8 @@ end
     check(many.n_rows() == 2, "two points");
     check_close(many.real(1, "stiffness"), 4e9, 1e-12, "the first entry");
     for (const auto &[of_many, of_one] :
-         {std::make_pair("sigma_cea_per_s", "sigma_linear_per_s"),
-          std::make_pair("frequency_cea_hz", "frequency_linear_hz"),
+         {std::make_pair("sigma_linear_per_s", "sigma_linear_per_s"),
+          std::make_pair("frequency_linear_hz", "frequency_linear_hz"),
           std::make_pair("max_normal_n", "max_normal_n"),
           std::make_pair("rms_normal_n", "rms_normal_n")})
       check_close(many.real(1, of_many),

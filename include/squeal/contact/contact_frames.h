@@ -23,7 +23,7 @@ namespace squeal
   struct ContactFrames
   {
     std::vector<ContactFrame> frames;
-    /** |V| at the point over |V| at the centre of the source face. */
+    /** |V| at the point over the mean of |V| over the points. */
     std::vector<double> speed_ratio;
   };
 

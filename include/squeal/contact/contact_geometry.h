@@ -45,7 +45,7 @@ namespace squeal
      * round each piece, as they are drawn; none between Gauss points. */
     std::vector<std::array<unsigned int, 4>> quads;
     std::vector<ContactFrame>                frames;
-    /** |V| at the point over |V| at the centre of the source face. */
+    /** |V| at the point over the mean of |V| over the points. */
     std::vector<double>                speed_ratio;
     std::shared_ptr<const Functionals> normal, tangential, transverse;
     /** Displacements (x, y, z) of the two sides at every point. */

@@ -56,7 +56,7 @@ namespace squeal
      * by; 0: everything is at rest. */
     double speed() const;
     /** |V| of every node over speed(): 0 in pairs at rest. Where all are, |V|
-     * over that at the centre of the face. */
+     * over its mean over the points of the pair. */
     Eigen::VectorXd     speed_ratio() const;
     std::vector<double> areas() const; /**< m^2, of every node */
     /** What springs between the faces give way, m/N, three a node. */

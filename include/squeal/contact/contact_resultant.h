@@ -21,6 +21,16 @@ namespace squeal
    */
   ContactFrame mean_frame(const ContactGeometry &geometry);
 
+  /** Whether the face has a side that it looks to, so that motions and forces
+   * along a normal of its own have a meaning: false all round a shaft. */
+  bool looks_to_one_side(const ContactGeometry &geometry);
+
+  /** 1 or -1: with that factor the direction s of @p other, which turns over
+   * with the normal, goes the way of that of @p first, both outwards or both
+   * inwards on a disc between two pads. */
+  double transverse_sense(const ContactGeometry &first,
+                          const ContactGeometry &other);
+
   /** Resultant of nodal forces by the target on the source, N: along s
    * (radially outwards under a disc that turns about +z), along t, normal,
    * compression positive. @p forces: three a node of this pair. */
@@ -39,7 +49,8 @@ namespace squeal
     double mean_pressure = 0.;    /**< over the whole face, Pa */
     double peak_pressure = 0.;    /**< of a node, Pa */
     /** Mean pressure of the nodes on the edge where the target's surface
-     * enters, over that of the face; NaN without contact. */
+     * enters, over that of the face; NaN without contact and where the face
+     * looks to no side. */
     double leading_edge_factor = 0.;
   };
 

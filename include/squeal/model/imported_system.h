@@ -10,9 +10,14 @@ namespace squeal
   /** The parts of an imported model on rows of their own, and its mass. */
   LinearizedSystem imported_parts(const ImportedModel &model);
 
-  /** Sum of the parts of role mass. */
+  /** Sum of the parts of role mass, with the factors of the files' scene. */
   std::shared_ptr<const LinearOperator> imported_mass(
     const ImportedModel &model);
+
+  /** The same with the factors of @p scene. */
+  std::shared_ptr<const LinearOperator> imported_mass(
+    const ImportedModel   &model,
+    const SceneParameters &scene);
 
   /** Rigid translations of the unknowns along x, y, z; of one body where
    * @p body is given. Zero without names of unknowns. */

@@ -66,7 +66,7 @@ namespace squeal
      * the scene names none. */
     std::string contact;
     /** Place of the point pair, m, the area that it stands for, m^2, and |V|
-     * there over that at the centre of the face; of scenes with contacts. */
+     * there over the mean of all points; of scenes with contacts. */
     Vector3      position{{0., 0., 0.}};
     double       area        = 0.;
     double       speed_ratio = 1.;

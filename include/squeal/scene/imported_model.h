@@ -40,7 +40,7 @@ namespace squeal
     std::vector<std::array<Vector3, 3>> directions;
     std::vector<Vector3>                points; /**< m */
     std::vector<double>                 areas;  /**< m^2 */
-    /** |V| over that at the centre of the face. */
+    /** |V| over its mean over the points. */
     std::vector<double> speed_ratio;
     //@}
   };

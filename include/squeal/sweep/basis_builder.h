@@ -105,7 +105,9 @@ namespace squeal
     std::vector<SweepPoint> choose_points(const unsigned int round);
     void                    evaluate_training();
     /** Reduced counts of modes against the inertia of the factors. */
-    void                   check_inertia();
+    void check_inertia();
+    /** Throws InputError where motions at 0 Hz belong to the band. */
+    void require_held(const UndampedModes &modes, const double shift) const;
     std::vector<ModelCell> make_cells() const;
     void                   fit_cell(ModelCell &cell) const;
     /** K + omega^2 M of the symmetric parts, omega the end of the band. */

@@ -113,7 +113,10 @@ namespace squeal
       const auto motion = [&](const PressedModel::Observer what) {
         return z[PressedModel::observer(number, what)];
       };
-      const double target   = motion(PressedModel::target_at_contact),
+      // All round a shaft nothing approaches along one normal.
+      const double target   = looks_to_one_side(pair.geometry)
+                                ? motion(PressedModel::target_at_contact)
+                                : std::nan(""),
                    approach = target - motion(PressedModel::far_face),
                    of_load  = target - motion(PressedModel::loaded_face);
       return {or_missing(r.centre[0]),
@@ -121,9 +124,9 @@ namespace squeal
               or_missing(r.leading_edge_factor),
               r.mean_pressure,
               r.peak_pressure,
-              approach,
+              or_missing(approach),
               or_missing(r.force[2] / approach),
-              of_load,
+              or_missing(of_load),
               or_missing(r.force[2] / of_load)};
     }
 
@@ -137,15 +140,17 @@ namespace squeal
     std::vector<Cell>
     sum_cells(const PressedModel &pressed, const SteadySliding &state)
     {
-      double normal = 0., tangential = 0., across = 0.;
-      for (const ContactPair &pair : pressed.nodes().pairs())
+      double      normal = 0., tangential = 0., across = 0.;
+      const auto &pairs = pressed.nodes().pairs();
+      for (const ContactPair &pair : pairs)
         if (pair.slides() || pressed.speed() == 0.)
           {
             const auto force =
               resultant_force(pair.geometry, pair.part(state.forces));
             normal += force[2];
             tangential += force[1];
-            across += force[0];
+            across +=
+              transverse_sense(pairs[0].geometry, pair.geometry) * force[0];
           }
       return {normal,
               tangential,

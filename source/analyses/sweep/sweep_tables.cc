@@ -104,6 +104,21 @@ namespace squeal
       std::map<std::vector<double>, SweepModel::Modes> known;
     };
 
+    /** M x of each pair, with the mass at the point. */
+    Eigen::MatrixXcd
+    mass_products(const SweepModel                    &model,
+                  const std::vector<TermCoefficients> &coefficients,
+                  const ComplexPairs                  &pairs)
+    {
+      Eigen::MatrixXcd result =
+        Eigen::MatrixXcd::Zero(pairs.right.rows(), pairs.right.cols());
+      for (std::size_t p = 0; p < coefficients.size(); ++p)
+        if (coefficients[p].mass != 0.)
+          result +=
+            coefficients[p].mass * times(model.reduced().parts[p], pairs.right);
+      return result;
+    }
+
     /** The two undamped modes with the largest MAC. */
     struct Partners
     {
@@ -112,10 +127,10 @@ namespace squeal
     };
 
     Partners
-    partners_of(const Eigen::VectorXcd &x, const ReducedModes &modes)
+    partners_of(const Eigen::VectorXcd &Mx, const ReducedModes &modes)
     {
       const Eigen::VectorXd mac =
-        times(modes.shapes.transpose(), x).cwiseAbs2();
+        times(modes.shapes.transpose(), Mx).cwiseAbs2();
       Partners result;
       for (Eigen::Index i = 0; i < mac.size(); ++i)
         if (result.mode[0] < 0 || mac[i] > result.mac[0])
@@ -208,9 +223,10 @@ namespace squeal
           const auto energies = friction_energies(model, coefficients, pairs);
           const auto contacts = contact_participations(
             model, pairs, total_mass(model.model(), grid.scene(point)));
-          const Eigen::VectorXd residuals = model.residuals(point, pairs);
-          const std::string     state = contact_state_text(grid.scene(point));
-          std::vector<Cell>     axes, at_end;
+          const Eigen::MatrixXcd Mx = mass_products(model, coefficients, pairs);
+          const Eigen::VectorXd  residuals = model.residuals(point, pairs);
+          const std::string      state = contact_state_text(grid.scene(point));
+          std::vector<Cell>      axes, at_end;
           for (unsigned int a = 0; a < grid.n_axes(); ++a)
             {
               axes.emplace_back(grid.value(a, point[a]));
@@ -221,9 +237,8 @@ namespace squeal
             at_end.emplace_back(model.n_closed(point));
           for (unsigned int j = 0; j < pairs.size(); ++j)
             {
-              const Partners partners =
-                partners_of(pairs.right.col(j), undamped.modes);
-              PairRow row(pairs, j);
+              const Partners partners = partners_of(Mx.col(j), undamped.modes);
+              PairRow        row(pairs, j);
               row.point    = count;
               row.branch   = line.branch_names[at.branch[j]];
               row.residual = residuals.size() > 0 ? Cell(residuals[j]) : Cell();
@@ -367,7 +382,11 @@ namespace squeal
            {"coordinate_imaginary", Type::real, "", "0 on the real axis", 3},
            {"frequency_hz", Type::real, "Hz", "of both", 7},
            {"sigma_per_s", Type::real, "1/s", "of both", 5},
-           {"condition", Type::real, "", "of the eigenvalues there", 3}})
+           {"condition",
+            Type::real,
+            "",
+            "of the eigenvalues at the real part of the coordinate",
+            3}})
       table.add_column(column);
     for (const auto &line : solution.lines)
       for (const auto &e : line.exceptional)

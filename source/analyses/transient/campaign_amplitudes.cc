@@ -171,7 +171,7 @@ namespace squeal
     if (std::none_of(axes.begin(), axes.end(), &is_ladder) &&
         fill(over_sigma,
              table,
-             "sigma_cea_per_s",
+             "sigma_linear_per_s",
              "rms_normal_n",
              runs,
              [&](const std::size_t i) {

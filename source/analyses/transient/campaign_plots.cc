@@ -119,7 +119,7 @@ namespace squeal
         if (table.text(i, "top") == top)
           for (auto &[s, shows] :
                {std::make_pair(&full, grows(i, "sigma_full_contact_per_s")),
-                std::make_pair(&real, grows(i, "sigma_cea_per_s")),
+                std::make_pair(&real, grows(i, "sigma_linear_per_s")),
                 std::make_pair(&time, grows(i, "growth_rate_per_s")),
                 std::make_pair(&none, !grows(i, "growth_rate_per_s"))})
             if (shows)

@@ -225,6 +225,29 @@ namespace squeal
 
 
 
+    /** Warns where the linearised motion and the eigenvalues of the whole model
+     * differ by more than what the reduction leaves out: their contacts are
+     * then not the same. */
+    void
+    warn_of_other_contact(const TransientFigures &f, RunLog &log)
+    {
+      for (const BranchResult &b : f.branches)
+        {
+          const double difference = b.sigma_cea - b.sigma - b.sigma_reduction,
+                       allowed    = std::max(3., .02 * std::abs(b.sigma_cea)) +
+                                 std::abs(b.sigma_reduction);
+          if (std::isfinite(b.sigma_cea) && !(std::abs(difference) <= allowed))
+            log.warning(
+              "the pair at " + rounded_text(b.frequency, 6) +
+              " Hz has sigma = " + rounded_text(b.sigma, 4) +
+              " 1/s in the motion linearised about steady sliding and " +
+              rounded_text(b.sigma_cea, 4) +
+              " 1/s in the eigenvalue analysis, which the reduction does not "
+              "explain: in time springs of the contact have no damping, and "
+              "tangential ones act in series with the slip");
+        }
+    }
+
     void
     report_run(RunContext              &context,
                const Model             &model,
@@ -252,6 +275,7 @@ namespace squeal
       const std::string animation =
         write_animation(context, model, prepared, record, motion);
       log_pairs(context.log, tables.branches);
+      warn_of_other_contact(f, context.log);
       if (!left_out.empty())
         context.log.info("  " + left_out);
 

@@ -199,24 +199,24 @@ namespace squeal
 
     /** Frequency, lines and what the four quarters of the time say of them. */
     void
-    evaluate_lines(const std::vector<double> &normal,
+    evaluate_lines(const std::vector<double> &force,
                    const double               interval,
                    const double               lowest,
                    TransientFigures          &f)
     {
       const double   highest  = 0.45 / interval;
-      const Spectrum spectrum = power_spectrum(normal, interval);
+      const Spectrum spectrum = power_spectrum(force, interval);
       f.largest_line          = spectrum.peak(lowest, highest);
       f.frequency             = spectrum.fundamental(lowest, highest);
-      f.repetition            = repetition(normal, interval, f.frequency);
+      f.repetition            = repetition(force, interval, f.frequency);
       for (unsigned int k = 1; k <= 5 && k * f.frequency < highest; ++k)
         f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
       if (f.frequency > 0.)
-        f.frequency_ci = line_deviation(normal, interval, f.largest_line) /
+        f.frequency_ci = line_deviation(force, interval, f.largest_line) /
                          std::round(f.largest_line / f.frequency);
     }
 
-    /** Vibration of the normal force, over its mean, that is more than the
+    /** Vibration of a force, over the mean normal force, that is more than the
      * noise of the solver. */
     constexpr double least_vibration = 1e-4;
 
@@ -252,12 +252,17 @@ namespace squeal
       f.mean_leading_edge_factor =
         touches ? half.mean_edge / f.mean_normal : not_known;
       f.rms_acceleration = largest_rms_acceleration(record);
-      f.least_rms        = f.rms_normal;
+      // Pure stick-slip leaves the normal force alone.
+      const double least = least_vibration * f.mean_normal;
+      f.by_tangential =
+        !(f.rms_normal > least) && touches && f.rms_tangential > least;
+      f.least_rms = f.by_tangential ? f.rms_tangential : f.rms_normal;
       for (unsigned int k = 4; k < 8; ++k)
         {
+          const ForceStatistics quarter =
+            statistics_of(record.stretches, k * n / 8, (k + 1) * n / 8);
           const double rms =
-            statistics_of(record.stretches, k * n / 8, (k + 1) * n / 8)
-              .rms_normal();
+            f.by_tangential ? quarter.rms_tangential() : quarter.rms_normal();
           f.least_rms = std::min(f.least_rms, rms);
           f.most_rms  = std::max(f.most_rms, rms);
         }
@@ -290,7 +295,10 @@ namespace squeal
           normal.push_back(samples[i].normal);
           tangential.push_back(samples[i].tangential);
         }
-      evaluate_lines(normal, interval, p.eigen.lowest_frequency, f);
+      evaluate_lines(f.by_tangential ? tangential : normal,
+                     interval,
+                     p.eigen.lowest_frequency,
+                     f);
       if (f.largest_line > 0.)
         f.phase =
           phase_difference(normal, tangential, interval, f.largest_line);
@@ -387,9 +395,9 @@ namespace squeal
     if (f.dies_out)
       return "the vibration dies out";
     return "the vibration is uneven, " + rounded_text(f.least_rms, 3) + " to " +
-           rounded_text(f.most_rms, 3) +
-           " N rms of the normal force in the quarters of the second half of "
-           "the run";
+           rounded_text(f.most_rms, 3) + " N rms of the " +
+           (f.by_tangential ? "tangential" : "normal") +
+           " force in the quarters of the second half of the run";
   }
 
 
@@ -405,7 +413,10 @@ namespace squeal
              (f.largest_line > 1.5 * f.frequency
                 ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
                 : "") +
-             ", repeats itself to " + rounded_text(f.repetition, 3);
+             ", repeats itself to " + rounded_text(f.repetition, 3) +
+             (f.by_tangential ? ", of the tangential force: the normal force "
+                                "is steady"
+                              : "");
     return "none: " + reason_for_no_cycle(f);
   }
 

@@ -311,7 +311,8 @@ namespace squeal
         kept.pairs.push_back(sample);
         if (!counts(pressed.nodes(), pairs[i]))
           continue;
-        s.radial += sample.radial;
+        s.radial += transverse_sense(pairs[0].geometry, pairs[i].geometry) *
+                    sample.radial;
         s.tangential += sample.tangential;
         s.normal += sample.normal;
       }

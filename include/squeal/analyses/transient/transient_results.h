@@ -75,10 +75,13 @@ namespace squeal
     bool has_limit_cycle = false;
     /** No status other than that of steady sliding, about which every motion
      * decays: what still vibrates dies out, however slowly. */
-    bool   dies_out  = false;
-    bool   vibrates  = false;             /**< more than noise, to stay */
+    bool dies_out = false;
+    bool vibrates = false; /**< more than noise, to stay */
+    /** The normal force is steady and the tangential one vibrates, as in pure
+     * stick-slip: it is the one whose vibration is judged. */
+    bool   by_tangential = false;
     double least_rms = 0., most_rms = 0.; /**< of its four quarters, N */
-    double frequency = 0.; /**< of the periodic normal resultant, Hz */
+    double frequency = 0.; /**< of the periodic resultant that is judged, Hz */
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
