@@ -281,8 +281,9 @@ namespace squeal
         "Angle",
         b.angle,
         Allowed::number(),
-        "What the mesh is turned by about that axis, such as the angle "
-        "at which a disc with vanes stands. Annuli and cylinders turn "
+        "What the mesh and lumped masses on it are turned by about that axis, "
+        "such as the angle at which a disc with vanes stands; springs and "
+        "measurement points stay where they are. Annuli and cylinders turn "
         "about z only.",
         "deg");
     }

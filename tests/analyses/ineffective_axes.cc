@@ -54,6 +54,33 @@ namespace
           "nothing has been swept");
   }
 
+  /** An entry that is to be varied beside the axes. */
+  void
+  refused_beside(const std::string &scene,
+                 const std::string &entry,
+                 const bool         acts)
+  {
+    std::filesystem::remove_all("out");
+    write_text("beside.prm",
+               replaced_in(small_brake,
+                           "set Analysis         = cea",
+                           "set Analysis         = sweep") +
+                 "subsection Scene\n" + scene +
+                 "end\nsubsection Sweep\n  set Axes = mu\n"
+                 "  set Sensitivities = " +
+                 entry +
+                 "\n  subsection Axis mu\n    set Entries = Scene/Contact "
+                 "pad_disc/Friction coefficient\n    set From = 0.1\n    set "
+                 "To = 0.3\n    set Number = 3\n  end\nend\n");
+    const Outcome o = run_program({program, "beside.prm"});
+    check((o.code == 0) == acts,
+          "a sensitivity to " + entry + (acts ? " runs: " : " is refused: ") +
+            o.errors);
+    check(acts || unbroken(o.errors).find("is to be varied beside the axes") !=
+                    std::string::npos,
+          "and the line says so");
+  }
+
   void
   accepted(const std::string &scene,
            const std::string &entry,
@@ -100,6 +127,8 @@ main(int argc, char **argv)
           "1e-8",
           "1e-7",
           "'Scene/Damping/Model = per part'");
+  refused_beside(whole, contact + "Tangential stiffness", false);
+  refused_beside(whole, pad + "Density", true);
   accepted(parts, pad + "Structural damping", "0", "0.1");
   accepted(whole, contact + "Normal stiffness", "1e7", "1e8");
   // Through the friction term alone.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Directions of pairs as wholes: across the sliding two pads of one disc go one
+// way, and a contact all round a shaft has no side and no leading edge.
+
+#include <squeal/contact/contact_resultant.h>
+
+#include "check.h"
+
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  using Vector = dealii::Tensor<1, 3>;
+
+  void
+  add_point(ContactGeometry        &g,
+            const dealii::Point<3> &x,
+            const Vector           &normal,
+            const Vector           &sliding)
+  {
+    g.points.push_back(x);
+    g.areas.push_back(1e-4);
+    ContactFrame frame;
+    frame.normal     = normal;
+    frame.sliding    = sliding;
+    frame.transverse = dealii::cross_product_3d(sliding, normal);
+    g.frames.push_back(frame);
+  }
+
+  /** Four points about x = 0.1 m that slide along y. */
+  ContactGeometry
+  pad(const double normal)
+  {
+    ContactGeometry g;
+    for (const double x : {.09, .11})
+      for (const double y : {-.01, .01})
+        add_point(
+          g, {x, y, 0.}, Vector({0., 0., normal}), Vector({0., 1., 0.}));
+    return g;
+  }
+
+  /** Points round a shaft of 20 mm, over @p angle, that slide round it. */
+  ContactGeometry
+  sleeve(const double angle)
+  {
+    ContactGeometry    g;
+    const unsigned int n = 36;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double a = angle * (i + .5) / n, c = std::cos(a), s = std::sin(a);
+        add_point(
+          g, {.02 * c, .02 * s, 0.}, Vector({c, s, 0.}), Vector({-s, c, 0.}));
+      }
+    return g;
+  }
+
+  Eigen::VectorXd
+  even_forces(const ContactGeometry &g)
+  {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(3 * g.points.size());
+    for (std::size_t i = 0; i < g.points.size(); ++i)
+      f[3 * i] = 10.;
+    return f;
+  }
+} // namespace
+
+int
+main()
+{
+  const ContactGeometry upper = pad(1.), lower = pad(-1.);
+  // 5 N outwards on every point of both.
+  double sum = 0.;
+  for (const ContactGeometry *g : {&upper, &lower})
+    {
+      Eigen::VectorXd f = Eigen::VectorXd::Zero(12);
+      for (unsigned int i = 0; i < 4; ++i)
+        f[3 * i + 2] = 5. * g->frames[i].transverse[0];
+      sum += transverse_sense(upper, *g) * resultant_force(*g, f)[0];
+    }
+  check(std::abs(std::abs(sum) - 40.) < 1e-9,
+        "what pushes two pads outwards adds up");
+  check(looks_to_one_side(upper) && looks_to_one_side(sleeve(M_PI)),
+        "a flat face and half a shaft have a side");
+  check(!looks_to_one_side(sleeve(2. * M_PI)), "a whole shaft has none");
+  check(std::isfinite(
+          contact_resultant(upper, even_forces(upper)).leading_edge_factor),
+        "a pad has a leading edge");
+  const ContactGeometry all_round = sleeve(2. * M_PI);
+  const auto r = contact_resultant(all_round, even_forces(all_round));
+  check(std::isnan(r.leading_edge_factor), "a shaft has none");
+  check(std::abs(r.force[2] - 360.) < 1e-9, "but a normal force");
+}
