@@ -166,6 +166,7 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/frequency_dependence.cc
     source/eigen/mass_basis.cc
     source/eigen/modal_response.cc
+    source/eigen/mode_coupling.cc
     source/eigen/mode_naming.cc
     source/eigen/mode_naming_choice.cc
     source/eigen/mode_naming_disc.cc

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
-#include <squeal/base/worst_of.h>
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/eigen/undamped_modes.h>
 
 #include "arpack_modes.h"
+#include "mode_coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -392,43 +392,6 @@ namespace squeal
     /** Modes pass whose products with M and K are diagonal to this; good ones
      * have 1e-7 and less. */
     constexpr double largest_coupling = 1e-4;
-
-    /** How far X^T M X is from 1 and X^T K X from omega^2 of the first @p n
-     * modes, relative. A residual K x - omega^2 M x tells less: a trace of a
-     * stiff motion, which is no error of the mode, makes it large. Rigid
-     * motions
-     * are measured by a hundredth of @p limit, a size of omega^2. */
-    double
-    worst_coupling(const UndampedModes &modes,
-                   const unsigned int   n,
-                   const double         limit,
-                   const RowSpace      &space)
-    {
-      if (n == 0)
-        return 0.;
-      // Some of them against all: what goes wrong goes wrong for many.
-      std::vector<Eigen::Index> some;
-      for (unsigned int k = 0; k < std::min(n, 32u); ++k)
-        some.push_back(k * std::size_t(n) / std::min(n, 32u));
-      const Eigen::VectorXd omega = modes.omega_squared.head(n)
-                                      .cwiseAbs()
-                                      .cwiseMax(1e-2 * limit)
-                                      .cwiseSqrt();
-      const Block     X = modes.shapes(Eigen::all, some);
-      Eigen::MatrixXd M =
-        inner_products(space, X, modes.mass_products.leftCols(n));
-      Eigen::MatrixXd K =
-        inner_products(space, X, modes.stiffness_products.leftCols(n));
-      for (std::size_t k = 0; k < some.size(); ++k)
-        {
-          M(k, some[k]) -= 1.;
-          K(k, some[k]) -= modes.omega_squared[some[k]];
-          K.row(k) /= omega[some[k]];
-        }
-      K = (K * omega.cwiseInverse().asDiagonal()).eval();
-      return worst_of(M.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(),
-                      K.cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
-    }
 
     /** Sets n_certified; throws where a mode below the limit is missing or is
      * none. */

@@ -185,6 +185,8 @@ namespace
     bar.rowRange(350, 352).setTo(255.);
     cv::putText(bar, "20 kV  100 um", {40, 385}, 0, 1., 255., 2);
     check(rows_above_data_bar(bar) == 350, "an even strip is a data bar");
+    bar.rowRange(398, 400).setTo(255.);
+    check(rows_above_data_bar(bar) == 350, "and so is one with a frame");
   }
 
   /** Points that are middles of cells have cells of their whole area. */

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace squeal::tribology
 {
@@ -159,16 +160,17 @@ namespace squeal::tribology
   int
   rows_above_data_bar(const cv::Mat &grey)
   {
-    const float background =
-      most_frequent(grey.ptr<float>(grey.rows - 1), grey.cols).first;
-    int    top = grey.rows;
-    double sum = 0.;
+    std::optional<float> background;
+    int                  top = grey.rows;
+    double               sum = 0.;
     for (int y = grey.rows - 1; y >= 0; --y)
       {
         const auto [value, n] = most_frequent(grey.ptr<float>(y), grey.cols);
         // A row of another value is a frame line of the bar.
         const bool is_line = 10 * n > 9 * grey.cols;
-        if (2 * n <= grey.cols || (value != background && !is_line))
+        if (!background && !is_line)
+          background = value;
+        if (2 * n <= grey.cols || (!is_line && value != *background))
           break;
         sum += double(n) / grey.cols;
         top = y;
