@@ -113,7 +113,8 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/modulus_tables.cc
     source/scene/nastran_groups.cc
     source/scene/nastran_mesh.cc
-    source/scene/turning.cc)
+    source/scene/tied_faces.cc
+  source/scene/turning.cc)
 
 set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/affine_system.cc

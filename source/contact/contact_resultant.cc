@@ -25,9 +25,13 @@ namespace squeal
      * mix friction into the force across it. */
     constexpr double least_component = 1e-12;
 
-    /** A normal this close to +z is +z: of rounded coordinates in mesh files.
-     */
-    constexpr double all_but_up = 1e-3;
+    /** A normal this close to an axis of the scene is along it: of rounded
+     * coordinates in mesh files. */
+    constexpr double all_but_along = 1e-3;
+
+    /** Sliding this close to an axis of the scene, by the cosine, takes it for
+     * its own: 30 degrees. */
+    constexpr double near_axis = 0.866;
 
     Vector
     direction_of(Vector v)
@@ -37,6 +41,53 @@ namespace squeal
         if (std::abs(v[c]) < least_component * size)
           v[c] = 0.;
       return v / v.norm();
+    }
+
+    /** Means over the face, by areas. */
+    struct MeanDirections
+    {
+      explicit MeanDirections(const ContactGeometry &g)
+      {
+        double area = 0.;
+        for (std::size_t j = 0; j < g.points.size(); ++j)
+          {
+            area += g.areas[j];
+            normal += g.areas[j] * g.frames[j].normal;
+            sliding += g.areas[j] * g.frames[j].sliding;
+          }
+        normal /= area;
+        sliding /= area;
+      }
+
+      Vector normal, sliding; /**< at most 1 long */
+    };
+
+    /** The axis of the scene, with its sign, that @p v is nearest to. */
+    Vector
+    nearest_axis(const Vector &v)
+    {
+      unsigned int largest = 0;
+      for (unsigned int c = 1; c < 3; ++c)
+        if (std::abs(v[c]) > std::abs(v[largest]))
+          largest = c;
+      Vector axis;
+      axis[largest] = v[largest] < 0. ? -1. : 1.;
+      return axis;
+    }
+
+    /** Nodes where @p direction begins. */
+    std::vector<bool>
+    edge_where_begins(const ContactGeometry &g, const Vector &direction)
+    {
+      std::vector<double> along;
+      for (const auto &p : g.points)
+        along.push_back(direction * Vector(p));
+      const auto   ends  = std::minmax_element(along.begin(), along.end());
+      const double limit = *ends.first + 1e-6 * (*ends.second - *ends.first);
+      std::vector<bool> result;
+      for (const double s : along)
+        result.push_back(s <= limit);
+      return result;
     }
 
     /** The part of the coordinate axis y, or x, that lies across @p normal. */
@@ -67,20 +118,15 @@ namespace squeal
   ContactFrame
   mean_frame(const ContactGeometry &g)
   {
-    Vector normal, sliding;
-    double area = 0.;
-    for (std::size_t j = 0; j < g.points.size(); ++j)
-      {
-        area += g.areas[j];
-        normal += g.areas[j] * g.frames[j].normal;
-        sliding += g.areas[j] * g.frames[j].sliding;
-      }
-    ContactFrame frame;
+    const MeanDirections mean(g);
+    ContactFrame         frame;
     // A ring all round has no side that it looks to.
-    frame.normal = normal.norm() > least_direction * area ? direction_of(normal)
-                                                          : g.frames[0].normal;
-    sliding -= (sliding * frame.normal) * frame.normal;
-    frame.sliding    = sliding.norm() > least_direction * area
+    frame.normal = mean.normal.norm() > least_direction
+                     ? direction_of(mean.normal)
+                     : g.frames[0].normal;
+    const Vector sliding =
+      mean.sliding - (mean.sliding * frame.normal) * frame.normal;
+    frame.sliding    = sliding.norm() > least_direction
                          ? direction_of(sliding)
                          : some_direction(frame.normal);
     frame.transverse = dealii::cross_product_3d(frame.sliding, frame.normal);
@@ -92,14 +138,13 @@ namespace squeal
   bool
   looks_to_one_side(const ContactGeometry &g)
   {
-    Vector normal;
-    double area = 0.;
-    for (std::size_t j = 0; j < g.points.size(); ++j)
-      {
-        area += g.areas[j];
-        normal += g.areas[j] * g.frames[j].normal;
-      }
-    return normal.norm() > least_side * area;
+    return MeanDirections(g).normal.norm() > least_side;
+  }
+
+  bool
+  slides_one_way(const ContactGeometry &g)
+  {
+    return MeanDirections(g).sliding.norm() > least_side;
   }
 
   double
@@ -126,16 +171,22 @@ namespace squeal
   Eigen::MatrixXd
   resultant_rows(const ContactGeometry &g)
   {
-    const ContactFrame mean = mean_frame(g);
-    Eigen::MatrixXd    rows = Eigen::MatrixXd::Zero(3, 3 * g.points.size());
+    const ContactFrame mean    = mean_frame(g);
+    const bool         one_way = slides_one_way(g);
+    Eigen::MatrixXd    rows    = Eigen::MatrixXd::Zero(3, 3 * g.points.size());
     for (std::size_t j = 0; j < g.points.size(); ++j)
       {
+        rows(2, 3 * j) = 1.;
+        if (!one_way)
+          {
+            rows(0, 3 * j + 2) = rows(1, 3 * j + 1) = 1.;
+            continue;
+          }
         const ContactFrame &frame = g.frames[j];
         rows(0, 3 * j + 1)        = frame.sliding * mean.transverse;
         rows(0, 3 * j + 2)        = frame.transverse * mean.transverse;
         rows(1, 3 * j + 1)        = frame.sliding * mean.sliding;
         rows(1, 3 * j + 2)        = frame.transverse * mean.sliding;
-        rows(2, 3 * j)            = 1.;
       }
     return rows;
   }
@@ -152,16 +203,15 @@ namespace squeal
   std::vector<bool>
   leading_edge(const ContactGeometry &g)
   {
-    const Vector        sliding = mean_frame(g).sliding;
-    std::vector<double> along;
-    for (const auto &p : g.points)
-      along.push_back(sliding * Vector(p));
-    const auto        ends  = std::minmax_element(along.begin(), along.end());
-    const double      limit = *ends.first + 1e-6 * (*ends.second - *ends.first);
-    std::vector<bool> result;
-    for (const double s : along)
-      result.push_back(s <= limit);
-    return result;
+    return slides_one_way(g) ? edge_where_begins(g, mean_frame(g).sliding)
+                             : std::vector<bool>(g.points.size(), false);
+  }
+
+  std::vector<bool>
+  trailing_edge(const ContactGeometry &g)
+  {
+    return slides_one_way(g) ? edge_where_begins(g, -mean_frame(g).sliding)
+                             : std::vector<bool>(g.points.size(), false);
   }
 
 
@@ -196,9 +246,10 @@ namespace squeal
         const Vector arm = moment / r.force[2] - face / total;
         r.centre         = {{arm * frame.transverse, arm * frame.sliding}};
       }
-    r.leading_edge_factor = is_pressed && looks_to_one_side(g)
-                              ? edge_force / edge_area / r.mean_pressure
-                              : not_known;
+    r.leading_edge_factor =
+      is_pressed && looks_to_one_side(g) && slides_one_way(g)
+        ? edge_force / edge_area / r.mean_pressure
+        : not_known;
     return r;
   }
 
@@ -208,14 +259,13 @@ namespace squeal
   {
     const ContactFrame mean = mean_frame(g);
     axes                    = {{mean.transverse, mean.sliding, mean.normal}};
-    Vector up;
-    up[2] = 1.;
-    if ((mean.normal - up).norm() < all_but_up)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          axes[c]    = Vector();
-          axes[c][c] = 1.;
-        }
+    const Vector up         = nearest_axis(mean.normal),
+                 on         = nearest_axis(mean.sliding);
+    if ((mean.normal - up).norm() < all_but_along &&
+        mean.sliding * on > near_axis)
+      axes = {{dealii::cross_product_3d(on, up), on, up}};
+    const Vector sliding = MeanDirections(g).sliding;
+    mean_sliding         = {{sliding * axes[0], sliding * axes[1]}};
     for (const ContactFrame &frame : g.frames)
       {
         const Vector a = turned(axes[0], axes[2], frame.normal),
@@ -237,6 +287,12 @@ namespace squeal
   FaceAxes::directions() const
   {
     return axes;
+  }
+
+  std::array<double, 2>
+  FaceAxes::sliding() const
+  {
+    return mean_sliding;
   }
 
   std::array<double, 3>

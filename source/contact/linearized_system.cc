@@ -87,6 +87,22 @@ namespace squeal
       return row;
     }
 
+    /** Refuses a closed node that supports hold along the contact where the
+     * target can move: it would have to hold the target. */
+    void
+    require_held_target(const ContactParameters &contact,
+                        const dealii::Point<3>  &node,
+                        const Functionals::Row  &target)
+    {
+      if (!target.empty())
+        throw InputError(
+          "contact " + contact.name + ": the source node at (" +
+          rounded_text(node[0], 4) + ", " + rounded_text(node[1], 4) + ", " +
+          rounded_text(node[2], 4) +
+          ") m is held by a support along the contact, and would hold the "
+          "target; exchange source and target, or set 'Formulation = springs'");
+    }
+
     /** Closed nodes follow the target along the normal, sticking ones in every
      * direction; the multipliers of slipping ones make friction. */
     MortarContact
@@ -104,17 +120,28 @@ namespace squeal
           const auto &rows = coupling.source_rows[j];
           if (state.status[j] == ContactStatus::stick)
             for (unsigned int c = 0; c < 3; ++c)
-              if (rows[c] != -1u)
-                {
-                  dependent.rows.push_back(rows[c]);
-                  dependent.combinations.push_back(coupling.target_rows[j][c]);
-                }
+              {
+                if (rows[c] == -1u)
+                  {
+                    require_held_target(
+                      contact, coupling.nodes[j], coupling.target_rows[j][c]);
+                    continue;
+                  }
+                dependent.rows.push_back(rows[c]);
+                dependent.combinations.push_back(coupling.target_rows[j][c]);
+              }
           if (state.status[j] != ContactStatus::slip)
             continue;
           const auto        &n = geometry.frames[j].normal;
           const unsigned int c = component_along(n, rows);
           if (c == -1u)
-            continue;
+            {
+              for (unsigned int k = 0; k < 3; ++k)
+                if (n[k] != 0.)
+                  require_held_target(
+                    contact, coupling.nodes[j], coupling.target_rows[j][k]);
+              continue;
+            }
           // n . (u_target - u_source) = 0, solved for component c.
           std::vector<std::pair<double, const Functionals::Row *>> parts;
           for (unsigned int k = 0; k < 3; ++k)

@@ -178,17 +178,14 @@ namespace squeal
 
 
 
+    /** Stands for a hanging node, which has no row of its own. */
+    constexpr unsigned int hanging = -2u;
+
     unsigned int
-    free_row(const Discretization                 &d,
-             const dealii::types::global_dof_index dof,
-             const std::string                    &where)
+    free_row(const Discretization &d, const dealii::types::global_dof_index dof)
     {
       const Combination &parts = d.expansion(dof);
-      if (parts.size() > 1)
-        throw InputError(where +
-                         ": the source face carries hanging nodes; refine "
-                         "the target body only");
-      return parts.empty() ? -1u : parts[0].first;
+      return parts.empty() ? -1u : parts.size() > 1 ? hanging : parts[0].first;
     }
   } // namespace
 
@@ -217,7 +214,7 @@ namespace squeal
                   for (unsigned int c = 0; c < 3; ++c)
                     {
                       mine.push_back(face.geometry.nodes()[a][c]);
-                      mine.push_back(free_row(d, face.dofs[a][c], where));
+                      mine.push_back(free_row(d, face.dofs[a][c]));
                     }
                 }
             }
@@ -237,6 +234,11 @@ namespace squeal
               {
                 points.back()[c] = all[p++];
                 rows.back()[c]   = static_cast<unsigned int>(all[p++]);
+                // Here, where all ranks know it.
+                if (rows.back()[c] == hanging)
+                  throw InputError(where +
+                                   ": the source face carries hanging nodes; "
+                                   "refine the target body only");
               }
           }
         faces.push_back({SurfaceFace(basis, points), keys, rows});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/discretization/face_quadrature.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -94,7 +95,18 @@ namespace squeal
                 }
             }
     const std::vector<double> all = all_gather(mine, d.space()->communicator());
-    FaceQuadrature            result;
+    if (all.empty())
+      {
+        const unsigned int body = id / max_faces_per_body,
+                           face = id % max_faces_per_body;
+        throw InputError("body '" + d.scene().bodies[body].name +
+                         "': its face '" +
+                         d.coarse_mesh().face_names[body][face] +
+                         "' lies inside, joined by a conforming tie or under "
+                         "a layer: nothing can act on it; 'Kind = mortar' "
+                         "keeps the faces of a tie");
+      }
+    FaceQuadrature result;
     for (std::size_t k = 0; k < all.size(); k += 7)
       {
         result.points.emplace_back(all[k], all[k + 1], all[k + 2]);

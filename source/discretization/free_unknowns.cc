@@ -88,6 +88,42 @@ namespace squeal
       return smallest;
     }
 
+    /** Whether any rank knows one of @p set that is zero. */
+    bool
+    is_held_somewhere(const IndexSet                          &set,
+                      const dealii::AffineConstraints<double> &constraints,
+                      const MPI_Comm                           comm)
+    {
+      int held = 0;
+      for (const auto i : set)
+        if (const auto *entries = constraints.is_constrained(i)
+                                    ? constraints.get_constraint_entries(i)
+                                    : nullptr;
+            entries && entries->empty())
+          held = 1;
+      MPI_Allreduce(MPI_IN_PLACE, &held, 1, MPI_INT, MPI_MAX, comm);
+      return held != 0;
+    }
+
+    /** The face moves along its normal as a whole, and not at all where another
+     * support holds a part of it. */
+    void
+    guide(const IndexSet                    &set,
+          const MPI_Comm                     comm,
+          dealii::AffineConstraints<double> &constraints)
+    {
+      const unsigned int master  = smallest_on_any_rank(set, comm);
+      const bool         is_held = is_held_somewhere(set, constraints, comm);
+      for (const auto i : set)
+        if (!constraints.is_constrained(i) && (is_held || i != master))
+          {
+            constraints.add_line(i);
+            if (!is_held)
+              constraints.add_entry(i, master, 1.);
+          }
+    }
+
+    /** Guided faces come last: they depend on what else is held. */
     void
     add_supports(const SceneParameters             &scene,
                  const CoarseMesh                  &mesh,
@@ -95,33 +131,28 @@ namespace squeal
                  const MPI_Comm                     comm,
                  dealii::AffineConstraints<double> &constraints)
     {
-      for (const auto &support : scene.supports)
-        {
-          const unsigned int b = body_index(scene, support.body);
-          if (scene.bodies[b].shape == BodyParameters::Shape::rigid ||
-              support.kind == SupportParameters::Kind::free)
-            continue;
-          const unsigned int id =
-            face_id(mesh, scene, support.body, support.face);
-          const unsigned int axis = guided_axis(mesh, support, id);
-          if (support.kind == SupportParameters::Kind::guided)
-            {
-              const IndexSet set =
-                dofs_of_face(dofs, id, {{axis == 0, axis == 1, axis == 2}});
-              const unsigned int master = smallest_on_any_rank(set, comm);
-              for (const auto i : set)
-                if (i != master && !constraints.is_constrained(i))
-                  {
-                    constraints.add_line(i);
-                    constraints.add_entry(i, master, 1.);
-                  }
-            }
-          else
-            for (const auto i :
-                 dofs_of_face(dofs, id, held_components(support, axis)))
-              if (!constraints.is_constrained(i))
-                constraints.add_line(i);
-        }
+      using Kind = SupportParameters::Kind;
+      for (const bool guided : {false, true})
+        for (const auto &support : scene.supports)
+          {
+            const unsigned int b = body_index(scene, support.body);
+            if (scene.bodies[b].shape == BodyParameters::Shape::rigid ||
+                support.kind == Kind::free ||
+                (support.kind == Kind::guided) != guided)
+              continue;
+            const unsigned int id =
+              face_id(mesh, scene, support.body, support.face);
+            const unsigned int axis = guided_axis(mesh, support, id);
+            if (guided)
+              guide(dofs_of_face(dofs, id, {{axis == 0, axis == 1, axis == 2}}),
+                    comm,
+                    constraints);
+            else
+              for (const auto i :
+                   dofs_of_face(dofs, id, held_components(support, axis)))
+                if (!constraints.is_constrained(i))
+                  constraints.add_line(i);
+          }
     }
 
     void

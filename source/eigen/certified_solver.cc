@@ -163,15 +163,9 @@ namespace squeal
   CertifiedSolver::look_below_band(const DensePairs       &dense,
                                    const CertifiedOptions &options)
   {
-    // Rigid motions are rounding away from 0 on either side; what grows slower
-    // than this is not told from them.
-    const double noise  = 1e-4 * 2. * M_PI * options.highest_frequency;
-    const double lowest = 2. * M_PI * options.lowest_frequency;
-    growth_below        = 0.;
-    for (const Complex lambda : dense.lambda)
-      if (lambda.imag() < lowest &&
-          lambda.real() > std::max(noise, growth_below.real()))
-        growth_below = lambda;
+    growth_below = fastest_growth_below(dense.lambda,
+                                        2. * M_PI * options.lowest_frequency,
+                                        2. * M_PI * options.highest_frequency);
   }
 
 

@@ -242,6 +242,27 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Growth over |lambda| that is more than rounding. */
+    constexpr double least_growth = 1e-4;
+  } // namespace
+
+  std::complex<double>
+  fastest_growth_below(const Eigen::VectorXcd &lambda,
+                       const double            lowest,
+                       const double            highest)
+  {
+    Complex fastest = 0.;
+    for (const Complex l : lambda)
+      if (l.imag() < lowest && std::abs(l) > share_of_rigid_motions * highest &&
+          l.real() > std::max(least_growth * std::abs(l), fastest.real()))
+        fastest = l;
+    return fastest;
+  }
+
+
+
   Eigen::Index
   n_eigenvalues_above(const Eigen::MatrixXd  &M,
                       const Eigen::MatrixXd  &C,

@@ -91,13 +91,46 @@ namespace squeal
 
 
 
+  double
+  FrequencyDependentPairs::lowest_frequency() const
+  {
+    return lowest / (2. * M_PI);
+  }
+
+  std::complex<double>
+  FrequencyDependentPairs::growth_below() const
+  {
+    return growth;
+  }
+
+
+
   DensePairs
   FrequencyDependentPairs::solve(const std::vector<ReducedPart> &parts)
   {
     if (starts_anew || !follow(parts))
       last = search(parts);
     starts_anew = false;
+    look_below(parts);
     return last.pairs;
+  }
+
+  void
+  FrequencyDependentPairs::look_below(const std::vector<ReducedPart> &parts)
+  {
+    std::vector<ReducedPart> there = with_coefficients(parts, at(lowest));
+    growth                         = fastest_growth_below(
+      solve_dense_quadratic(there, false, 0., 0.).lambda, lowest, highest);
+    // A loss factor has no meaning without vibration, and would turn what
+    // diverges into a motion of negative frequency.
+    for (ReducedPart &part : there)
+      part.coefficients.stiffness = part.coefficients.stiffness.real();
+    const Complex without_vibration =
+      fastest_growth_below(solve_dense_quadratic(there, false, 0., 0.).lambda,
+                           1e-12 * highest,
+                           highest);
+    if (without_vibration.real() > growth.real())
+      growth = without_vibration;
   }
 
   bool

@@ -4,6 +4,7 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/direct_solver.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/model/frequency_pencil.h>
@@ -148,7 +149,12 @@ namespace squeal
                              &finder,
                              products_of(model, modes));
       take_modes_at_ends_of_band(pencil, p, solver, log);
-      return solve_certified(solver, p.eigen, log);
+      CeaSolution solution = solve_certified(solver, p.eigen, log);
+      solution.lowest_frequency =
+        std::max(p.eigen.lowest_frequency, finder.lowest_frequency());
+      solution.has_looked_below = true;
+      solution.growth_below     = finder.growth_below();
+      return solution;
     }
   } // namespace
 
@@ -167,7 +173,8 @@ namespace squeal
     if (p.solver == EigenParameters::Solver::direct)
       {
         Timers::Section section(timers, "Solve: direct eigenvalues");
-        solution.pairs = solve_direct(model, modes);
+        solution.pairs            = solve_direct(model, modes);
+        solution.lowest_frequency = p.lowest_frequency;
         return solution;
       }
     Timers::Section section(timers, "Solve: certified eigenvalues");
@@ -179,6 +186,7 @@ namespace squeal
     modes.modes.release_start();
     return_freed_memory();
     solution                  = solve_certified(solver, p, log);
+    solution.lowest_frequency = p.lowest_frequency;
     solution.has_looked_below = true;
     solution.growth_below     = solver.growth_below_band();
     return solution;
@@ -197,22 +205,46 @@ namespace squeal
            "'Eigenvalues/Lowest frequency = 0' only";
   }
 
+  namespace
+  {
+    /** What to do to have a motion below in the tables. */
+    std::string
+    how_to_see(const CeaSolution &solution, const EigenParameters &p)
+    {
+      return solution.lowest_frequency > p.lowest_frequency
+               ? "moduli that follow the frequency are sought from a "
+                 "thousandth "
+                 "of 'Eigenvalues/Highest frequency' on: lower that, or give "
+                 "the "
+                 "modulus as a number"
+               : "set 'Eigenvalues/Lowest frequency = 0' to have it in the "
+                 "tables";
+    }
+  } // namespace
+
+
+
   std::string
   text_below_band(const CeaSolution &solution, const EigenParameters &p)
   {
-    if (p.lowest_frequency == 0. || !solution.has_looked_below)
+    const double lowest = solution.lowest_frequency;
+    if (lowest == 0. || !solution.has_looked_below)
       return text_unseen_below_band(p);
     const std::complex<double> lambda = solution.growth_below;
     if (lambda == 0.)
-      return "nothing grows below " + rounded_text(p.lowest_frequency, 5) +
-             " Hz in the basis of the band, divergence included; not certified";
+      return "nothing grows below " + rounded_text(lowest, 5) +
+             " Hz in the basis of the band, divergence included; not "
+             "certified" +
+             (lowest > p.lowest_frequency
+                ? "; pairs there that do not grow are not in the tables: " +
+                    how_to_see(solution, p)
+                : "");
     return (lambda.imag() == 0.
               ? std::string("divergence: a motion grows without vibration")
               : "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
                   " Hz grows") +
            ", by about " + rounded_text(lambda.real(), 3) +
-           " 1/s, below the band: set 'Eigenvalues/Lowest frequency = 0' to "
-           "have it in the tables";
+           " 1/s, below the band: " + how_to_see(solution, p);
   }
 
 
@@ -223,7 +255,7 @@ namespace squeal
                        const std::string     &where,
                        RunLog                &log)
   {
-    if (p.lowest_frequency > 0. && solution.growth_below.real() > 0.)
+    if (solution.lowest_frequency > 0. && solution.growth_below.real() > 0.)
       log.warning(where + text_below_band(solution, p));
   }
 

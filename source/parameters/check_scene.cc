@@ -201,6 +201,14 @@ namespace squeal
         const BodyParameters &body =
           require_body(scene, support.body, section, "Body");
         require_face(body, support.face, section, "Face");
+        if (body.shape == Shape::rigid &&
+            (support.kind == Kind::guided || support.kind == Kind::held))
+          refuse_entry(section,
+                       "Kind",
+                       "= " + choice_name(support.kind) +
+                         " is for faces of meshed bodies: hold a rigid body by "
+                         "'Kind = components', 'x, y, rx, ry, rz' to guide it "
+                         "along z");
         if (support.kind != Kind::components)
           {
             if (!support.components.empty())

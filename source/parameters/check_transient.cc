@@ -145,12 +145,32 @@ namespace squeal
                        "model");
       }
 
+      /** A branch over friction keeps the directions of the scene, which a
+       * negative coefficient has turned. */
+      void
+      check_forward_sliding(const Parameters &p)
+      {
+        for (const auto &axis : p.sweep.axes)
+          if (std::any_of(
+                axis.entries.begin(), axis.entries.end(), &is_friction_entry))
+            for (const auto &contact : p.scene.contacts)
+              if (contact.friction_coefficient < 0.)
+                refuse_entry("Scene/Contact " + contact.name,
+                             "Friction coefficient",
+                             "must not be negative for a branch over friction: "
+                             "turn the sliding by its direction or the "
+                             "'Rotation speed'");
+      }
+
       void
       check_limit_cycle(const Parameters &p)
       {
         check_periodic_motions(p);
         if (!p.limit_cycle.campaign)
-          check_branch(p.sweep.axes);
+          {
+            check_branch(p.sweep.axes);
+            check_forward_sliding(p);
+          }
         else if (p.limit_cycle.frequency > 0.)
           refuse_entry("Limit cycle",
                        "Pair frequency",
@@ -191,6 +211,19 @@ namespace squeal
                        "must not be below 'Eigenvalues/Highest frequency'");
         if (t.history_start > t.end_time)
           refuse_entry("Transient", "History start", "is after 'End time'");
+        if (!t.hammer.body.empty() &&
+            !(t.hammer.time + t.hammer.duration < t.end_time))
+          refuse_entry("Transient/Hammer",
+                       "Time",
+                       "and 'Duration' end after 'Transient/End time': nothing "
+                       "of what follows the blow would be seen");
+        if (t.friction_impulse != 0. &&
+            !(t.friction_impulse_time + t.friction_impulse_duration <
+              t.end_time))
+          refuse_entry("Transient",
+                       "Friction impulse time",
+                       "and 'Friction impulse duration' end after 'End time': "
+                       "nothing of what follows the impulse would be seen");
         if (!slides(p.scene))
           refuse_entry(p.scene.contacts.size() == 1
                          ? "Scene/Contact " + p.scene.contacts.back().name

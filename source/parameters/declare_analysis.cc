@@ -233,14 +233,17 @@ namespace squeal
                    "'Discretization/Degree'.");
         schema.add("Quantity",
                    w.quantity,
-                   Allowed::one_of({"frequency", "sigma"}),
-                   "What is compared with the reference: the frequencies or "
-                   "the real parts of the eigenvalues.");
+                   Allowed::one_of({"frequency", "sigma", "eigenvalue"}),
+                   "What is compared with the reference: the frequencies, each "
+                   "relative to its own; the real parts of the eigenvalues, "
+                   "relative to the largest one in size; or the eigenvalues, "
+                   "each relative to its own.");
         schema.add("Reference",
                    w.reference,
                    Allowed::list(Allowed::number()),
-                   "Exact values in ascending order of frequency; empty: the "
-                   "finest rung is the reference.",
+                   "Exact frequencies or real parts of all pairs of the band; "
+                   "empty: the finest rung, the one with most unknowns, is the "
+                   "reference.",
                    "Hz or 1/s");
         schema.leave_section();
       }

@@ -28,8 +28,10 @@ namespace squeal
                    "Its face; empty for a rigid body.");
         schema.add("Kind",
                    t.kind,
-                   "Common nodes (conforming, the face meshes must match), a "
-                   "mortar condition, or the first where possible.");
+                   "Common nodes (conforming: the face meshes match, and "
+                   "nothing else of the scene is on them), a mortar condition "
+                   "(no support holds the source where the target is free), "
+                   "or the first where possible.");
       }
 
 

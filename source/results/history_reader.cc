@@ -215,6 +215,14 @@ namespace squeal
         for (unsigned int i = 0; i < 9; ++i)
           what.axes[i / 3][i % 3] = axes[i];
       }
+    if (file.has(group + "nodes/sliding"))
+      {
+        const std::vector<double> sliding = file.read(group + "nodes/sliding");
+        if (sliding.size() != 2)
+          refuse(file.path(), "has 'nodes/sliding' that are not two numbers");
+        check_numbers(file.path(), "nodes/sliding", sliding);
+        what.sliding = {{sliding[0], sliding[1]}};
+      }
     for (std::uint64_t i = 0; i < n; ++i)
       {
         if (!(what.areas[i] > 0.) || !std::isfinite(what.areas[i]))

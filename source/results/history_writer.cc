@@ -100,6 +100,9 @@ namespace squeal
     file->write(group + "nodes/area", {n}, layout.areas);
     if (layout.axes != HistoryLayout().axes)
       file->write(group + "nodes/axes", {3, 3}, axes);
+    if (layout.sliding != HistoryLayout().sliding)
+      file->write(
+        group + "nodes/sliding", {2}, {layout.sliding[0], layout.sliding[1]});
     if (!layout.quads.empty())
       {
         std::vector<double> corners;

@@ -256,15 +256,23 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** A group shares the directions of sliding, which a sign turns. */
+    void
+    check_signs_of_friction(const std::vector<ContactParameters> &contacts)
+    {
+      for (const auto &contact : contacts)
+        if (contact.friction_coefficient < 0.)
+          throw InputError("Scene/Contact " + contact.name +
+                           "/Friction coefficient: a campaign needs one of at "
+                           "least 0, here and on the axes of 'Sweep'");
+    }
+  } // namespace
+
   std::vector<std::vector<CampaignRun>>
   campaign_groups(const Parameters &p)
   {
-    // A group shares the directions of sliding, which a sign turns.
-    for (const auto &contact : p.scene.contacts)
-      if (contact.friction_coefficient < 0.)
-        throw InputError("Scene/Contact " + contact.name +
-                         "/Friction coefficient: a campaign needs one of at "
-                         "least 0");
     const auto              &axes = p.sweep.axes;
     std::vector<std::string> tops = p.transient.tops;
     if (tops.empty())
@@ -279,6 +287,7 @@ namespace squeal
             for (CampaignRun &run :
                  by_integrators(run_at(base, axes, others, frictions, top)))
               {
+                check_signs_of_friction(run.parameters.scene.contacts);
                 run.fingerprint = fingerprint_of(run, axes);
                 groups.back().push_back(run);
               }

@@ -3,6 +3,7 @@
 #include <squeal/scene/coarse_mesh.h>
 #include <squeal/scene/layer_mesh.h>
 #include <squeal/scene/loose_parts.h>
+#include <squeal/scene/tied_faces.h>
 
 #include <algorithm>
 #include <cctype>
@@ -20,16 +21,6 @@ namespace squeal
       for (const auto &name : names)
         text += (text.empty() ? "" : ", ") + name;
       return text.empty() ? "none" : text;
-    }
-
-    std::set<unsigned int>
-    vertices_of_face(const CoarseMesh &mesh, const unsigned int id)
-    {
-      std::set<unsigned int> result;
-      for (const auto &quad : mesh.boundary.boundary_quads)
-        if (quad.boundary_id == id)
-          result.insert(quad.vertices.begin(), quad.vertices.end());
-      return result;
     }
 
     double
@@ -345,18 +336,25 @@ namespace squeal
           face_id(mesh, scene, tie.target_body, tie.target_face);
         const auto partner = matching_vertices(
           mesh, vertices_of_face(mesh, source), vertices_of_face(mesh, target));
-        const bool join_it =
-          !partner.empty() && tie.kind != TieParameters::Kind::mortar;
+        const std::string use     = other_use_of_tied_faces(scene, tie);
+        const bool        join_it = !partner.empty() &&
+                             tie.kind != TieParameters::Kind::mortar &&
+                             use.empty();
         if (partner.empty() && tie.kind == TieParameters::Kind::conforming)
           throw InputError("Scene/Tie " + tie.name + ": the face meshes of '" +
                            tie.source_body + "' and '" + tie.target_body +
                            "' do not match: give both the same cells or set "
                            "Kind = mortar");
+        if (!use.empty() && tie.kind == TieParameters::Kind::conforming)
+          throw InputError("Scene/Tie " + tie.name + ": '" + use +
+                           "' is on a face that a conforming tie joins, so "
+                           "that it lies inside: set Kind = mortar");
         if (join_it)
           join(mesh, partner, source, target);
         mesh.tie_is_conforming.push_back(join_it);
       }
     refuse_loose_parts(scene, mesh);
+    check_supports_on_ties(scene, mesh);
     compress(mesh);
     return mesh;
   }

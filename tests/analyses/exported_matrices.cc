@@ -321,7 +321,7 @@ namespace
   {
     std::vector<std::string> overrides = small_brake;
     overrides.push_back("Analysis = work precision");
-    overrides.push_back("Work precision/Quantity = sigma");
+    overrides.push_back("Work precision/Quantity = eigenvalue");
     overrides.push_back("Work precision/Ladders = cells");
     overrides.push_back("Work precision/Values = 0.5, 1");
     run(

@@ -25,6 +25,10 @@ namespace squeal
    * along a normal of its own have a meaning: false all round a shaft. */
   bool looks_to_one_side(const ContactGeometry &geometry);
 
+  /** Whether its points slide in one direction on the whole, so that the face
+   * has a leading edge: false all round the axis of a disc. */
+  bool slides_one_way(const ContactGeometry &geometry);
+
   /** 1 or -1: with that factor the direction s of @p other, which turns over
    * with the normal, goes the way of that of @p first, both outwards or both
    * inwards on a disc between two pads. */
@@ -33,7 +37,9 @@ namespace squeal
 
   /** Resultant of nodal forces by the target on the source, N: along s
    * (radially outwards under a disc that turns about +z), along t, normal,
-   * compression positive. @p forces: three a node of this pair. */
+   * compression positive. Where slides_one_way() is false the first two are the
+   * sums of what each node has across and along its own sliding. @p forces:
+   * three a node of this pair. */
   std::array<double, 3> resultant_force(const ContactGeometry &geometry,
                                         const Eigen::VectorXd &forces);
 
@@ -50,15 +56,19 @@ namespace squeal
     double peak_pressure = 0.;    /**< of a node, Pa */
     /** Mean pressure of the nodes on the edge where the target's surface
      * enters, over that of the face; NaN without contact and where the face
-     * looks to no side. */
+     * looks to no side or slides all round. */
     double leading_edge_factor = 0.;
   };
 
   ContactResultant contact_resultant(const ContactGeometry &geometry,
                                      const Eigen::VectorXd &forces);
 
-  /** Nodes on the edge where the target's surface enters. */
+  /** Nodes on the edge where the target's surface enters; none where
+   * slides_one_way() is false. */
   std::vector<bool> leading_edge(const ContactGeometry &geometry);
+
+  /** Those on the edge where it leaves, likewise. */
+  std::vector<bool> trailing_edge(const ContactGeometry &geometry);
 
   /** Tractions of the target on the source at every node, Pa, along x, y, z. */
   std::vector<dealii::Tensor<1, 3>> tractions(const ContactGeometry &geometry,
@@ -66,9 +76,11 @@ namespace squeal
 
   /**
    * Two directions in a contact face and its normal, in which fields of the
-   * face are kept and drawn: x, y and z where the target looks along +z, else
-   * s, t and n of mean_frame(). On a curved face the two follow the normal of
-   * the node by the shortest turn.
+   * face are kept and drawn: s, t and n of mean_frame(), so that the leading
+   * edge is where the second one begins. Where n is along an axis of the scene,
+   * and t within 30 degrees of another, they are those axes, which keeps the
+   * nodes of a block in rows. On a curved face the two follow the normal of the
+   * node by the shortest turn.
    */
   class FaceAxes
   {
@@ -81,6 +93,9 @@ namespace squeal
     const std::array<dealii::Tensor<1, 3>, 3> &directions() const;
     /** A place along them, m. */
     std::array<double, 3> place(const dealii::Point<3> &x) const;
+    /** Mean over the face of the unit directions of sliding, along the first
+     * and the second direction: shorter than 1 where they differ. */
+    std::array<double, 2> sliding() const;
     /** What is @p along and @p across the sliding at a node, as components
      * along the first and the second direction. */
     std::array<double, 2> components(const unsigned int node,
@@ -89,6 +104,7 @@ namespace squeal
 
   private:
     std::array<dealii::Tensor<1, 3>, 3> axes;
+    std::array<double, 2>               mean_sliding;
     /** Of every node: the first and the second direction on sliding and
      * transverse direction. */
     std::vector<std::array<double, 4>> projections;

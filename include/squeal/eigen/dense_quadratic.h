@@ -39,6 +39,17 @@ namespace squeal
                                    const double                    alpha,
                                    const double                    beta);
 
+  /** Size of eigenvalues over the highest circular frequency of a band below
+   * which they are not told from rigid motions, whose zeros rounding moves to
+   * either side. */
+  constexpr double share_of_rigid_motions = 1e-4;
+
+  /** Of @p lambda below the circular frequency @p lowest the one that grows
+   * fastest, 0 where none does that is told from rigid motions. */
+  std::complex<double> fastest_growth_below(const Eigen::VectorXcd &lambda,
+                                            const double            lowest,
+                                            const double            highest);
+
   /** How many eigenvalues of lambda^2 M + lambda C + K have Im lambda above
    * @p omega > 0. */
   Eigen::Index n_eigenvalues_above(const Eigen::MatrixXd  &M,

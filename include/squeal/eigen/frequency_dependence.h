@@ -50,6 +50,14 @@ namespace squeal
     /** Full searches so far. */
     unsigned int n_searches() const;
 
+    /** From where on pairs are sought, Hz: @p lowest of the constructor, or a
+     * thousandth of @p highest where that is more. */
+    double lowest_frequency() const;
+
+    /** The fastest growing motion below that, by the last basis and with the
+     * moduli there, divergence included, 1/s; 0 where none grows. */
+    std::complex<double> growth_below() const;
+
   private:
     /** Pairs with the sense in which each crosses. */
     struct Found
@@ -74,12 +82,15 @@ namespace squeal
     int  count(const std::vector<ReducedPart> &parts) const;
     bool has_doubles() const;
 
-    const Coefficients at;
-    const double       lowest, highest; /**< rad/s, with what lies beyond */
-    Found              last;
-    bool               starts_anew = true;
-    unsigned int       n_windows   = 0;
-    unsigned int       searches    = 0;
+    void look_below(const std::vector<ReducedPart> &parts);
+
+    const Coefficients   at;
+    std::complex<double> growth = 0.;     /**< growth_below() */
+    const double         lowest, highest; /**< rad/s, with what lies beyond */
+    Found                last;
+    bool                 starts_anew = true;
+    unsigned int         n_windows   = 0;
+    unsigned int         searches    = 0;
   };
 } // namespace squeal
 

@@ -21,13 +21,17 @@ namespace squeal
     ComplexPairs                 pairs;
     std::vector<BasisEnrichment> history; /**< empty for the direct solver */
     unsigned int                 basis_size = 0;
+    /** From where on pairs were sought, Hz: the lowest frequency of the band
+     * or, where moduli follow the frequency, a thousandth of the highest if
+     * that is more. */
+    double lowest_frequency = 0.;
     /** Whether motions below the band were looked at, and the one of them that
      * grows fastest, 1/s; 0 where none grows. Not certified. */
     bool                 has_looked_below = false;
     std::complex<double> growth_below     = 0.;
   };
 
-  /** What is known of motions below the lowest frequency of the band, among
+  /** What is known of motions below the lowest frequency that was sought, among
    * them divergence, which has frequency 0; empty where the band starts at 0.
    */
   std::string text_below_band(const CeaSolution     &solution,

@@ -23,7 +23,10 @@ namespace squeal
      * the face and its normal. */
     std::array<std::array<double, 3>, 3> axes{
       {{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
-    /** Along them, m, one a node. */
+    /** Mean over the face of the unit directions in which the target slides,
+     * along the first and the second axis; 0 where it slides all round. */
+    std::array<double, 2> sliding{{0., 1.}};
+    /** Along the axes, m, one a node. */
     std::vector<std::array<double, 3>> points;
     std::vector<double>                areas; /**< m^2, tributary, one a node */
     /** Pieces of the face, four nodes each in order round it, for pictures;

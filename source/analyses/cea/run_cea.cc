@@ -175,6 +175,45 @@ namespace squeal
 
 
 
+    /** How it is known that no pair of the band is missing. */
+    std::string
+    completeness_text(const EigenParameters &p,
+                      const CeaSolution     &solution,
+                      const ModeSolution    &modes)
+    {
+      if (p.solver == EigenParameters::Solver::direct)
+        return "none: the direct solver has the pairs nearest to its shift";
+      return "inertia, all " + std::to_string(modes.modes.n_certified) +
+             " undamped modes below " +
+             rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
+             " Hz" +
+             (solution.lowest_frequency > p.lowest_frequency
+                ? ", pairs from " + rounded_text(solution.lowest_frequency, 4) +
+                    " Hz on"
+                : "");
+    }
+
+
+
+    /** Iterations of the direct solver end without a word. */
+    void
+    warn_of_residuals(const EigenParameters &p,
+                      const ComplexPairs    &pairs,
+                      RunLog                &log)
+    {
+      if (p.solver != EigenParameters::Solver::direct || pairs.size() == 0)
+        return;
+      if (const double worst = worst_of(pairs.residual);
+          !(worst <= p.residual_tolerance))
+        log.warning("the direct solver leaves a relative residual of " +
+                    rounded_text(worst, 2) +
+                    ", more than 'Eigenvalues/Residual tolerance' = " +
+                    rounded_text(p.residual_tolerance, 2) +
+                    ": pairs may be wrong by as much, and others missing");
+    }
+
+
+
     /** Bodies without a mesh have no error of one. */
     std::string
     largest_error(const Model        &model,
@@ -240,8 +279,9 @@ namespace squeal
     const UnstablePairs unstable = unstable_pairs(pairs, quantities);
     const std::string   below    = text_below_band(solution, p.eigen);
     const bool          grows_below =
-      solution.growth_below.real() > 0. && p.eigen.lowest_frequency > 0.;
+      solution.growth_below.real() > 0. && solution.lowest_frequency > 0.;
     warn_of_growth_below(solution, p.eigen, "", context.log);
+    warn_of_residuals(p.eigen, pairs, context.log);
     context.record.n_dofs  = model.n_unknowns();
     context.record.figures = {
       {"unstable pairs", std::to_string(unstable.number)},
@@ -253,11 +293,7 @@ namespace squeal
        rounded_text(worst_of(pairs.error_estimate), 2)},
       {"unknowns", std::to_string(model.n_unknowns())},
       {"basis", std::to_string(solution.basis_size)},
-      {"completeness",
-       "inertia, all " + std::to_string(modes.modes.n_certified) +
-         " undamped modes below " +
-         rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
-         " Hz"},
+      {"completeness", completeness_text(p.eigen, solution, modes)},
       {"linear solver", linear_solver_text(*modes.inverse)}};
     if (!below.empty())
       context.record.figures.push_back({"below the band", below});

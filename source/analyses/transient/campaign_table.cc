@@ -248,7 +248,7 @@ namespace squeal
     append(t.compare_with_cea ? comparison_cells(run, prepared, f)
                               : cycle_cells(run, prepared, record, f));
     if (!t.compare_with_cea && has_trigger(t))
-      append(trigger_cells(evaluate_trigger(record, t)));
+      append(trigger_cells(evaluate_trigger(record, f, t)));
     return row;
   }
 

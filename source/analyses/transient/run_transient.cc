@@ -142,7 +142,7 @@ namespace squeal
       write_transient_json(
         f,
         explained_verdict(
-          f, evaluate_trigger(record, context.parameters.transient)),
+          f, evaluate_trigger(record, f, context.parameters.transient)),
         context.output.file("transient.json"));
       write_sounds(context, prepared, record);
       if (history->n_samples() > 0)
@@ -259,7 +259,7 @@ namespace squeal
       const auto     &p      = context.parameters;
       const RunTables tables = write_tables(context, prepared, record, f);
       write_files(context, prepared, record, f, history);
-      const TriggerOutcome trigger  = evaluate_trigger(record, p.transient);
+      const TriggerOutcome trigger  = evaluate_trigger(record, f, p.transient);
       const std::string    left_out = left_out_text(f);
       context.record.figures        = figures_of_run(
         tables.summary,

@@ -32,6 +32,7 @@ namespace squeal
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int k = 0; k < 3; ++k)
           layout.axes[c][k] = axes.directions()[c][k];
+      layout.sliding = axes.sliding();
       for (const auto &x : pair.geometry.points)
         layout.points.push_back(axes.place(x));
       layout.areas = pair.geometry.areas;

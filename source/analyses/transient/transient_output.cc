@@ -102,7 +102,7 @@ namespace squeal
                        s.radial,
                        static_cast<int>(s.n_open),
                        static_cast<int>(s.n_stick),
-                       s.leading_edge,
+                       or_missing(s.leading_edge),
                        power_up_to(k, record, [&](const std::size_t i) {
                          return record.samples[i].friction;
                        })});

@@ -23,14 +23,17 @@ namespace squeal
      * large. */
     constexpr double squeal_level = 0.01, large_level = 0.1;
 
-    /** Of the normal force from one time to another. */
+    /** Of a resultant from one time to another. */
     struct Level
     {
       double mean = 0., rms = 0.;
     };
 
+    using Resultant = double TransientSample::*;
+
     Level
     level(const std::vector<TransientSample> &samples,
+          const Resultant                     of,
           const double                        from,
           const double                        to)
     {
@@ -41,7 +44,7 @@ namespace squeal
       for (const auto &s : samples)
         if (is_between(s))
           {
-            sum += s.normal;
+            sum += s.*of;
             n += 1.;
           }
       if (n == 0.)
@@ -51,8 +54,17 @@ namespace squeal
       double       variance = 0.;
       for (const auto &s : samples)
         if (is_between(s))
-          variance += (s.normal - mean) * (s.normal - mean) / n;
+          variance += (s.*of - mean) * (s.*of - mean) / n;
       return {mean, std::sqrt(variance)};
+    }
+
+    /** Whether steady sliding is left without a trigger, by the motion or by
+     * the pairs about it. */
+    bool
+    grows_by_itself(const TransientFigures &f)
+    {
+      return f.verdict == "unstable" || !f.growing_outside.empty() ||
+             (f.leading >= 0 && f.branches[f.leading].sigma > 0.);
     }
 
     /** Runs of a campaign that one picture shows. */
@@ -110,7 +122,9 @@ namespace squeal
 
 
   TriggerOutcome
-  evaluate_trigger(const TransientRecord &record, const TransientParameters &t)
+  evaluate_trigger(const TransientRecord     &record,
+                   const TransientFigures    &f,
+                   const TransientParameters &t)
   {
     TriggerOutcome r;
     if (!has_trigger(t))
@@ -129,16 +143,24 @@ namespace squeal
       }
     const auto  &samples = record.samples;
     const double last    = samples.back().time;
-    r.before             = level(samples, 0.75 * begin, begin).rms;
-    r.after              = level(samples, end, end + 0.1 * last).rms;
-    const Level  tail    = level(samples, 0.9 * last, last);
-    const double earlier = level(samples, 0.8 * last, 0.9 * last).rms;
-    r.end                = tail.rms;
-    const double window  = 0.01 * last;
+    const auto   rms     = [&](const double from, const double to) {
+      return level(samples,
+                   f.by_tangential ? &TransientSample::tangential
+                                         : &TransientSample::normal,
+                   from,
+                   to)
+        .rms;
+    };
+    const double mean =
+      level(samples, &TransientSample::normal, 0.9 * last, last).mean;
+    r.before             = rms(0.75 * begin, begin);
+    r.after              = rms(end, end + 0.1 * last);
+    r.end                = rms(0.9 * last, last);
+    const double earlier = rms(0.8 * last, 0.9 * last), window = 0.01 * last;
     for (double from = end; from + window <= last * (1. + 1e-9); from += window)
-      if (level(samples, from, from + window).rms > large_level * tail.mean)
+      if (rms(from, from + window) > large_level * mean)
         r.lasting = from + window - end;
-    const double least = squeal_level * tail.mean;
+    const double least = squeal_level * mean;
     // Small motion about steady sliding that shrinks ends, however slowly.
     const bool ends =
       r.end < earlier && std::all_of(samples.begin() + 9 * samples.size() / 10,
@@ -146,7 +168,8 @@ namespace squeal
                                      [](const auto &s) { return s.is_linear; });
     const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
     // A squeal that grows is not there to its full size at the trigger.
-    r.text = r.before > least  ? "squeal by itself"
+    r.text = r.before > least || (lasts && grows_by_itself(f))
+               ? "squeal by itself"
              : lasts           ? "squeal after the trigger"
              : r.after > least ? "temporary after the trigger"
                                : "none";

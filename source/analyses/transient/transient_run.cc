@@ -108,30 +108,16 @@ namespace squeal
     , motion(make_integrator(model, state, p))
     , history(stream)
   {
-    const unsigned int n     = model.model().n_modes();
-    const auto        &pairs = model.nodes().pairs();
-    kept.nodes.resize(model.model().n_nodes());
+    const unsigned int n       = model.model().n_modes(),
+                       n_nodes = model.model().n_nodes();
+    const auto &pairs          = model.nodes().pairs();
+    kept.nodes.resize(n_nodes);
     kept.stretches.resize(n_force_stretches);
     kept.square_accelerations.assign(pairs.size(), 0.);
-    sums = Eigen::MatrixXd::Zero(steady.forces.size(), 3);
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
-      {
-        const std::vector<bool> of_pair = leading_edge(pair.geometry);
-        const bool              is_part = counts(model.nodes(), pair);
-        axes.emplace_back(pair.geometry);
-        if (is_part)
-          sums.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) =
-            resultant_rows(pair.geometry).bottomRows<2>().transpose();
-        for (std::size_t j = 0; j < of_pair.size(); ++j)
-          {
-            edge.push_back(of_pair[j] && is_part);
-            area += is_part ? pair.geometry.areas[j] : 0.;
-            edge_area += edge.back() ? pair.geometry.areas[j] : 0.;
-          }
-      }
-    for (std::size_t j = 0; j < edge.size(); ++j)
-      sums(3 * j, 2) = edge[j] ? area / edge_area : 0.;
+      axes.emplace_back(pair.geometry);
+    set_sums();
     const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
       motion->start(Eigen::VectorXd::Zero(n),
@@ -140,10 +126,51 @@ namespace squeal
     else
       motion->start(steady.coordinates, v, steady.forces);
     status      = settings.start == TransientParameters::Start::ramp
-                    ? std::vector<ContactStatus>(edge.size(), ContactStatus::open)
+                    ? std::vector<ContactStatus>(n_nodes, ContactStatus::open)
                     : steady.status;
     last_motion = motion->motion();
     take_sample(status == steady.status);
+  }
+
+
+
+  void
+  TransientRun::set_sums()
+  {
+    sums                 = Eigen::MatrixXd::Zero(steady.forces.size(), 4);
+    double         area  = 0.;
+    Eigen::Array2d edges = Eigen::Array2d::Zero(); // leading and trailing
+    for (const ContactPair &pair : pressed.nodes().pairs())
+      if (counts(pressed.nodes(), pair))
+        {
+          sums.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) =
+            resultant_rows(pair.geometry).bottomRows<2>().transpose();
+          const std::array<std::vector<bool>, 2> is_at = {
+            {leading_edge(pair.geometry), trailing_edge(pair.geometry)}};
+          for (std::size_t j = 0; j < pair.n_nodes(); ++j)
+            {
+              area += pair.geometry.areas[j];
+              for (unsigned int e = 0; e < 2; ++e)
+                if (is_at[e][j])
+                  {
+                    edges[e] += pair.geometry.areas[j];
+                    sums(3 * (pair.first + j), 2 + e) = 1.;
+                  }
+            }
+        }
+    // Not known where no pair has such an edge.
+    for (unsigned int e = 0; e < 2; ++e)
+      sums.col(2 + e) *=
+        edges[e] > 0. ? area / edges[e] : std::nan("no edge of that kind");
+  }
+
+
+
+  Eigen::Vector3d
+  TransientRun::force_sums() const
+  {
+    const Eigen::Vector4d all = sums.transpose() * motion->forces();
+    return {all[0], all[1], speed_now() < 0. ? all[3] : all[2]};
   }
 
 
@@ -255,7 +282,7 @@ namespace squeal
   void
   TransientRun::take_step_forces()
   {
-    const Eigen::Vector3d force = sums.transpose() * motion->forces();
+    const Eigen::Vector3d force = force_sums();
     // Of step 1, 2, ...; in 64 bits, as long runs have 1e8 steps.
     const auto n = static_cast<std::uint64_t>(kept.n_steps);
     kept.stretches[(n - 1) * n_force_stretches / n_steps].add(
@@ -328,15 +355,12 @@ namespace squeal
     s.time      = motion->time();
     s.is_linear = is_linear;
     take_pair_samples(s);
-    double edge_force = 0.;
     for (std::size_t j = 0; j < status.size(); ++j)
       {
-        edge_force += edge[j] ? lambda[3 * j] : 0.;
         s.n_open += status[j] == ContactStatus::open;
         s.n_stick += status[j] == ContactStatus::stick;
       }
-    s.leading_edge =
-      s.normal > 0. ? edge_force / edge_area * area / s.normal : 0.;
+    s.leading_edge       = s.normal > 0. ? force_sums()[2] / s.normal : 0.;
     const EnergyLedger e = motion->ledger();
     s.kinetic            = e.kinetic;
     s.elastic            = e.elastic;

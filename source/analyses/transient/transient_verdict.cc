@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/transient_verdict.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -92,7 +93,7 @@ namespace squeal
       return about +
              "; squeals after the trigger: a limit cycle stands beside it";
     if (trigger.text == "squeal by itself")
-      return about + "; squeals before the trigger already";
+      return about + "; squeals without the trigger";
     if (f.has_limit_cycle)
       return about + "; a " + kind_of_cycle(f) + " stands beside it";
     return f.growing_outside.empty() ? f.verdict : about;
@@ -121,20 +122,38 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Whether the sliding turns round in the stretch of a row, or next to it,
+     * so that its mean friction is of both directions. */
+    bool
+    turns_round(const Table &speeds, const std::size_t row)
+    {
+      const std::size_t first = row == 0 ? 0 : row - 1,
+                        last  = std::min(row + 1, speeds.n_rows() - 1);
+      return speeds.real(first, "speed_m_per_s") *
+               speeds.real(last, "speed_m_per_s") <=
+             0.;
+    }
+  } // namespace
+
+
+
   std::string
   least_friction_text(const Table &speeds)
   {
+    const auto friction = [&speeds](const std::size_t i) {
+      return std::abs(speeds.real(i, "macroscopic_friction"));
+    };
     std::size_t least = speeds.n_rows();
     for (std::size_t i = 0; i < speeds.n_rows(); ++i)
       if (!speeds.is_missing(i, "macroscopic_friction") &&
-          (least == speeds.n_rows() ||
-           speeds.real(i, "macroscopic_friction") <
-             speeds.real(least, "macroscopic_friction")))
+          !turns_round(speeds, i) &&
+          (least == speeds.n_rows() || friction(i) < friction(least)))
         least = i;
     if (least == speeds.n_rows())
       return "";
-    return "least macroscopic friction " +
-           rounded_text(speeds.real(least, "macroscopic_friction"), 3) +
+    return "least macroscopic friction " + rounded_text(friction(least), 3) +
            ", at " + rounded_text(speeds.real(least, "speed_m_per_s"), 3) +
            " m/s";
   }

@@ -159,7 +159,7 @@ namespace squeal
         solve_modes_adaptively(model, context.log, context.timers);
       Rung                       rung{ladder, value, model.n_unknowns()};
       std::optional<CeaSolution> cea;
-      if (p.work_precision.quantity == "sigma" || ladder == Ladder::basis)
+      if (p.work_precision.quantity != "frequency" || ladder == Ladder::basis)
         {
           cea = solve_cea(model, modes, context.log, context.timers);
           for (unsigned int i = 0; i < cea->pairs.size(); ++i)
@@ -191,31 +191,91 @@ namespace squeal
       return rung;
     }
 
-    /** Largest relative distance of a reference value to its own value, where
-     * the values are assigned one to one; to the nearest one where there are
-     * fewer values than references. */
-    double
-    worst_error(const std::vector<std::complex<double>> &values,
-                const std::vector<std::complex<double>> &reference)
+    /** What errors are of: the real or the imaginary parts of eigenvalues, or
+     * of given numbers of the same kind, or eigenvalues as a whole. */
+    class Measure
     {
-      std::vector<std::vector<double>> distances;
-      for (const auto &r : reference)
-        {
-          distances.emplace_back();
-          for (const auto &v : values)
-            distances.back().push_back(std::abs(v - r) / std::abs(r));
-        }
-      if (values.empty())
-        return 1.;
-      const std::vector<int> partner = smallest_assignment(distances);
-      double                 worst   = 0.;
-      for (std::size_t k = 0; k < reference.size(); ++k)
-        worst =
-          worst_of(worst,
-                   partner[k] >= 0 ? distances[k][partner[k]]
-                                   : *std::min_element(distances[k].begin(),
-                                                       distances[k].end()));
-      return worst;
+    public:
+      Measure(const std::string                       &quantity,
+              const std::vector<double>               &given,
+              const std::vector<std::complex<double>> &finest)
+        : is_of_sigma(quantity == "sigma")
+        , is_of_both(quantity == "eigenvalue")
+        , is_given(!given.empty())
+        , reference(finest)
+      {
+        for (const double x : given)
+          reference.push_back(is_of_sigma
+                                ? std::complex<double>(x, 0.)
+                                : std::complex<double>(0., 2. * M_PI * x));
+        for (const auto &r : reference)
+          largest = worst_of(largest, size(r));
+        if (!(largest > 0.))
+          throw InputError("Work precision/Reference: all values are 0, which "
+                           "errors cannot be relative to");
+      }
+
+      /** The largest error of @p values: of real parts, which may be 0, over
+       * the largest one in size, else each over its own. Values are assigned
+       * one to one by their distance in the complex plane or, of given numbers,
+       * by that of the parts; where there are fewer values than references to
+       * the nearest one. */
+      double
+      worst_error(const std::vector<std::complex<double>> &values) const
+      {
+        if (values.empty())
+          return 1.;
+        std::vector<std::vector<double>> distances;
+        for (const auto &r : reference)
+          {
+            distances.emplace_back();
+            for (const auto &v : values)
+              distances.back().push_back(is_given ? size(v - r)
+                                                  : std::abs(v - r));
+          }
+        const std::vector<int> partner = smallest_assignment(distances);
+        double                 worst   = 0.;
+        for (std::size_t k = 0; k < reference.size(); ++k)
+          {
+            const auto &d = distances[k];
+            const auto  to =
+              partner[k] >= 0
+                 ? partner[k]
+                 : std::min_element(d.begin(), d.end()) - d.begin();
+            worst = worst_of(worst,
+                             size(values[to] - reference[k]) /
+                               (is_of_sigma ? largest : size(reference[k])));
+          }
+        return worst;
+      }
+
+    private:
+      double
+      size(const std::complex<double> &x) const
+      {
+        return is_of_both    ? std::abs(x)
+               : is_of_sigma ? std::abs(x.real())
+                             : std::abs(x.imag());
+      }
+
+      const bool                        is_of_sigma, is_of_both, is_given;
+      std::vector<std::complex<double>> reference;
+      double                            largest = 0.;
+    };
+
+    /** The rung that stands for the truth: most unknowns, of as many the
+     * smallest tolerance of the basis. */
+    const Rung &
+    finest_of(const std::vector<Rung> &rungs)
+    {
+      const auto tolerance = [](const Rung &rung) {
+        return rung.ladder == Ladder::basis ? rung.setting : 1.;
+      };
+      return *std::max_element(
+        rungs.begin(), rungs.end(), [&](const Rung &a, const Rung &b) {
+          return a.dofs != b.dofs ? a.dofs < b.dofs
+                                  : tolerance(a) > tolerance(b);
+        });
     }
 
     /** What each ladder must spend for the error @p goal, and the same as
@@ -336,26 +396,20 @@ namespace squeal
         "Work precision/Values: the ladder gave no values in the "
         "band");
 
-    std::vector<std::complex<double>> reference;
-    for (const double f : p.reference)
-      reference.emplace_back(0., 2. * M_PI * f);
-    const Rung *finest = nullptr;
-    if (reference.empty())
-      {
-        // The costliest rung stands for the truth and is not shown.
-        for (const Rung &rung : rungs)
-          if (!finest || rung.seconds > finest->seconds)
-            finest = &rung;
-        reference = finest->values;
-      }
-    Table                            table = empty_table();
+    // The finest rung stands for the truth and is not shown.
+    const Rung   *finest = p.reference.empty() ? &finest_of(rungs) : nullptr;
+    const Measure measure(p.quantity,
+                          p.reference,
+                          finest ? finest->values
+                                 : std::vector<std::complex<double>>());
+    Table         table = empty_table();
     std::vector<WorkPrecisionSeries> series;
     for (const Rung &rung : rungs)
       {
         const std::string name  = ladder_name(rung.ladder);
-        const double      error = worst_error(rung.values, reference);
+        const double      error = measure.worst_error(rung.values);
         table.add_row(row_of(
-          rung, error, p.quantity, finest ? "costliest rung" : "given values"));
+          rung, error, p.quantity, finest ? "finest rung" : "given values"));
         if (&rung == finest)
           continue;
         if (series.empty() || series.back().label != name)
@@ -379,7 +433,7 @@ namespace squeal
     report.set_verdict(
       HtmlReport::Verdict::neutral,
       work_headline(costs) + "; errors are those against " +
-        (finest ? "the costliest rung" : "the given values"),
+        (finest ? "the finest rung" : "the given values"),
       {{"largest error of a rung, relative",
         rounded_text(error_of_column("", table, "error_rel").second, 2)},
        {"rungs", std::to_string(rungs.size())}});

@@ -245,6 +245,18 @@ namespace squeal::tribology
 
 
 
+  bool
+  has_limit(const SubsurfaceParameters::Criterion criterion,
+            const SubsurfaceParameters           &s)
+  {
+    using C = SubsurfaceParameters::Criterion;
+    return s.axial_limit > 0. ||
+           (s.tensile_strength > 0. &&
+            (criterion == C::rankine || criterion == C::drucker_prager));
+  }
+
+
+
   double
   CriterionValue::inclination() const
   {

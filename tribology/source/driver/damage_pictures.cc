@@ -106,17 +106,27 @@ namespace squeal::tribology
     {
       const SubsurfaceParameters &p = context.parameters.subsurface;
       Chart                       chart;
-      const bool                  has_limit = p.axial_limit > 0.;
+      const auto                  has_own = [&p](const auto criterion) {
+        return has_limit(criterion, p);
+      };
+      const bool all =
+                   std::all_of(p.criteria.begin(), p.criteria.end(), has_own),
+                 any =
+                   std::any_of(p.criteria.begin(), p.criteria.end(), has_own);
       chart.title =
-        has_limit ? "Largest value over its limit under the face"
-                  : "Largest value over the reference stress (no limit given)";
+        any ? "Largest value over its limit under the face"
+            : "Largest value over the reference stress (no limit given)";
       chart.x.label = "depth in um";
       chart.x.scale = AxisSettings::Scale::logarithmic;
-      chart.y.label = has_limit ? "value / limit" : "value / reference stress";
+      chart.y.label = all   ? "value / limit"
+                      : any ? "value / limit or reference stress"
+                            : "value / reference stress";
       for (std::size_t c = 0; c < p.criteria.size(); ++c)
         {
           ChartSeries series;
           series.label = choice_name(p.criteria[c]);
+          if (any && !has_own(p.criteria[c]))
+            series.label += ", over the reference stress";
           series.ink   = static_cast<Ink>(c % 8);
           series.style = ChartSeries::Style::lines_points;
           for (const double depth : p.depths)

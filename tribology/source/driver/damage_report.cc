@@ -3,7 +3,11 @@
 // What a report says of the damage of one contact pair.
 
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/text.h>
 #include <squeal/tribology/driver/damage_study.h>
+
+#include <algorithm>
+#include <cstdint>
 
 namespace squeal::tribology
 {
@@ -30,6 +34,36 @@ namespace squeal::tribology
       return fatigue.quantity == FatigueParameters::Quantity::pressure
                ? "normal stress, compression negative"
                : choice_name(fatigue.quantity);
+    }
+
+
+
+    /** Which criteria stand over the reference stress. */
+    std::string
+    what_is_an_index(const SubsurfaceParameters &p)
+    {
+      std::vector<std::string> names;
+      for (const auto criterion : p.criteria)
+        if (!has_limit(criterion, p))
+          names.push_back(choice_name(criterion));
+      if (names.empty())
+        return "";
+      return (names.size() == p.criteria.size()
+                ? std::string(" No limit of the material was given: values are")
+                : " No limit was given for " + prm::join(names, ", ") +
+                    ": their values are") +
+             " indices, relative to Fatigue/Reference stress.";
+    }
+
+
+
+    std::string
+    where_it_slides(const ContactGrid &grid)
+    {
+      const auto &[x, y] = grid.sliding();
+      return x == 0. && y == 0. ? "the disc slides all round"
+             : y > 0.99         ? "the leading edge is below"
+                                : "the disc slides along the arrow";
     }
   } // namespace
 
@@ -79,8 +113,8 @@ namespace squeal::tribology
     report.section("Damage");
     report.table(sums, "Over the whole face");
     report.figure(picture("damage_maps"),
-                  "Damage seen through the back of the pad; the leading "
-                  "edge is below.");
+                  "Damage seen through the back of the pad; " +
+                    where_it_slides(study.grid) + ".");
     report.figure(picture("range_mean"),
                   "Range-mean matrix of the node with the largest damage: "
                   "number of counted cycles of each range and mean of the " +
@@ -108,12 +142,11 @@ namespace squeal::tribology
         report.paragraph(
           "Stresses under each node from the tractions of all nodes, over "
           "the last " +
-          std::to_string(p.subsurface.n_samples) + " samples, " +
+          std::to_string(
+            std::min<std::uint64_t>(p.subsurface.n_samples, study.window.n)) +
+          " samples, " +
           (study.subsurface[0].is_in_block ? in_a_block : in_a_half_space) +
-          (p.subsurface.axial_limit > 0.
-             ? ""
-             : " No fatigue limit was given: values are indices, relative to "
-               "Fatigue/Reference stress."));
+          what_is_an_index(p.subsurface));
         report.figure(picture("depths"),
                       "Largest value of each criterion against depth.",
                       true);

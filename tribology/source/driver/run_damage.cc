@@ -187,6 +187,33 @@ namespace squeal::tribology
 
 
 
+    std::string
+    why_no_damage(const Table &table, const FatigueParameters &fatigue)
+    {
+      using MeanStress   = FatigueParameters::MeanStress;
+      const double range = largest(table, "largest_range_pa");
+      if (!(range > 0.))
+        return "the contact forces do not vary";
+      const std::string up_to =
+        "with ranges of up to " + rounded_text(1e-6 * range, 3) + " MPa ";
+      if (fatigue.quantity == FatigueParameters::Quantity::pressure &&
+          (fatigue.mean_stress == MeanStress::swt ||
+           fatigue.mean_stress == MeanStress::walker))
+        return up_to +
+               "all cycles of the pressure are compressive, in which '" +
+               choice_name(fatigue.mean_stress) +
+               "' sees no damage: count a traction or take another 'Mean "
+               "stress'";
+      return up_to + "no cycle counts" +
+             (fatigue.endurance_limit > 0.
+                ? ": the largest stays below 'Endurance limit' = " +
+                    rounded_text(1e-6 * fatigue.endurance_limit, 3) + " MPa"
+                : " by 'Mean stress = " + choice_name(fatigue.mean_stress) +
+                    "'");
+    }
+
+
+
     /** Where the damage is largest and how large, in words. */
     std::string
     damage_headline(const DamageStudy       &study,
@@ -203,15 +230,14 @@ namespace squeal::tribology
       const std::string  face =
         pair.empty() ? "the face" : "the face of " + pair;
       if (!(damage[worst] > 0.))
-        return "no damage on " + face + ": the contact forces do not vary";
-      const Patch &whole = study.grid.face();
+        return "no damage on " + face + ": " + why_no_damage(table, fatigue);
       const auto   place = study.grid.place(worst);
-      const double along =
-        (place[1] - whole.y_min) / (whole.y_max - whole.y_min);
+      const double along = study.grid.share_of_way(worst);
       return "most damage " +
-             std::string(along < 0.25    ? "near the leading edge"
-                         : along <= 0.75 ? "in the middle"
-                                         : "near the trailing edge") +
+             std::string(!std::isfinite(along) ? "at one place"
+                         : along < 0.25        ? "near the leading edge"
+                         : along <= 0.75       ? "in the middle"
+                                               : "near the trailing edge") +
              " of " + face + ", at x = " + rounded_text(1e3 * place[0], 3) +
              " mm, y = " + rounded_text(1e3 * place[1], 3) + " mm: " +
              rounded_text(damage[worst] / sums.real(0, "mean_" + column), 3) +

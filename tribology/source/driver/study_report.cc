@@ -148,8 +148,8 @@ namespace squeal::tribology
             report.figure(
               plots + "damage_maps" + end,
               "Damage of " + of +
-                ", seen through the back of the pad; the leading edge is "
-                "below.");
+                ", seen through the back of the pad; the disc slides along "
+                "the arrow.");
             report.figure(
               plots + "ratio_maps" + end,
               "Squealing over silent run, node by node; grey where the silent "
@@ -169,8 +169,7 @@ namespace squeal::tribology
     report.paragraph(
       "Each image lies on the pad by its stage position or by points known in "
       "both, and is cut into the nodal cells of the damage map. Pictures show "
-      "it in the axes of the maps, with the leading edge below, however it was "
-      "taken.");
+      "it in the axes of the maps, however it was taken.");
     for (const bool pictures : {false, true})
       for (const Run &run : runs)
         {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
 
 namespace squeal::tribology
@@ -71,6 +73,56 @@ namespace squeal::tribology
                    beyond = extent(xs, true) * extent(ys, true);
       return std::abs(std::log(sum / beyond)) < std::abs(std::log(sum / ends));
     }
+    /** Below this length of the mean of unit vectors the target slides all
+     * round: half a ring has 0.64. */
+    constexpr double least_direction = 0.5;
+
+    using Place = std::array<double, 2>;
+
+    /** Of @p x from the straight line between @p a and @p b. */
+    double
+    distance_to(const Place &a, const Place &b, const Place &x)
+    {
+      const double dx = b[0] - a[0], dy = b[1] - a[1],
+                   square = dx * dx + dy * dy,
+                   along  = (x[0] - a[0]) * dx + (x[1] - a[1]) * dy,
+                   share =
+                     square > 0. ? std::clamp(along / square, 0., 1.) : 0.;
+      return std::hypot(x[0] - a[0] - share * dx, x[1] - a[1] - share * dy);
+    }
+
+    /** The sides of the convex hull (Andrew's monotone chain). */
+    std::vector<std::array<std::size_t, 2>>
+    hull_of(const std::vector<Place> &places)
+    {
+      std::vector<std::size_t> order(places.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto i, const auto j) {
+        return places[i] < places[j];
+      });
+      const auto turns_left = [&](const auto i, const auto j, const auto k) {
+        const Place &a = places[i], &b = places[j], &c = places[k];
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) >
+               0.;
+      };
+      std::vector<std::array<std::size_t, 2>> sides;
+      for (const bool is_upper : {false, true})
+        {
+          std::vector<std::size_t> chain;
+          for (const std::size_t k : order)
+            {
+              while (chain.size() > 1 &&
+                     !turns_left(chain[chain.size() - 2], chain.back(), k))
+                chain.pop_back();
+              chain.push_back(k);
+            }
+          for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+            sides.push_back({{chain[i], chain[i + 1]}});
+          if (!is_upper)
+            std::reverse(order.begin(), order.end());
+        }
+      return sides;
+    }
   } // namespace
 
 
@@ -80,6 +132,7 @@ namespace squeal::tribology
     : areas(areas)
   {
     build(points);
+    set_outline();
   }
 
 
@@ -89,6 +142,13 @@ namespace squeal::tribology
   {
     if (!layout.quads.empty())
       pieces = layout.quads;
+    const auto &[x, y]  = layout.sliding;
+    const double length = std::hypot(x, y);
+    if (length > least_direction)
+      slides = {{x / length, y / length}};
+    else
+      slides = {{0., 0.}};
+    set_outline();
   }
 
 
@@ -163,6 +223,30 @@ namespace squeal::tribology
 
 
 
+  void
+  ContactGrid::set_outline()
+  {
+    outline.clear();
+    if (is_grid())
+      return;
+    // Sides that one piece alone has.
+    std::map<std::array<std::size_t, 2>, unsigned int> sides;
+    for (const auto &quad : pieces)
+      for (unsigned int c = 0; c < 4; ++c)
+        {
+          const std::size_t a = quad[c], b = quad[(c + 1) % 4];
+          if (a != b)
+            ++sides[{{std::min(a, b), std::max(a, b)}}];
+        }
+    for (const auto &[side, count] : sides)
+      if (count == 1)
+        outline.push_back(side);
+    if (outline.empty())
+      outline = hull_of(places);
+  }
+
+
+
   const std::vector<std::array<unsigned int, 4>> &
   ContactGrid::quads() const
   {
@@ -180,7 +264,7 @@ namespace squeal::tribology
     drawn.areas   = areas;
     drawn.places  = places;
     drawn.quads   = pieces;
-    drawn.sliding = {0., 1.};
+    drawn.sliding = {slides[0], slides[1]};
     return drawn;
   }
 
@@ -254,8 +338,41 @@ namespace squeal::tribology
   ContactGrid::edge_distance(const std::size_t node) const
   {
     const auto [x, y] = places[node];
-    return std::min(std::min(x - whole.x_min, whole.x_max - x),
-                    std::min(y - whole.y_min, whole.y_max - y));
+    if (is_grid())
+      return std::min(std::min(x - whole.x_min, whole.x_max - x),
+                      std::min(y - whole.y_min, whole.y_max - y));
+    double nearest = std::numeric_limits<double>::max();
+    for (const auto &[a, b] : outline)
+      nearest =
+        std::min(nearest, distance_to(places[a], places[b], places[node]));
+    return nearest;
+  }
+
+
+
+  const std::array<double, 2> &
+  ContactGrid::sliding() const
+  {
+    return slides;
+  }
+
+
+
+  double
+  ContactGrid::share_of_way(const std::size_t node) const
+  {
+    const auto way = [this](const double x, const double y) {
+      return slides[0] * x + slides[1] * y;
+    };
+    double first = std::numeric_limits<double>::max(), last = -first;
+    for (const Patch &c : cells)
+      for (const double x : {c.x_min, c.x_max})
+        for (const double y : {c.y_min, c.y_max})
+          {
+            first = std::min(first, way(x, y));
+            last  = std::max(last, way(x, y));
+          }
+    return (way(places[node][0], places[node][1]) - first) / (last - first);
   }
 
 

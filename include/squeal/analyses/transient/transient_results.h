@@ -124,7 +124,8 @@ namespace squeal
   std::string reason_for_no_cycle(const TransientFigures &figures);
 
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
-   * mean squares of the normal force about its mean, N. */
+   * mean squares about the mean, N, of the normal force or, where that does not
+   * vibrate, of the tangential one (TransientFigures::by_tangential). */
   struct TriggerOutcome
   {
     double before = 0.; /**< over the last quarter of the time before it */
@@ -134,15 +135,17 @@ namespace squeal
      * the run in which the vibration exceeds 10 % of the mean force, s. */
     double lasting = 0.;
     /** `squeal by itself`: it is there before the trigger, above 1 % of the
-     * mean force; `squeal after the trigger`: it lasts to the end; `temporary
-     * after the trigger`: it decays; `none`: no vibration above 1 % follows;
-     * empty: no trigger. */
+     * mean normal force, or lasts to the end where steady sliding is unstable,
+     * so that it would have come without the trigger; `squeal after the
+     * trigger`: it lasts to the end; `temporary after the trigger`: it decays;
+     * `none`: no vibration above 1 % follows; empty: no trigger. */
     std::string text;
   };
 
   /** Whether a hammer or a friction impulse is there. */
   bool           has_trigger(const TransientParameters &parameters);
   TriggerOutcome evaluate_trigger(const TransientRecord     &record,
+                                  const TransientFigures    &figures,
                                   const TransientParameters &parameters);
 
   /** Largest real part in the band with the whole face of every sliding pair

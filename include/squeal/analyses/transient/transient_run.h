@@ -158,8 +158,11 @@ namespace squeal
                        HistorySamples        &history) const;
     void take_frame(const TransientSample &sample);
     void take_node_shares();
-    void take_step_forces();
-    void take_accelerations();
+    void set_sums();
+    /** Sums of the forces of now: tangential, normal, mean_edge. */
+    Eigen::Vector3d force_sums() const;
+    void            take_step_forces();
+    void            take_accelerations();
     /** Speed of the drive at the end of the last step, m/s. */
     double speed_now() const;
 
@@ -170,10 +173,9 @@ namespace squeal
     const std::vector<double>  areas; /**< of all nodes */
     std::vector<FaceAxes>      axes;  /**< of each pair */
     /** Of the forces of all nodes, a column each: the sums of StepForces,
-     * tangential and normal, and ForceStatistics::mean_edge of one step. */
+     * tangential and normal, and ForceStatistics::mean_edge of one step, while
+     * the target slides forwards and while it slides backwards. */
     Eigen::MatrixXd                      sums;
-    std::vector<bool>                    edge; /**< of all nodes */
-    double                               edge_area = 0., area = 0.;
     unsigned int                         n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;
     HistoryStream                       *history;

@@ -41,6 +41,12 @@ namespace squeal::tribology
   MaterialLimits material_limits(const SubsurfaceParameters &subsurface,
                                  double                      reference_stress);
 
+  /** Whether a limit of the material that a criterion is judged by was given;
+   * else its value is over the reference stress, an index. */
+  bool has_limit(SubsurfaceParameters::Criterion criterion,
+                 const SubsurfaceParameters     &subsurface);
+
+
   /** What a criterion says about one point. */
   struct CriterionValue
   {

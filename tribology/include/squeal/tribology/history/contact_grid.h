@@ -57,10 +57,20 @@ namespace squeal::tribology
     const std::vector<std::array<unsigned int, 4>> &quads() const;
 
     /** The face as pictures draw it, seen through the back of the pad: x to the
-     * right, y (along the sliding) up, the leading edge below. */
+     * right, y up, the leading edge below where sliding() is along y. */
     DrawnFace drawn_face() const;
 
-    /** Distance of a node from the nearest edge of the face. */
+    /** Unit direction in x and y in which the target slides on the whole; 0, 0
+     * where it slides all round, so that there is no leading edge. */
+    const std::array<double, 2> &sliding() const;
+
+    /** Where a node lies between the leading edge, 0, and the trailing one, 1;
+     * NaN where sliding() has no direction. */
+    double share_of_way(std::size_t node) const;
+
+    /** Distance of a node from the nearest edge of the face: of the rectangle
+     * of a grid, else of the outline of its pieces or, where they are not
+     * known, of the hull of the nodes. */
     double edge_distance(std::size_t node) const;
 
     /**
@@ -73,13 +83,18 @@ namespace squeal::tribology
   private:
     void build(const std::vector<std::array<double, 3>> &points);
     void set_quads_of_grid();
+    void set_outline();
 
     std::vector<std::array<double, 2>>       places;
     std::vector<double>                      areas, xs, ys;
     std::vector<Patch>                       cells;
     std::vector<std::size_t>                 ordered;
     std::vector<std::array<unsigned int, 4>> pieces;
-    Patch                                    whole{};
+    /** Nodes at the ends of the straight pieces of the border; none for a grid.
+     */
+    std::vector<std::array<std::size_t, 2>> outline;
+    std::array<double, 2>                   slides{{0., 1.}};
+    Patch                                   whole{};
   };
 } // namespace squeal::tribology
 

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The face of a pad as the damage maps take it: how far a node of a face that
+// is no rectangle lies from its edge, where the leading edge is whatever the
+// direction of sliding, and which criteria have a limit of their own.
+
+#include <squeal/tribology/criteria/multiaxial.h>
+#include <squeal/tribology/history/contact_grid.h>
+
+#include "check.h"
+#include "worst.h"
+
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  constexpr double       radius    = 0.01; // m
+  constexpr unsigned int n_rings   = 6;
+  constexpr unsigned int n_sectors = 48;
+
+  /** A disc of rings of nodes about a middle one. */
+  HistoryLayout
+  round_face(const bool with_quads)
+  {
+    HistoryLayout layout;
+    const double  area = M_PI * radius * radius / (1 + n_rings * n_sectors);
+    layout.points.push_back({{0., 0., 0.}});
+    for (unsigned int i = 1; i <= n_rings; ++i)
+      for (unsigned int k = 0; k < n_sectors; ++k)
+        {
+          const double r = radius * i / n_rings, a = 2. * M_PI * k / n_sectors;
+          layout.points.push_back({{r * std::cos(a), r * std::sin(a), 0.}});
+        }
+    layout.areas.assign(layout.points.size(), area);
+    const auto node = [](const unsigned int i, const unsigned int k) {
+      return i == 0 ? 0u : 1 + (i - 1) * n_sectors + k % n_sectors;
+    };
+    for (unsigned int i = 0; with_quads && i < n_rings; ++i)
+      for (unsigned int k = 0; k < n_sectors; ++k)
+        layout.quads.push_back(
+          {{node(i, k), node(i + 1, k), node(i + 1, k + 1), node(i, k + 1)}});
+    return layout;
+  }
+
+  void
+  check_edge_distance(const bool with_quads)
+  {
+    const ContactGrid grid(round_face(with_quads));
+    // The polygon lies this much inside the circle.
+    const double polygon = radius * (1. - std::cos(M_PI / n_sectors));
+    Worst        worst;
+    for (std::size_t j = 0; j < grid.n_nodes(); ++j)
+      {
+        const auto [x, y] = grid.place(j);
+        worst.add(
+          std::abs(grid.edge_distance(j) - (radius - std::hypot(x, y))));
+      }
+    check(worst.largest() < 1.01 * polygon,
+          "distances to the edge of a round face");
+  }
+
+  void
+  check_leading_edge()
+  {
+    HistoryLayout layout = round_face(true);
+    for (const double degrees : {0., 90., 180., 300.})
+      {
+        const double a = degrees * M_PI / 180.;
+        layout.sliding = {{.9 * std::cos(a), .9 * std::sin(a)}};
+        const ContactGrid grid(layout);
+        check(std::abs(grid.sliding()[0] - std::cos(a)) < 1e-12 &&
+                std::abs(grid.sliding()[1] - std::sin(a)) < 1e-12,
+              "the direction has the length 1");
+        Worst behind, ahead;
+        for (std::size_t j = 0; j < grid.n_nodes(); ++j)
+          {
+            const auto [x, y] = grid.place(j);
+            const double way  = x * std::cos(a) + y * std::sin(a);
+            if (way < -.99 * radius)
+              ahead.add(grid.share_of_way(j));
+            if (way > .99 * radius)
+              behind.add(grid.share_of_way(j));
+          }
+        check(ahead.largest() < .05 && behind.smallest() > .95,
+              "the way across the face begins at the leading edge");
+      }
+    layout.sliding = {{0., 0.}};
+    check(std::isnan(ContactGrid(layout).share_of_way(0)),
+          "where the disc slides all round there is no leading edge");
+  }
+
+  void
+  check_limits()
+  {
+    using C = SubsurfaceParameters::Criterion;
+    SubsurfaceParameters p;
+    check(!has_limit(C::rankine, p) && !has_limit(C::dang_van, p),
+          "nothing given: all values are indices");
+    p.tensile_strength = 2e7;
+    check(has_limit(C::rankine, p) && has_limit(C::drucker_prager, p) &&
+            !has_limit(C::dang_van, p),
+          "a tensile strength is a limit of static criteria alone");
+    p.axial_limit = 1e7;
+    check(has_limit(C::dang_van, p), "an axial limit is one of all");
+  }
+} // namespace
+
+int
+main()
+{
+  check_edge_distance(true);
+  check_edge_distance(false);
+  check_leading_edge();
+  check_limits();
+}
