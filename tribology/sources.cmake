@@ -9,6 +9,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/damage_files.cc
     source/damage/damage_table.cc
     source/damage/damage_vtu.cc
+    source/damage/history_contradictions.cc
     source/damage/history_damage.cc
     source/damage/range_mean_picture.cc
     source/damage/sample_spacing.cc
