@@ -9,6 +9,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/damage_files.cc
     source/damage/damage_table.cc
     source/damage/damage_vtu.cc
+    source/damage/history_contradictions.cc
     source/damage/history_damage.cc
     source/damage/range_mean_picture.cc
     source/damage/sample_spacing.cc
@@ -24,6 +25,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/driver/run_recorded_history.cc
     source/driver/run_segmentation.cc
     source/driver/run_synthetic_specimen.cc
+    source/driver/segmentation_input.cc
     source/driver/study_report.cc
     source/fatigue/accumulation.cc
     source/fatigue/damage_counter.cc
@@ -36,6 +38,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/agreement.cc
     source/images/area_evidence.cc
     source/images/areas.cc
+    source/images/cell_grid.cc
     source/images/centre_line.cc
     source/images/crack_depth.cc
     source/images/crack_finder.cc
@@ -44,6 +47,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/decoder_messages.cc
     source/images/image_files.cc
     source/images/image_size.cc
+    source/images/image_tags.cc
     source/images/line_context.cc
     source/images/line_features.cc
     source/images/line_graph.cc
@@ -61,12 +65,14 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/registration.cc
     source/images/ridge_filter.cc
     source/images/section_profile.cc
+    source/images/seen_pixels.cc
     source/images/segmentation.cc
     source/images/segmentation_record.cc
     source/images/specimen.cc
     source/images/specimen_length.cc
     source/images/specimen_shapes.cc
     source/images/statistics.cc
+    source/images/stored_pixels.cc
     source/images/tiff_directory.cc
     source/setup/choices.cc
     source/setup/declare.cc

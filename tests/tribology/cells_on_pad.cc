@@ -4,6 +4,7 @@
 // widths and directions of lines through stretched, turned and mirrored
 // placements, and parts that several images show only once.
 #include <squeal/tribology/history/contact_grid.h>
+#include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/statistics.h>
@@ -113,25 +114,51 @@ namespace
     // And over a whole image, where bins begin with the sliding direction.
     for (const double sliding : {0.3, 1.2})
       {
-        const SlidingInImage straight = sliding_in_image(
-                               sliding, {upright, 0.}, {9., 9.}),
-                             flipped = sliding_in_image(
-                               sliding,
-                               {{1., 0., -100., 0., -1., 79., 0., 0., 1.}, 0.},
-                               {9., 9.});
-        check(std::abs(straight.direction - sliding) < 1e-9 &&
-                !straight.is_mirrored,
-              "the sliding of an upright image");
-        check(std::abs(flipped.direction + sliding) < 1e-9 &&
-                flipped.is_mirrored,
-              "the sliding of a mirrored image");
-        const auto a_bins = measure(line, 1., straight).orientation,
+        const Placement straight{upright, 0.},
+          flipped{{1., 0., -100., 0., -1., 79., 0., 0., 1.}, 0.};
+        const auto a_bins = measure(line, straight, sliding).orientation,
                    b_bins = measure(drawn({40, height - 1 - 30},
                                           {120, height - 1 - 76}),
-                                    1.,
-                                    flipped)
+                                    flipped,
+                                    sliding)
                               .orientation;
         check(a_bins == b_bins, "the same bins of a mirrored image");
+        check(a_bins != measure(line, straight, 0.).orientation,
+              "which the sliding direction moves");
+      }
+  }
+
+  /** Figures of a whole image are those of its cells where pixels are no
+   * squares. */
+  void
+  check_stretched_pixels()
+  {
+    for (const cv::Point &to : {cv::Point(40, 130), cv::Point(140, 30)})
+      {
+        const auto            line = drawn({40, 30}, to);
+        const cv::Matx33d     tall(1., 0., -100., 0., 2., -160., 0., 0., 1.);
+        const ImageStatistics s = measure(line, {tall, 0.}, 0.),
+                              r = measure(line, std::sqrt(2.), 0.);
+        const Table cell        = cell_of(line, tall);
+        const bool  is_upright  = to.x == 40;
+        check_close(s.crack_length / r.crack_length,
+                    is_upright ? std::sqrt(2.) : std::sqrt(0.5),
+                    1e-6,
+                    "length along the longer or the shorter edge");
+        check_close(s.crack_width / r.crack_width,
+                    is_upright ? std::sqrt(0.5) : std::sqrt(2.),
+                    1e-6,
+                    "width across it");
+        check_close(s.crack_area, r.crack_area, 1e-6, "the same area");
+        check_close(1e3 * s.crack_length,
+                    1e-6 * cell.real(0, "crack_density_per_m") * 1e6 *
+                      s.observed_area,
+                    1e-6,
+                    "as in the cells");
+        check_close(s.crack_length_error / s.crack_length,
+                    r.crack_length_error / r.crack_length,
+                    1e-6,
+                    "with the same relative error");
       }
   }
 
@@ -247,6 +274,7 @@ main()
 {
   check_stretched();
   check_turned();
+  check_stretched_pixels();
   check_overlap();
   check_lines_of_pixels();
   check_data_bars();

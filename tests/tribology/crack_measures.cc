@@ -2,6 +2,7 @@
 
 // Length and width of lines against closed forms: straight lines, circles, a
 // junction, blurred cracks of known width and depth; cells add up to the total.
+#include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/specimen.h>

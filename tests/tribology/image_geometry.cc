@@ -175,6 +175,49 @@ namespace
         check(std::abs(density - expected) < 0.004,
               "crack density in band " + std::to_string(b));
       }
+    check(p.doubts.empty(), "nothing is left open");
+  }
+
+
+
+  /** Strata of 40 and 30 rows above a bulk; the first or the second is left out
+   * where its thickness is 0. */
+  SectionProfile
+  profile_of_strata(const double first,
+                    const int    n_first,
+                    const double second,
+                    const double bulk)
+  {
+    cv::Mat grey(300, 400, CV_32F, cv::Scalar(bulk)), noise(300, 400, CV_32F);
+    grey.rowRange(0, n_first + 30).setTo(second);
+    grey.rowRange(0, n_first).setTo(first);
+    cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0., 3.);
+    return profile_section(
+      grey + noise, cv::Mat::zeros(grey.size(), CV_8U), 20.);
+  }
+
+
+
+  /** What brightness decides is right, what it does not is said. */
+  void
+  check_strata()
+  {
+    const SectionProfile dark = profile_of_strata(20., 40, 80., 170.);
+    check_close(dark.layer_10, 30., 0.05, "a dark layer under darker resin");
+    check_close(dark.layer_90, 30., 0.05, "in every column");
+    check(std::abs(dark.surface[200] - 40.) < 2., "which the face is above");
+    check(dark.doubts.empty(), "nothing is left open by two dark strata");
+    const auto is_open = [](const SectionProfile &p, const std::string &word) {
+      return p.doubts.size() == 1 &&
+             p.doubts[0].find(word) != std::string::npos;
+    };
+    check(is_open(profile_of_strata(0., 0, 80., 170.), "no layer is found"),
+          "a dark layer without resin may be resin");
+    check(is_open(profile_of_strata(220., 40, 120., 60.), "no dark resin"),
+          "bright resin may be a layer");
+    check(is_open(profile_of_strata(90., 40, 170., 120.),
+                  "of the brightness of the material"),
+          "resin that is hardly darker than the material may be a layer");
   }
 
 } // namespace
@@ -188,5 +231,6 @@ main()
   check_transforms();
   check_mosaic();
   check_section();
+  check_strata();
   return 0;
 }

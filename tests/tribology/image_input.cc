@@ -7,6 +7,7 @@
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/specimen.h>
+#include <squeal/tribology/images/stored_pixels.h>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -18,6 +19,7 @@
 #include <sstream>
 
 #include "check.h"
+#include "tiff_file.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -45,45 +47,14 @@ namespace
 
 
 
-  std::string
-  bytes(const std::uint32_t value, const int n)
-  {
-    std::string s;
-    for (int i = 0; i < n; ++i)
-      s += char(value >> 8 * i);
-    return s;
-  }
-
-
-
-  /** An uncompressed grey TIFF of 16 bit with one more ASCII tag. */
+  /** A grey TIFF of 16 bit with one more ASCII tag. */
   std::string
   tiff(const unsigned int tag, const std::string &text)
   {
-    const int   n = 64;
-    std::string pixels;
-    for (int i = 0; i < n * n; ++i)
-      pixels += bytes(std::uint32_t(i * 16), 2);
-    const std::uint32_t at_text = 8 + std::uint32_t(pixels.size());
-    const std::uint32_t at_tags =
-      at_text + std::uint32_t(text.size()) + std::uint32_t(text.size() % 2);
-    std::string entries;
-    const auto entry = [&](int id, int type, std::size_t count, std::size_t v) {
-      entries += bytes(id, 2) + bytes(type, 2) +
-                 bytes(std::uint32_t(count), 4) + bytes(std::uint32_t(v), 4);
-    };
-    entry(256, 3, 1, n);
-    entry(257, 3, 1, n);
-    entry(258, 3, 1, 16);
-    entry(259, 3, 1, 1);
-    entry(262, 3, 1, 1);
-    entry(273, 4, 1, 8);
-    entry(277, 3, 1, 1);
-    entry(278, 3, 1, n);
-    entry(279, 4, 1, pixels.size());
-    entry(tag, 2, text.size(), at_text);
-    return "II" + bytes(42, 2) + bytes(at_tags, 4) + pixels + text +
-           (text.size() % 2 ? " " : "") + bytes(10, 2) + entries + bytes(0, 4);
+    cv::Mat values(64, 64, CV_16U);
+    for (int i = 0; i < 64 * 64; ++i)
+      values.at<ushort>(i / 64, i % 64) = ushort(i * 16);
+    return tiff_file({{values, 1, 0, tag, text}});
   }
 
 

@@ -18,12 +18,15 @@ namespace
   std::string program;
 
   /** A grid of 2 x 2 nodes under a common pressure, with slip rates or
-   * without. */
+   * without; tractions are @p friction times the pressure, and the status is
+   * open if @p is_open, else there is none. */
   void
   write_history(const std::string         &file,
                 const std::vector<double> &times,
                 const std::vector<double> &pressures,
-                const bool                 has_slip_rate)
+                const bool                 has_slip_rate,
+                const double               friction = .5,
+                const bool                 is_open  = false)
   {
     HistoryLayout layout;
     for (const double y : {0., 1e-3})
@@ -32,13 +35,16 @@ namespace
     layout.areas.assign(4, .25e-6);
     layout.has_gap = layout.has_status = layout.has_resultants = false;
     layout.has_slip_rate                                       = has_slip_rate;
+    layout.has_status                                          = is_open;
     HistorySamples s;
     s.time = times;
     for (const double p : pressures)
       for (unsigned int node = 0; node < 4; ++node)
         {
           s.pressure.push_back(p);
-          s.traction.insert(s.traction.end(), {0., .5 * p});
+          s.traction.insert(s.traction.end(), {0., friction * p});
+          if (is_open)
+            s.status.push_back(std::uint8_t(ContactStatus::open));
           if (has_slip_rate)
             s.slip_rate.insert(s.slip_rate.end(), {0., 2.});
         }
@@ -180,6 +186,29 @@ namespace
 
 
 
+  /** What no contact does is said, and what every contact does is not. */
+  void
+  contradictions()
+  {
+    const std::vector<double> times     = {0., 1e-3, 2e-3, 3e-3, 4e-3};
+    const std::vector<double> pressures = {1e6, 2e6, 1e6, 2e6, 1e6};
+    const std::string power  = "the friction power is negative at 4 of 4 nodes",
+                      status = "the status is open in 20 of 20 values that "
+                               "have a pressure, up to 2.00e+06 Pa";
+    write_history("driven.h5", times, pressures, true, -.5);
+    check(has(run_damage("  set File = driven.h5\n"), power),
+          "friction that drives the sliding");
+    write_history("open.h5", times, pressures, true, .5, true);
+    check(has(run_damage("  set File = open.h5\n"), status),
+          "an open contact under pressure");
+    write_history("usual.h5", times, pressures, true);
+    const std::string usual = run_damage("  set File = usual.h5\n");
+    check(!has(usual, "the friction power is") && !has(usual, "the status is"),
+          "friction that slows and a contact without status have no word");
+  }
+
+
+
   /** Low-pass noise about a compression that Goodman rewards. */
   void
   gaussian_noise()
@@ -254,6 +283,7 @@ main(int argc, char **argv)
   program = argv[1];
   without_slip_rate();
   pauses();
+  contradictions();
   gaussian_noise();
   order();
 }

@@ -159,6 +159,30 @@ namespace
       write_png("worn_small.png", all(cv::Rect(0, 0, 300, 200)));
       write_png("other.png", all);
       write_png("worn_areas.png", made.exfoliation);
+      write_layers();
+      std::filesystem::remove_all("twice");
+      std::filesystem::create_directories("twice");
+      write_png("twice/worn_berta.png", all);
+      write_png("twice/worn_2_berta.png", half);
+    }
+
+    /** Marks of one colour on transparent layers, two colours, and nothing. */
+    void
+    write_layers() const
+    {
+      const cv::Mat none = cv::Mat::zeros(all.size(), CV_8U);
+      const auto    save = [&](const std::string &name,
+                            const cv::Mat     &grey,
+                            const cv::Mat     &alpha) {
+        cv::Mat layer;
+        cv::merge(std::vector<cv::Mat>{grey, grey, grey, alpha}, layer);
+        write_png(name, layer);
+      };
+      save("worn_black.png", none, all);
+      save("worn_red.png", cv::Mat(all / 2), all);
+      save("worn_clear.png", none, none);
+      save("worn_two.png", cv::Mat(half / 2), all);
+      write_png("worn_empty.png", none);
     }
 
     cv::Rect frame;
@@ -187,11 +211,51 @@ namespace
     for (const char *same :
          {"  set Masks = worn_wide.png\n",
           "  set Masks = worn-labels.png\n  set Mask value = 2\n",
-          "  set Masks = worn_inverted.png\n  set Mask value = 0\n"})
+          "  set Masks = worn_inverted.png\n  set Mask value = 0\n",
+          "  set Masks = worn_black.png\n",
+          "  set Masks = worn_red.png\n"})
       check_close(run(same).at("cracks").at("length_mm").get<double>(),
                   length,
                   1e-9,
                   std::string("the same by") + same);
+  }
+
+
+
+  /** Who marks nothing has not excluded everything. */
+  void
+  check_nothing_marked()
+  {
+    for (const std::string name : {"worn_empty.png", "worn_clear.png"})
+      {
+        const auto cracks = run("  set Masks = " + name + "\n").at("cracks");
+        check(cracks.at("length_mm") == 0., name + " has no crack");
+        check(cracks.at("length_error_mm") > 0.005, "with an error");
+        const std::string log = unbroken(text_of("out/run.log"));
+        check(log.find("nothing is marked in it") != std::string::npos,
+              "and a warning");
+        check(log.find("up to 0 mm") == std::string::npos &&
+                text_of("out/report.html").find("up to 0 mm") ==
+                  std::string::npos,
+              "short cracks are not excluded");
+      }
+  }
+
+
+
+  /** Nobody's mask is laid over another image without a word. */
+  void
+  check_whose_masks()
+  {
+    run("  set Masks = worn_anna.png\n");
+    check(unbroken(text_of("out/run.log"))
+              .find("worn_anna.png: marks of 'anna' in ") != std::string::npos,
+          "the log tells which mask was taken for which image");
+    check_refused("  set Masks = twice/worn*.png\n",
+                  "by 'berta' on another image");
+    write_png("worn_2.png", cv::Mat(64, 64, CV_8U, cv::Scalar(90)));
+    check_refused("  set Masks = twice/worn_2_berta.png\n", "may be a mask of");
+    std::filesystem::remove("worn_2.png");
   }
 
 
@@ -264,12 +328,15 @@ main(int argc, char **argv)
   check_consensus();
   const Files files;
   check_one_rater();
+  check_nothing_marked();
+  check_whose_masks();
   check_two_raters();
   check_beside();
   check_refused("  set Masks = worn_inverted.png\n", "it is inverted");
   check_refused("  set Masks = worn_three.png\n", "set 'Mask value'");
   check_refused("  set Masks = worn_anna.png\n  set Mask value = 7\n",
                 "has no pixel of 'Mask value' 7");
+  check_refused("  set Masks = worn_two.png\n", "draw them in one colour");
   check_refused("  set Masks = worn_small.png\n", "draw masks on the image");
   check_refused("  set Masks = other.png\n", "belongs to no image");
   check_refused("  set Masks = nobody*.png\n", "'Masks': no file matches");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/tribology/damage/history_contradictions.h>
 #include <squeal/tribology/damage/history_damage.h>
 #include <squeal/tribology/damage/sample_spacing.h>
 #include <squeal/tribology/fatigue/spectral.h>
@@ -79,43 +80,6 @@ namespace squeal::tribology
              "least " +
              std::to_string(n_least) + " samples";
     }
-
-
-
-    /** Tension that a history holds: a contact cannot pull. */
-    struct Tension
-    {
-      std::size_t n_values = 0, node = 0;
-      double      lowest = 0., highest = 0.; /**< pressure, Pa */
-
-      void
-      add(const HistorySamples &s, const std::size_t n_nodes)
-      {
-        for (std::size_t i = 0; i < s.pressure.size(); ++i)
-          {
-            n_values += s.pressure[i] < 0.;
-            highest = std::max(highest, s.pressure[i]);
-            if (s.pressure[i] < lowest)
-              {
-                lowest = s.pressure[i];
-                node   = i % n_nodes;
-              }
-          }
-      }
-
-      /** A line for a run; "" where rounding says it all. */
-      std::string
-      note() const
-      {
-        if (!(lowest < -1e-9 * highest))
-          return "";
-        return "the pressure is negative in " + std::to_string(n_values) +
-               " values, down to " + rounded_text(lowest, 3) + " Pa at node " +
-               std::to_string(node) +
-               ": compression is positive and a contact cannot pull; they are "
-               "counted as they stand";
-      }
-    };
 
 
 
@@ -250,14 +214,14 @@ namespace squeal::tribology
     const RowMajor weights = grid.averaging(fatigue.averaging_length);
     SurfaceSummer  summer(reader.layout(), surface);
 
-    Tension       tension;
-    SampleSpacing spacing;
-    double        first = 0., last = 0.;
+    HistoryContradictions contradictions(reader.layout());
+    SampleSpacing         spacing;
+    double                first = 0., last = 0.;
     for_each_chunk(reader, window, history.chunk, [&](const HistorySamples &s) {
       if (result.samples == 0)
         first = s.time[0];
       last = s.time.back();
-      tension.add(s, n);
+      contradictions.add(s);
       spacing.add(s.time);
       result.samples += s.n_samples();
       const RowMajor stress = stresses(s, n, fatigue);
@@ -310,8 +274,10 @@ namespace squeal::tribology
           }
       }
     require_finite(result);
+    for (const std::string &note : contradictions.notes(summer.sums()))
+      result.notes.push_back(note);
     for (const std::string &note :
-         {tension.note(), spacing.note(), note_of_order(result, fatigue)})
+         {spacing.note(), note_of_order(result, fatigue)})
       if (!note.empty())
         result.notes.push_back(note);
     return result;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/driver/image_report.h>
-#include <squeal/tribology/images/line_length.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -121,11 +120,12 @@ namespace squeal::tribology
       {
         const SegmentedImage *image;
         const ExcludedLine   *line;
+        double                length; // um
       };
       std::vector<Line> lines;
       for (const SegmentedImage &i : record.images)
-        for (const ExcludedLine &line : i.excluded)
-          lines.push_back({&i, &line});
+        for (std::size_t k = 0; k < i.excluded.size(); ++k)
+          lines.push_back({&i, &i.excluded[k], i.excluded_lengths[k]});
       std::stable_sort(
         lines.begin(), lines.end(), [](const Line &a, const Line &b) {
           return a.line->probability > b.line->probability;
@@ -145,7 +145,7 @@ namespace squeal::tribology
           table.add_row({l.image->stem,
                          pixels[pixels.size() / 2].x,
                          pixels[pixels.size() / 2].y,
-                         l.image->pixel_size * length_of_pixels(pixels),
+                         l.length,
                          l.line->probability,
                          name_of(l.line->reason)});
         }

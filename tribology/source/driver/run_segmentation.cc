@@ -5,11 +5,12 @@
 #include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
 #include <squeal/tribology/driver/image_report.h>
+#include <squeal/tribology/driver/segmentation_input.h>
+#include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/image_files.h>
-#include <squeal/tribology/images/rater_masks.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
-#include <squeal/tribology/images/statistics.h>
+#include <squeal/tribology/images/stored_pixels.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -24,9 +25,6 @@ namespace squeal::tribology
   {
     using R = SegmentationParameters::Registration;
     using V = SegmentationParameters::View;
-
-    /** Two statements of the size of a pixel may differ by so much. */
-    constexpr double scale_agreement = 0.05;
 
     /** The shapes (width over height) of a map and its view by so much. */
     constexpr double shape_agreement = 0.02;
@@ -45,17 +43,6 @@ namespace squeal::tribology
       if (p.smallest_area > 0.)
         s.areas.smallest_area = p.smallest_area / (pixel_size * pixel_size);
       return s;
-    }
-
-
-
-    std::vector<cv::Point2d>
-    points_of(const std::vector<double> &numbers, const double factor)
-    {
-      std::vector<cv::Point2d> points;
-      for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-        points.emplace_back(factor * numbers[i], factor * numbers[i + 1]);
-      return points;
     }
 
 
@@ -80,18 +67,19 @@ namespace squeal::tribology
         : context(context)
         , p(context.parameters.segmentation)
         , sliding(p.sliding_direction * CV_PI / 180.)
+        , input(read_segmentation_input(context))
+        , images(input.images)
       {
       }
 
       void
       operator()()
       {
-        read();
         if (p.mosaic)
           join();
         read_element_maps();
         if (p.mosaic)
-          write_png(context.output.file("mosaic.png"), bytes(images[0].grey));
+          write_png(context.output.file("mosaic.png"), picture_of(images[0]));
         if (p.registration != R::none)
           pad.emplace(cv::Size2d(1e3 * p.pad_size[0], 1e3 * p.pad_size[1]),
                       p.cells[0],
@@ -125,103 +113,6 @@ namespace squeal::tribology
       }
 
     private:
-      /** Every image is read before anything is written. */
-      void
-      read()
-      {
-        Timers::Section section(context.timers, "Setup: read images");
-        ScaleBar        bar;
-        bar.length = p.scale_bar_length;
-        if (p.scale_bar_box.size() == 4)
-          bar.box = {p.scale_bar_box[0],
-                     p.scale_bar_box[1],
-                     p.scale_bar_box[2],
-                     p.scale_bar_box[3]};
-        const std::vector<std::string> &names =
-          context.parameters.images.images;
-        const std::vector<std::string> files = expand_wildcards(names);
-        for (const std::string &line : missed_images(names, files))
-          context.log.warning(line);
-        for (const std::string &file : files)
-          {
-            images.push_back(
-              read_micrograph(file,
-                              context.parameters.images.pixel_size,
-                              bar,
-                              context.parameters.images.largest_image,
-                              p.data_bar));
-            const Micrograph &m = images.back();
-            if (const int n = m.grey.rows - m.frame.height; n > 0)
-              context.log.info("  " + m.path + ": the last " +
-                               std::to_string(n) + " of " +
-                               std::to_string(m.grey.rows) +
-                               " rows are a data bar and left out");
-          }
-        read_masks(p.masks, "Masks", crack_marks);
-        read_masks(p.area_masks, "Area masks", area_marks);
-        if (p.registration == R::points)
-          place_by_points();
-        if (p.registration == R::stage)
-          for (const Micrograph &m : images)
-            place_by_stage(m);
-      }
-
-      /** One set of points belongs to one image, and both ways to tell the
-       * size of a pixel have to agree. */
-      void
-      place_by_points()
-      {
-        if (images.size() > 1 && !p.mosaic)
-          throw InputError(
-            "Segmentation/Registration = points: one set of 'Image points' is "
-            "for one image, and there are " +
-            std::to_string(images.size()) +
-            ": run each by itself, or take 'Registration = stage'");
-        by_points = fit_placement(points_of(p.image_points, 1.),
-                                  points_of(p.pad_points, 1e3),
-                                  p.transform);
-        // Of a homography, at the middle of the image.
-        const cv::Point2d middle(0.5 * cv::Point2d(images[0].frame.size()));
-        const cv::Point2d origin = by_points(middle),
-                          x = by_points(middle + cv::Point2d(1., 0.)) - origin,
-                          y = by_points(middle + cv::Point2d(0., 1.)) - origin;
-        const double by_registration = std::sqrt(std::abs(x.cross(y)));
-        const double stated          = images[0].pixel_size;
-        if (!(std::abs(by_registration / stated - 1.) <= scale_agreement))
-          throw InputError(images[0].path + ": a pixel is " +
-                           rounded_text(stated, 4) + " um (" +
-                           images[0].scale_source +
-                           "), but by 'Image points' and 'Pad points' " +
-                           rounded_text(by_registration, 4) +
-                           " um: one of them is wrong (pixels, mm on the pad)");
-      }
-
-      /** The marks of each image. */
-      void
-      read_masks(const std::vector<std::string>  &names,
-                 const std::string               &entry,
-                 std::vector<std::vector<Marks>> &marks) const
-      {
-        std::vector<std::string> paths;
-        for (const Micrograph &m : images)
-          paths.push_back(m.path);
-        const auto assigned = assign_masks(expand_names(names, entry), paths);
-        marks.resize(images.size());
-        for (std::size_t i = 0; i < images.size(); ++i)
-          {
-            for (const RaterMask &mask : assigned[i])
-              marks[i].push_back(
-                {mask.rater,
-                 read_mask(mask.path,
-                           images[i],
-                           p.mask_value,
-                           context.parameters.images.largest_image)});
-            if (!names.empty() && marks[i].empty())
-              context.log.warning(paths[i] + " has no file among '" + entry +
-                                  "': what is stated is squeal's own finding");
-          }
-      }
-
       /** Masks instead of what squeal found, or beside it. */
       void
       rate(const std::size_t i, Segmentation &found, SegmentedImage &entry)
@@ -231,16 +122,17 @@ namespace squeal::tribology
         settings.is_beside =
           p.mask_use == SegmentationParameters::MaskUse::beside;
         settings.tolerance = p.mask_tolerance;
+        settings.placement = placement_of(m);
         entry.tolerance    = p.mask_tolerance;
-        if (!crack_marks[i].empty())
+        if (!input.crack_marks[i].empty())
           entry.crack_rating =
             rate_cracks(m.grey(m.frame),
-                        crack_marks[i],
+                        input.crack_marks[i],
                         settings,
                         settings_of(p, m.pixel_size).n_octaves,
                         found);
-        if (!area_marks[i].empty())
-          entry.area_rating = rate_areas(area_marks[i], settings, found);
+        if (!input.area_marks[i].empty())
+          entry.area_rating = rate_areas(input.area_marks[i], settings, found);
         if ((entry.crack_rating && !entry.crack_rating->deviation) ||
             (entry.area_rating && !entry.area_rating->deviation))
           context.log.warning(
@@ -258,11 +150,19 @@ namespace squeal::tribology
         m.stem         = "mosaic";
         m.path         = "mosaic";
         m.grey         = mosaic.grey;
+        m.seen         = mosaic.seen;
         m.frame        = {{0, 0}, mosaic.grey.size()};
         const double s = m.pixel_size;
         m.metadata.stage =
           *m.metadata.stage - 0.5 * s * cv::Point2d(images[0].frame.size()) -
           s * mosaic.shifts[0] + 0.5 * s * cv::Point2d(m.frame.size());
+        if (!m.seen.empty())
+          context.log.info("  the images fill " +
+                           rounded_text(100. * cv::countNonZero(m.seen) /
+                                          double(m.seen.total()),
+                                        3) +
+                           " % of the rectangle around them: all figures are "
+                           "of what they show");
         record.mosaic_refined    = mosaic.n_refined;
         record.mosaic_correction = mosaic.correction * s;
         images                   = {m};
@@ -303,32 +203,20 @@ namespace squeal::tribology
                                     on_frame(path, images[0]));
       }
 
+      /** Of 8 bit, black where nothing is seen. */
       static cv::Mat
-      bytes(const cv::Mat &grey)
+      picture_of(const Micrograph &m)
       {
-        cv::Mat b;
-        grey.convertTo(b, CV_8U);
-        return b;
+        cv::Mat picture;
+        m.grey.convertTo(picture, CV_8U);
+        keep_seen(picture, m.seen);
+        return picture;
       }
 
       Placement
       placement_of(const Micrograph &m) const
       {
-        if (p.registration == R::points)
-          return by_points;
-        if (p.registration == R::stage)
-          return place_by_stage(m);
-        const double s = m.pixel_size;
-        return {cv::Matx33d(s,
-                            0.,
-                            -0.5 * s * m.frame.width,
-                            0.,
-                            s,
-                            -0.5 * s * m.frame.height,
-                            0.,
-                            0.,
-                            1.),
-                0.};
+        return input.placement_of(m, p);
       }
 
       void
@@ -354,7 +242,11 @@ namespace squeal::tribology
         warn_of_width(m);
         {
           Timers::Section section(context.timers, "Solve: segment images");
-          found = segment(m.grey(m.frame), settings_of(p, m.pixel_size));
+          found =
+            segment(m.grey(m.frame),
+                    settings_of(p, m.pixel_size),
+                    LineJudge::standard(),
+                    m.seen.empty() ? SeenPixels() : m.seen(m.frame).clone());
           if (!p.mosaic)
             rate(i, found, entry);
         }
@@ -366,20 +258,16 @@ namespace squeal::tribology
         entry.is_synthetic = m.metadata.is_synthetic;
         entry.stage        = m.metadata.stage;
         entry.residual     = p.registration == R::points
-                               ? std::optional<double>(by_points.residual)
+                               ? std::optional<double>(input.by_points.residual)
                                : std::nullopt;
-        entry.statistics   = measure(
-          found,
-          m.pixel_size,
-          sliding_in_image(
-            sliding, placement_of(m), 0.5 * cv::Point2d(m.frame.size())));
-        entry.excluded = found.excluded;
+        entry.statistics   = measure(found, placement_of(m), sliding);
+        entry.excluded     = found.excluded;
+        for (const ExcludedLine &line : found.excluded)
+          entry.excluded_lengths.push_back(
+            length_on_pad(line.pixels, placement_of(m)));
         entry.missed   = found.cracks.doubt.missed;
         entry.invented = found.cracks.doubt.invented;
-        add_deviations(entry.crack_rating,
-                       entry.area_rating,
-                       m.pixel_size,
-                       entry.statistics);
+        add_deviations(entry.crack_rating, entry.area_rating, entry.statistics);
         if (p.view == V::section)
           section_table(m, found, entry);
         Timers::Section section(context.timers, "Write: maps");
@@ -396,7 +284,7 @@ namespace squeal::tribology
         write_png(file("_cracks.png"), full.cracks.area);
         write_png(file("_exfoliation.png"), full.areas.exfoliation);
         write_png(file("_plateaus.png"), full.areas.plateau);
-        const cv::Mat overlay = draw_overlay(m.grey, full);
+        const cv::Mat overlay = draw_overlay(picture_of(m), full);
         write_png(file("_overlay.png"), overlay);
         if (pad)
           write_png(file("_on_pad.png"),
@@ -417,7 +305,7 @@ namespace squeal::tribology
         grid.add(found, placement, sliding);
         if (is_first)
           for (const auto &[name, values] : element_maps)
-            grid.add_covariate(name, values, placement);
+            grid.add_covariate(name, values, placement, found.seen);
         if (!pad)
           append(own, m.stem);
       }
@@ -453,6 +341,8 @@ namespace squeal::tribology
           profile_section(m.grey(m.frame),
                           found.cracks.centre_line,
                           std::max(1., p.depth_band / s));
+        for (const std::string &doubt : profile.doubts)
+          context.log.warning(m.path + ": " + doubt);
         using T = Table::Type;
         Table        table({{"depth_m", T::real, "m", "middle of the band"},
                             {"area_m2", T::real, "m^2", "area of the band"},
@@ -473,13 +363,12 @@ namespace squeal::tribology
                                              s * profile.layer_90}};
       }
 
-      Context                        &context;
-      const SegmentationParameters   &p;
-      const double                    sliding;
-      std::vector<Micrograph>         images;
-      std::vector<std::vector<Marks>> crack_marks, area_marks; // of each image
-      Placement                       by_points;
-      std::optional<CellGrid>         pad;
+      Context                      &context;
+      const SegmentationParameters &p;
+      const double                  sliding;
+      const SegmentationInput       input;
+      std::vector<Micrograph>       images; // those of the input, or all joined
+      std::optional<CellGrid>       pad;
       std::vector<std::pair<std::string, cv::Mat>> element_maps;
       Table                                        cells;
       SegmentationRecord                           record;

@@ -58,10 +58,15 @@ namespace squeal::tribology
 
 
 
-    bool
-    is_border(const cv::Mat &image, const int x, const int y)
+    /** The outermost pixels of what is seen, CV_8U. */
+    cv::Mat
+    border_of(const cv::Size &size, const SeenPixels &seen)
     {
-      return x == 0 || y == 0 || x == image.cols - 1 || y == image.rows - 1;
+      cv::Mat border = cv::Mat::zeros(size, CV_8U);
+      if (!seen.empty())
+        cv::dilate(~seen, border, cv::Mat());
+      cv::rectangle(border, cv::Rect({0, 0}, size), 255);
+      return border;
     }
 
 
@@ -72,7 +77,8 @@ namespace squeal::tribology
                   const cv::Mat1i &labels,
                   const int        n_labels,
                   const cv::Mat1f &flat,
-                  const cv::Mat   &lines)
+                  const cv::Mat   &left_out,
+                  const cv::Mat   &border)
     {
       cv::Mat1f depth, distance;
       cv::Mat1i nearest;
@@ -93,7 +99,7 @@ namespace squeal::tribology
         for (int x = 0; x < areas.cols; ++x)
           {
             const int  l       = labels(y, x);
-            const bool is_line = lines.at<uchar>(y, x) != 0;
+            const bool is_line = left_out.at<uchar>(y, x) != 0;
             if (l == 0)
               {
                 if (is_in_ring(distance(y, x)) && !is_line)
@@ -116,7 +122,7 @@ namespace squeal::tribology
             if (is_outline(labels, x, y))
               {
                 p.outline += 1.;
-                p.at_border += is_border(areas, x, y);
+                p.at_border += border.at<uchar>(y, x) != 0;
               }
           }
       return parts;
@@ -126,18 +132,20 @@ namespace squeal::tribology
 
 
   AreasWithoutRim
-  take_without_rim(cv::Mat         &areas,
-                   const cv::Mat1f &flat,
-                   const cv::Mat   &lines,
-                   const double     least_step)
+  take_without_rim(cv::Mat          &areas,
+                   const cv::Mat1f  &flat,
+                   const cv::Mat    &lines,
+                   const double      least_step,
+                   const SeenPixels &seen)
   {
     AreasWithoutRim result{cv::Mat::zeros(areas.size(), CV_8U), 0.};
     if (cv::countNonZero(areas) == 0)
       return result;
-    cv::Mat1i               labels;
-    const int               n = cv::connectedComponents(areas, labels, 8);
-    const std::vector<Part> parts =
-      measure_parts(areas, labels, n, flat, lines);
+    cv::Mat1i     labels;
+    const int     n        = cv::connectedComponents(areas, labels, 8);
+    const cv::Mat left_out = seen.empty() ? lines : cv::Mat(lines | ~seen);
+    const std::vector<Part> parts = measure_parts(
+      areas, labels, n, flat, left_out, border_of(areas.size(), seen));
     std::vector<char> stays(n, 0);
     for (int l = 1; l < n; ++l)
       {
@@ -159,15 +167,16 @@ namespace squeal::tribology
 
 
   double
-  outline_length(const cv::Mat &areas)
+  outline_length(const cv::Mat &areas, const SeenPixels &seen)
   {
-    cv::Mat1i labels;
+    const cv::Mat border = border_of(areas.size(), seen);
+    cv::Mat1i     labels;
     areas.convertTo(labels, CV_32S);
     double length = 0.;
     for (int y = 0; y < areas.rows; ++y)
       for (int x = 0; x < areas.cols; ++x)
         length += labels(y, x) != 0 && is_outline(labels, x, y) &&
-                  !is_border(areas, x, y);
+                  border.at<uchar>(y, x) == 0;
     return length;
   }
 } // namespace squeal::tribology

@@ -27,13 +27,25 @@ namespace squeal::tribology
     // By how much, of itself, the contrast that makes a plateau is not known.
     constexpr double limit_error = 0.5;
 
+    bool
+    is_seen(const SeenPixels &seen, const int y, const int x)
+    {
+      return seen.empty() || seen.at<uchar>(y, x) != 0;
+    }
+
+
+
+    /** Of the values where something is @p seen. */
     double
-    median_of(const cv::Mat1f &values)
+    median_of(const cv::Mat1f &values, const SeenPixels &seen)
     {
       std::vector<float> sample;
       for (int y = 0; y < values.rows; y += 2)
         for (int x = y / 2 % 2; x < values.cols; x += 2)
-          sample.push_back(values(y, x));
+          if (is_seen(seen, y, x))
+            sample.push_back(values(y, x));
+      if (sample.empty())
+        return 0.;
       const auto middle = sample.begin() + sample.size() / 2;
       std::nth_element(sample.begin(), middle, sample.end());
       return *middle;
@@ -42,19 +54,20 @@ namespace squeal::tribology
 
 
     /** Most frequent value and the deviation of the peak around it, from its
-     * width at six tenths of its height. */
+     * width at six tenths of its height, where something is @p seen. */
     std::pair<double, double>
-    main_peak(const cv::Mat1f &values)
+    main_peak(const cv::Mat1f &values, const SeenPixels &seen)
     {
       constexpr int    n     = 400;
       constexpr double range = 1.; // -1 .. 1
       cv::Mat1f        counts(1, n, 0.F);
-      for (const float v : values)
-        {
-          const int i = int((v + range) / (2. * range) * n);
-          if (i >= 0 && i < n)
-            counts(0, i) += 1.F;
-        }
+      for (int y = 0; y < values.rows; ++y)
+        for (int x = 0; x < values.cols; ++x)
+          {
+            const int i = int((values(y, x) + range) / (2. * range) * n);
+            if (i >= 0 && i < n && is_seen(seen, y, x))
+              counts(0, i) += 1.F;
+          }
       cv::GaussianBlur(counts, counts, cv::Size(0, 0), 1.5, 0.1);
       const int top =
         int(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -238,10 +251,11 @@ namespace squeal::tribology
     double
     exfoliation_error(const AreaMap      &map,
                       const double        cut_off,
-                      const AreaSettings &settings)
+                      const AreaSettings &settings,
+                      const SeenPixels   &seen)
     {
       return std::sqrt(
-        std::pow(outline_error * outline_length(map.exfoliation), 2) +
+        std::pow(outline_error * outline_length(map.exfoliation, seen), 2) +
         std::pow(unsettled_error * cv::countNonZero(map.unsettled), 2) +
         std::pow(cut_off, 2) + std::pow(settings.smallest_area, 2));
     }
@@ -250,7 +264,7 @@ namespace squeal::tribology
 
 
   cv::Mat
-  flatten_illumination(const cv::Mat &grey)
+  flatten_illumination(const cv::Mat &grey, const SeenPixels &seen)
   {
     constexpr int n_terms = 5;
     using Terms           = std::array<double, n_terms>;
@@ -271,6 +285,13 @@ namespace squeal::tribology
       cv::INTER_AREA);
     cv::max(cells, 1., cells);
     cv::log(cells, cells);
+    cv::Mat1f shown(cells.size(), 255.F);
+    if (!seen.empty())
+      {
+        cv::Mat share;
+        seen.convertTo(share, CV_32F);
+        cv::resize(share, shown, cells.size(), 0., 0., cv::INTER_AREA);
+      }
     std::vector<Terms>  rows;
     std::vector<double> values;
     const double        sx = double(grey.cols) / cells.cols,
@@ -278,7 +299,8 @@ namespace squeal::tribology
     for (int y = 0; y < cells.rows; ++y)
       for (int x = 0; x < cells.cols; ++x)
         for (const cv::Point &d : {cv::Point(1, 0), cv::Point(0, 1)})
-          if (x + d.x < cells.cols && y + d.y < cells.rows)
+          if (x + d.x < cells.cols && y + d.y < cells.rows &&
+              shown(y, x) > 254.F && shown(y + d.y, x + d.x) > 254.F)
             {
               const Terms a = terms(sx * x, sy * y);
               Terms       b = terms(sx * (x + d.x), sy * (y + d.y));
@@ -300,7 +322,7 @@ namespace squeal::tribology
           flat.at<float>(y, x) = float(grey.at<float>(y, x) * std::exp(-sum));
         }
     const double top  = 255.;
-    const double bulk = main_peak(cv::Mat(flat * (1. / top))).first * top;
+    const double bulk = main_peak(cv::Mat(flat * (1. / top)), seen).first * top;
     return flat * (1. / std::max(1., bulk)) - 1.;
   }
 
@@ -309,9 +331,10 @@ namespace squeal::tribology
   AreaMap
   find_areas(const cv::Mat      &grey,
              const cv::Mat      &cracks,
-             const AreaSettings &settings)
+             const AreaSettings &settings,
+             const SeenPixels   &seen)
   {
-    cv::Mat flat = flatten_illumination(grey);
+    cv::Mat flat = flatten_illumination(grey, seen);
     // Cracks are filled from their surroundings by normalised smoothing.
     cv::Mat line;
     cv::dilate(cracks, line, cv::Mat());
@@ -324,9 +347,9 @@ namespace squeal::tribology
     cv::GaussianBlur(
       weight, norm, cv::Size(), smoothing, smoothing, cv::BORDER_REFLECT_101);
     cv::divide(smooth, norm, smooth);
-    const auto [bulk, deviation] = main_peak(smooth);
+    const auto [bulk, deviation] = main_peak(smooth, seen);
     const cv::Mat rough          = local_roughness(flat);
-    const double  usual          = median_of(rough);
+    const double  usual          = median_of(rough, seen);
 
     const double dark =
       std::max(settings.dark_contrast, deviations_needed * deviation);
@@ -344,18 +367,22 @@ namespace squeal::tribology
                      rim_smoothing,
                      rim_smoothing,
                      cv::BORDER_REFLECT_101);
+    keep_seen(map.exfoliation, seen);
     const AreasWithoutRim left = take_without_rim(
-      map.exfoliation, fine - bulk, line, settings.dark_contrast);
+      map.exfoliation, fine - bulk, line, settings.dark_contrast, seen);
     map.unsettled      = left.taken;
     map.rough          = rough_parts(map.exfoliation, rough, rough_pit * usual);
     const cv::Mat even = rough < plateau_roughness * usual;
     const auto    plateau_from = [&](const double least) {
-      return clean((smooth > bulk + inner_share * least) & even,
-                   (smooth > bulk + least) & even,
-                   settings.smallest_area);
+      cv::Mat plateau = clean((smooth > bulk + inner_share * least) & even,
+                              (smooth > bulk + least) & even,
+                              settings.smallest_area);
+      keep_seen(plateau, seen);
+      return plateau;
     };
-    map.plateau           = plateau_from(bright);
-    map.exfoliation_error = exfoliation_error(map, left.cut_off, settings);
+    map.plateau = plateau_from(bright);
+    map.exfoliation_error =
+      exfoliation_error(map, left.cut_off, settings, seen);
     // Without a rim a bright place may be light as well as a plateau.
     map.plateau_error = std::max<double>(
       cv::countNonZero(map.plateau),
@@ -368,7 +395,7 @@ namespace squeal::tribology
 
 
   std::vector<double>
-  part_areas(const cv::Mat &mask)
+  part_areas(const cv::Mat &mask, const cv::Mat1d &pixel_areas)
   {
     cv::Mat1i labels, stats;
     cv::Mat   centroids;
@@ -376,7 +403,12 @@ namespace squeal::tribology
       cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8);
     std::vector<double> areas;
     for (int i = 1; i < n; ++i)
-      areas.push_back(stats(i, cv::CC_STAT_AREA));
+      areas.push_back(pixel_areas.empty() ? stats(i, cv::CC_STAT_AREA) : 0.);
+    if (!pixel_areas.empty())
+      for (int y = 0; y < labels.rows; ++y)
+        for (int x = 0; x < labels.cols; ++x)
+          if (labels(y, x) > 0)
+            areas[labels(y, x) - 1] += pixel_areas(y, x);
     std::sort(areas.rbegin(), areas.rend());
     return areas;
   }

@@ -240,6 +240,31 @@ namespace squeal::tribology
 
 
 
+  cv::Moments
+  moments_around(const cv::Mat &skeleton, const cv::Point &p, const int reach)
+  {
+    const int      n   = 2 * reach + 1;
+    const cv::Rect box = cv::Rect(p.x - reach, p.y - reach, n, n) &
+                         cv::Rect({0, 0}, skeleton.size());
+    return cv::moments(skeleton(box), true);
+  }
+
+
+
+  double
+  direction_at(const cv::Mat   &skeleton,
+               const cv::Point &p,
+               const double     fallback)
+  {
+    const cv::Moments m = moments_around(skeleton, p, 5);
+    if (m.m00 < 4.)
+      return fallback;
+    const double a = 0.5 * std::atan2(2. * m.mu11, m.mu20 - m.mu02);
+    return a < 0. ? a + CV_PI : a;
+  }
+
+
+
   NearestPixels::NearestPixels(const cv::Mat &mask)
     : places(cv::countNonZero(mask) + 1)
   {

@@ -76,9 +76,11 @@ namespace squeal::tribology
       Search(const cv::Mat    &grey,
              const RidgeField &ridges,
              const LineJudge  &judge,
+             const SeenPixels &seen,
              const double      enlargement)
         : ridges(ridges)
         , judge(judge)
+        , seen(seen)
         , enlargement(enlargement)
         , lines(grey, this->ridges)
       {
@@ -132,9 +134,12 @@ namespace squeal::tribology
         cv::Mat cracks = start;
         if (cv::countNonZero(start) > 0)
           {
-            // Neither grooves nor the outermost pixels lead a crack on.
+            // Neither grooves nor the outermost pixels nor what is not seen
+            // lead a crack on.
             cv::Mat closed = grooves();
             cv::rectangle(closed, cv::Rect({0, 0}, closed.size()), 255);
+            if (!seen.empty())
+              closed |= ~seen;
             cv::Mat free = ridges.local.clone();
             free.setTo(0., closed);
             const cv::Mat1f &dark = lines.darkness;
@@ -145,6 +150,7 @@ namespace squeal::tribology
             remove_spurs(cracks, longest_spur);
             cracks = near.place_ends(cracks);
           }
+        keep_seen(cracks, seen);
         CrackLines result{ridges, cracks, {}, {}};
         account(result);
         return result;
@@ -313,6 +319,7 @@ namespace squeal::tribology
 
       const RidgeField  ridges;
       const LineJudge  &judge;
+      const SeenPixels  seen;
       const double      enlargement; // pixels in one of the image
       JudgedLines       lines;
       std::vector<char> kept;
@@ -325,21 +332,23 @@ namespace squeal::tribology
     /** Cracks in the pixels of the image. Those of an @p enlargement are not
      * independent: it needs as many more for the same evidence. */
     CrackLines
-    find_in_pixels(const cv::Mat   &grey,
-                   const int        n_octaves,
-                   const LineJudge &judge,
-                   const double     enlargement = 1.)
+    find_in_pixels(const cv::Mat    &grey,
+                   const int         n_octaves,
+                   const LineJudge  &judge,
+                   const SeenPixels &seen,
+                   const double      enlargement = 1.)
     {
       const Search narrow(grey,
-                          filter_ridges(grey, n_octaves, narrow_filters),
+                          filter_ridges(grey, n_octaves, narrow_filters, seen),
                           judge,
+                          seen,
                           enlargement);
       if (narrow.is_empty())
         return narrow.finished();
-      const RidgeField ridges = filter_ridges(grey, n_octaves);
+      const RidgeField ridges = filter_ridges(grey, n_octaves, 1., seen);
       if (narrow.strength_in(ridges) < stronger)
         return narrow.finished();
-      const Search wide(grey, ridges, judge, enlargement);
+      const Search wide(grey, ridges, judge, seen, enlargement);
       return wide.all_evidence() < more_evidence * narrow.all_evidence()
                ? narrow.finished()
                : wide.finished();
@@ -376,14 +385,19 @@ namespace squeal::tribology
 
     /** Cracks in an image that is enlarged by two for it. */
     CrackLines
-    find_enlarged(const cv::Mat   &grey,
-                  const int        n_octaves,
-                  const LineJudge &judge)
+    find_enlarged(const cv::Mat    &grey,
+                  const int         n_octaves,
+                  const LineJudge  &judge,
+                  const SeenPixels &seen)
     {
-      cv::Mat twice;
+      cv::Mat    twice;
+      SeenPixels twice_seen;
       cv::resize(grey, twice, cv::Size(), 2., 2., cv::INTER_CUBIC);
-      const CrackLines found = find_in_pixels(twice, n_octaves, judge, 2.);
-      CrackLines       result{filter_ridges(grey, n_octaves, narrow_filters),
+      if (!seen.empty())
+        cv::resize(seen, twice_seen, twice.size(), 0., 0., cv::INTER_NEAREST);
+      const CrackLines found =
+        find_in_pixels(twice, n_octaves, judge, twice_seen, 2.);
+      CrackLines result{filter_ridges(grey, n_octaves, narrow_filters, seen),
                         halved(found.centre_line, grey.size()),
                         found.excluded,
                         found.doubt};
@@ -400,9 +414,13 @@ namespace squeal::tribology
 
 
   CrackLines
-  find_cracks(const cv::Mat &grey, const int n_octaves, const LineJudge &judge)
+  find_cracks(const cv::Mat    &grey,
+              const int         n_octaves,
+              const LineJudge  &judge,
+              const SeenPixels &seen)
   {
-    return grey.total() > few_pixels ? find_in_pixels(grey, n_octaves, judge)
-                                     : find_enlarged(grey, n_octaves, judge);
+    return grey.total() > few_pixels
+             ? find_in_pixels(grey, n_octaves, judge, seen)
+             : find_enlarged(grey, n_octaves, judge, seen);
   }
 } // namespace squeal::tribology

@@ -48,31 +48,6 @@ namespace squeal::tribology
 
 
 
-    /** Moments of the centre line within @p reach of @p p. */
-    cv::Moments
-    moments_at(const cv::Mat &line, const cv::Point &p, const int reach)
-    {
-      const int      n   = 2 * reach + 1;
-      const cv::Rect box = cv::Rect(p.x - reach, p.y - reach, n, n) &
-                           cv::Rect({0, 0}, line.size());
-      return cv::moments(line(box), true);
-    }
-
-
-
-    /** Direction of the centre line from the pixels within five of @p p. */
-    double
-    direction_at(const cv::Mat &line, const cv::Point &p, const double fallback)
-    {
-      const cv::Moments m = moments_at(line, p, 5);
-      if (m.m00 < 4.)
-        return fallback;
-      const double a = 0.5 * std::atan2(2. * m.mu11, m.mu20 - m.mu02);
-      return a < 0. ? a + CV_PI : a;
-    }
-
-
-
     /** Variance of the centre line across itself, pixels^2, over the length of
      * a profile's mean: the median over its pixels. */
     double
@@ -83,7 +58,7 @@ namespace squeal::tribology
       std::vector<float> across;
       for (const cv::Point &p : pixels)
         {
-          const cv::Moments m = moments_at(line, p, n_along);
+          const cv::Moments m = moments_around(line, p, n_along);
           const double      d = std::hypot(m.mu20 - m.mu02, 2. * m.mu11);
           across.push_back(float(0.5 * (m.mu20 + m.mu02 - d) / m.m00));
         }

@@ -45,18 +45,27 @@ namespace squeal::tribology
 
 
 
+    /** Whether a name stands for files that match it. */
     bool
-    is_image_name(const std::filesystem::path &path)
+    is_wildcard(const std::string &name)
     {
-      std::string ending = path.extension().string();
-      std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      });
-      for (const char *known :
-           {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".bmp"})
-        if (ending == known)
-          return true;
-      return false;
+      std::error_code none;
+      return name.find_first_of("*?[") != std::string::npos &&
+             !std::filesystem::exists(name, none);
+    }
+
+
+
+    std::vector<std::string>
+    matches_of(const std::string &wildcard)
+    {
+      glob_t     found = {};
+      const bool ok    = glob(wildcard.c_str(), 0, nullptr, &found) == 0;
+      std::vector<std::string> matches;
+      for (std::size_t i = 0; ok && i < found.gl_pathc; ++i)
+        matches.emplace_back(found.gl_pathv[i]);
+      globfree(&found);
+      return matches;
     }
 
 
@@ -80,6 +89,21 @@ namespace squeal::tribology
 
 
 
+  bool
+  is_image_name(const std::filesystem::path &path)
+  {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+      return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    for (const char *known : {".tif", ".tiff", ".png", ".jpg", ".jpeg", ".bmp"})
+      if (ending == known)
+        return true;
+    return false;
+  }
+
+
+
   std::vector<std::string>
   expand_names(const std::vector<std::string> &names, const std::string &entry)
   {
@@ -87,16 +111,10 @@ namespace squeal::tribology
     std::set<std::string>    known;
     for (const std::string &name : names)
       {
-        glob_t found = {};
         // A name without wildcards stands for itself, so that what is wrong
         // with the file is said when it is read.
-        const int flags =
-          name.find_first_of("*?[") == std::string::npos ? GLOB_NOCHECK : 0;
-        const bool ok = glob(name.c_str(), flags, nullptr, &found) == 0;
-        std::vector<std::string> matches;
-        for (std::size_t i = 0; ok && i < found.gl_pathc; ++i)
-          matches.emplace_back(found.gl_pathv[i]);
-        globfree(&found);
+        const std::vector<std::string> matches =
+          is_wildcard(name) ? matches_of(name) : std::vector<std::string>{name};
         if (matches.empty())
           throw InputError("'" + entry + "': no file matches " + name);
         for (const std::string &file : matches)
@@ -140,7 +158,8 @@ namespace squeal::tribology
       {
         const fs::path    path(name);
         const std::string folder = path.parent_path().string();
-        if (path.filename().string().find_first_of("*?[") ==
+        if (!is_wildcard(name) ||
+            path.filename().string().find_first_of("*?[") ==
               std::string::npos ||
             folder.find_first_of("*?[") != std::string::npos)
           continue;

@@ -20,6 +20,8 @@ namespace squeal::tribology
     constexpr unsigned int fei_tags[]      = {34680, 34682};
     constexpr unsigned int zeiss_tag       = 34118;
     constexpr unsigned int description_tag = 270;
+    // Width and height of a pixel as a text states them.
+    constexpr double rounding_of_pixels = 1e-3;
 
     /** A number with a decimal comma, as microscopes of some countries write,
      * with a point. */
@@ -109,6 +111,24 @@ namespace squeal::tribology
 
 
 
+    /** FEI: pixels have a width and a height, which scans can make unequal. */
+    ImageMetadata
+    from_fei(const std::string &text)
+    {
+      ImageMetadata m =
+        from_keys(text, "FEI tags", "PixelWidth", "StageX", "StageY", 1e6);
+      const auto height = length_of(text, "PixelHeight", 1e6);
+      if (m.pixel_size && height && *m.pixel_size > 0. && *height > 0. &&
+          std::abs(*height / *m.pixel_size - 1.) > rounding_of_pixels)
+        {
+          m.aspect     = *height / *m.pixel_size;
+          m.pixel_size = std::sqrt(*height * *m.pixel_size);
+        }
+      return m;
+    }
+
+
+
     /** JEOL: the bar in pixels, the length that it stands for, the stage in
      * mm. */
     ImageMetadata
@@ -177,8 +197,7 @@ namespace squeal::tribology
     const TiffDirectory tiff(data);
     for (const unsigned int tag : fei_tags)
       {
-        const ImageMetadata m = from_keys(
-          tiff.text(tag), "FEI tags", "PixelWidth", "StageX", "StageY", 1e6);
+        const ImageMetadata m = from_fei(tiff.text(tag));
         if (m.pixel_size)
           return m;
       }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-#include <squeal/base/files.h>
-#include <squeal/tribology/images/decoder_messages.h>
+#include <squeal/base/number_text.h>
 #include <squeal/tribology/images/micrograph.h>
+#include <squeal/tribology/images/stored_pixels.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
@@ -20,91 +19,59 @@ namespace squeal::tribology
      * scale bar are small. Saturated rows of a picture have less. */
     constexpr double mostly_background = 0.7;
 
-    /** The decoders fill what a cut file lacks with grey; its end mark tells.
-     */
-    void
-    require_end_mark(const std::string &data, const std::string &path)
+    /** Part of a row that is the background of a data bar and not of the row
+     * above it, at least. */
+    constexpr double least_drop = 0.2;
+
+    // Of the pixels, brightness of which most of a picture is darker.
+    constexpr double nearly_all = 0.99, nearly_black = 24.;
+
+    /** Factor from stored values to 0..255. Cameras of 10, 12 or 14 bits leave
+     * the upper bits of 16 unused, where 8 bits are the upper ones of those; a
+     * single hot pixel does not use them. */
+    double
+    to_bytes(const cv::Mat &values)
     {
-      const auto begins = [&](const std::string &mark) {
-        return data.compare(0, mark.size(), mark) == 0;
-      };
-      const auto ends_with = [&](const std::string &mark) {
-        return data.find(mark,
-                         data.size() -
-                           std::min<std::size_t>(data.size(), 4096)) !=
-               std::string::npos;
-      };
-      if ((begins("\x89PNG") && !ends_with("IEND")) ||
-          (begins("\xff\xd8") && !ends_with("\xff\xd9")))
-        throw InputError(path + " is truncated: copy the image again");
-    }
-
-
-
-    [[noreturn]] void
-    refuse_format(const std::string &path)
-    {
-      throw InputError(path + " is no PNG, TIFF or JPEG image, or it is "
-                              "damaged");
-    }
-
-
-
-    ImageSize
-    promised_size(const std::string &data, const std::string &path)
-    {
-      const auto size = image_size(data);
-      if (!size)
-        refuse_format(path);
-      return *size;
+      if (values.depth() != CV_16U)
+        return 1.;
+      cv::Mat without_hot_pixels;
+      cv::medianBlur(values, without_hot_pixels, 3);
+      double most = 0.;
+      cv::minMaxLoc(without_hot_pixels, nullptr, &most);
+      int bits = 8;
+      while (bits < 16 && most >= std::pow(2., bits))
+        ++bits;
+      return bits == 16 ? 1. / 257. : std::pow(2., 8 - bits);
     }
 
 
 
     cv::Mat
-    decode(const std::string &data, const std::string &path)
+    scaled_grey(const cv::Mat &values, const double factor)
     {
-      cv::Mat           image;
-      const std::string messages = messages_of([&] {
-        try
-          {
-            image = cv::imdecode(
-              cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(&data[0])),
-              cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
-          }
-        catch (const cv::Exception &)
-          {
-            image.release();
-          }
-      });
-      if (image.empty())
-        refuse_format(path);
-      if (const std::string damage = damage_in(messages); !damage.empty())
-        throw InputError(path + " is damaged: its decoder says '" + damage +
-                         "'");
-      return image;
+      cv::Mat grey;
+      values.convertTo(grey, CV_32F, factor);
+      if (factor != 1.)
+        cv::min(grey, 255., grey);
+      return grey;
+    }
+
+
+
+    /** The brightness that @p share of the pixels do not exceed. */
+    float
+    quantile_of(const cv::Mat &grey, const double share)
+    {
+      std::vector<float> values;
+      for (int y = 0; y < grey.rows; ++y)
+        values.insert(
+          values.end(), grey.ptr<float>(y), grey.ptr<float>(y) + grey.cols);
+      const auto nth =
+        values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+      std::nth_element(values.begin(), nth, values.end());
+      return *nth;
     }
   } // namespace
-
-
-
-  cv::Mat
-  read_raw(const std::string &path, const double largest)
-  {
-    const std::string data = read_file(path);
-    if (data.empty())
-      throw InputError(path + " is empty: it has no image");
-    require_end_mark(data, path);
-    require_room(path, promised_size(data, path), largest);
-    const cv::Mat image = decode(data, path);
-    if (image.rows < 32 || image.cols < 32)
-      throw InputError(path + " has " + std::to_string(image.cols) + " x " +
-                       std::to_string(image.rows) +
-                       " pixels: at least 32 x 32 are needed");
-    if (image.depth() != CV_8U && image.depth() != CV_16U)
-      throw InputError(path + ": only images of 8 and 16 bit are read");
-    return image;
-  }
 
 
 
@@ -112,30 +79,7 @@ namespace squeal::tribology
   read_grey(const std::string &path, const double largest)
   {
     const cv::Mat raw = read_raw(path, largest);
-    cv::Mat       grey;
-    raw.convertTo(grey, CV_32F, raw.depth() == CV_16U ? 1. / 257. : 1.);
-    return grey;
-  }
-
-
-
-  cv::Mat
-  read_element_map(const std::string &path, const double largest)
-  {
-    cv::Mat values;
-    read_raw(path, largest).convertTo(values, CV_32F);
-    const std::string data  = read_file(path);
-    const cv::Mat     whole = cv::imdecode(
-      cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(data.data())),
-      cv::IMREAD_ANYDEPTH | cv::IMREAD_COLOR);
-    cv::Mat channels[3];
-    cv::split(whole, channels);
-    if (cv::norm(channels[0], channels[1], cv::NORM_INF) > 0. ||
-        cv::norm(channels[0], channels[2], cv::NORM_INF) > 0.)
-      throw InputError(path + " is a map in colours, which hold no numbers: "
-                              "save the counts of the element as a grey "
-                              "image");
-    return values;
+    return scaled_grey(raw, to_bytes(raw));
   }
 
 
@@ -152,6 +96,25 @@ namespace squeal::tribology
         if (const int count = ++counts[row[x]]; count > most.second)
           most = {row[x], count};
       return most;
+    }
+
+
+
+    /** Whether a bar of that background has an upper edge at row @p top: the
+     * black corner of a turned picture gets narrower row by row. */
+    bool
+    ends_at_once(const cv::Mat              &grey,
+                 const int                   top,
+                 const std::optional<float> &background)
+    {
+      if (!background || top == 0)
+        return true;
+      const auto share_in = [&](const int y) {
+        return cv::countNonZero(grey.row(y) == *background) / double(grey.cols);
+      };
+      return most_frequent(grey.ptr<float>(top), grey.cols).first !=
+               *background ||
+             share_in(top) - share_in(top - 1) >= least_drop;
     }
   } // namespace
 
@@ -177,7 +140,8 @@ namespace squeal::tribology
       }
     const int    n     = grey.rows - top;
     const double share = double(n) / grey.rows;
-    return share >= 0.02 && share <= 0.2 && sum >= mostly_background * n
+    return share >= 0.02 && share <= 0.2 && sum >= mostly_background * n &&
+               ends_at_once(grey, top, background)
              ? top
              : grey.rows;
   }
@@ -248,6 +212,49 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** Fills in the picture, its frame and what is odd about them. */
+    void
+    read_pixels_of(Micrograph &m, const int data_bar, const double largest)
+    {
+      const StoredPixels pixels = read_pixels(m.path, largest);
+      if (pixels.is_transparent)
+        throw InputError(m.path + " is transparent everywhere: save it without "
+                                  "an alpha channel");
+      const cv::Mat &values = pixels.values;
+      if (data_bar >= values.rows)
+        throw InputError(m.path + " has " + std::to_string(values.rows) +
+                         " rows, no more than 'Data bar'");
+      m.frame             = {0,
+                             0,
+                             values.cols,
+                 data_bar < 0 ? rows_above_data_bar(scaled_grey(values, 1.))
+                                          : values.rows - data_bar};
+      const double factor = to_bytes(values(m.frame));
+      m.grey              = scaled_grey(values, factor);
+      m.seen              = pixels.opaque;
+      m.orientation       = pixels.orientation;
+      if (values.depth() == CV_16U && factor > 1. / 257.)
+        m.notes.push_back("of its 16 bits the picture uses " +
+                          std::to_string(8 - cvRound(std::log2(factor))) +
+                          ": these are taken for black to white");
+      if (m.orientation != 1)
+        m.notes.push_back("a tag says that it is stored turned (orientation " +
+                          std::to_string(m.orientation) +
+                          "): it is turned upright, and so are all results");
+      if (const float most = quantile_of(m.grey(m.frame), nearly_all);
+          most < nearly_black)
+        m.warnings.push_back(
+          "nearly black: " + rounded_text(100. * nearly_all, 2) +
+          " % of the pixels are darker than " + rounded_text(most + 1., 2) +
+          " of 255, where few grey levels are left to tell cracks by: export "
+          "it with its full range");
+    }
+  } // namespace
+
+
+
   Micrograph
   read_micrograph(const std::string &path,
                   const double       pixel_size,
@@ -258,16 +265,8 @@ namespace squeal::tribology
     Micrograph m;
     m.path     = path;
     m.stem     = std::filesystem::path(path).stem().string();
-    m.grey     = read_grey(path, largest);
     m.metadata = read_metadata(path);
-    if (data_bar >= m.grey.rows)
-      throw InputError(path + " has " + std::to_string(m.grey.rows) +
-                       " rows, no more than 'Data bar'");
-    m.frame = {0,
-               0,
-               m.grey.cols,
-               data_bar < 0 ? rows_above_data_bar(m.grey)
-                            : m.grey.rows - data_bar};
+    read_pixels_of(m, data_bar, largest);
     if (pixel_size > 0.)
       {
         m.pixel_size   = pixel_size;

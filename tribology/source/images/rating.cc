@@ -15,10 +15,19 @@ namespace squeal::tribology
     // Deviation of a drawn outline, pixels.
     constexpr double drawn_outline = 0.7;
 
+    /** On the pad, um. */
     double
-    length_of(const cv::Mat &line)
+    length_of(const cv::Mat &line, const Placement &placement)
     {
-      return cv::sum(pixel_lengths(line))[0];
+      const cv::Mat lengths = pixel_lengths(line);
+      PixelPath     pixels;
+      cv::findNonZero(line, pixels);
+      double sum = 0.;
+      for (const cv::Point &p : pixels)
+        sum += lengths.at<float>(p) *
+               cv::norm(PixelOnPad(placement, {p.x + 0.5, p.y + 0.5})
+                          .step(direction_at(line, p, 0.)));
+      return sum;
     }
 
 
@@ -44,7 +53,7 @@ namespace squeal::tribology
 
 
   Rating
-  rate_cracks(const cv::Mat            &grey,
+  rate_cracks(const cv::Mat            &picture,
               const std::vector<Marks> &cracks,
               const RatingSettings     &settings,
               const int                 n_octaves,
@@ -56,6 +65,7 @@ namespace squeal::tribology
       {
         cv::Mat line = thin(marks.mask);
         remove_spurs(line, longest_mask_spur);
+        keep_seen(line, segmentation.seen);
         rating.raters.push_back(marks.rater);
         lines.push_back(line);
       }
@@ -69,14 +79,18 @@ namespace squeal::tribology
       }
     else
       // Whoever drew them misses and invents nothing but what raters differ by.
-      segmentation.cracks =
-        measure_cracks(grey, stated, filter_ridges(grey, n_octaves));
+      {
+        const cv::Mat grey  = mirrored_beyond(picture, segmentation.seen);
+        segmentation.cracks = measure_cracks(
+          grey, stated, filter_ridges(grey, n_octaves, 1., segmentation.seen));
+        keep_seen(segmentation.cracks.area, segmentation.seen);
+      }
     for (const cv::Mat &line : lines)
       {
-        rating.amounts.push_back(length_of(line));
+        rating.amounts.push_back(length_of(line, settings.placement));
         wide.push_back(widened(line, settings.tolerance));
       }
-    compare(rating, wide, length_of(stated), cracks.size());
+    compare(rating, wide, length_of(stated, settings.placement), cracks.size());
     return rating;
   }
 
@@ -92,7 +106,8 @@ namespace squeal::tribology
     for (const Marks &marks : areas)
       {
         rating.raters.push_back(marks.rater);
-        masks.push_back(marks.mask);
+        masks.push_back(marks.mask.clone());
+        keep_seen(masks.back(), segmentation.seen);
       }
     if (settings.is_beside)
       {
@@ -106,14 +121,13 @@ namespace squeal::tribology
         drawn.exfoliation = consensus_of(masks);
         drawn.unsettled   = cv::Mat();
         drawn.exfoliation_error =
-          drawn_outline * outline_length(drawn.exfoliation);
+          drawn_outline * outline_length(drawn.exfoliation, segmentation.seen);
       }
+    const PixelAreas pixels(segmentation, settings.placement);
     for (const cv::Mat &mask : masks)
-      rating.amounts.push_back(cv::countNonZero(mask));
-    compare(rating,
-            masks,
-            cv::countNonZero(segmentation.areas.exfoliation),
-            areas.size());
+      rating.amounts.push_back(pixels.of(mask));
+    compare(
+      rating, masks, pixels.of(segmentation.areas.exfoliation), areas.size());
     return rating;
   }
 
@@ -122,12 +136,11 @@ namespace squeal::tribology
   void
   add_deviations(const std::optional<Rating> &cracks,
                  const std::optional<Rating> &areas,
-                 const double                 pixel_size,
                  ImageStatistics             &statistics)
   {
     if (cracks && cracks->deviation)
       {
-        const double length = 1e-3 * pixel_size * *cracks->deviation; // mm
+        const double length = 1e-3 * *cracks->deviation; // mm
         statistics.crack_length_error =
           std::hypot(statistics.crack_length_error, length);
         statistics.crack_area_error = std::hypot(
@@ -136,7 +149,6 @@ namespace squeal::tribology
     if (areas && areas->deviation)
       statistics.exfoliation_fraction_error =
         std::hypot(statistics.exfoliation_fraction_error,
-                   1e-6 * pixel_size * pixel_size * *areas->deviation /
-                     statistics.observed_area);
+                   1e-6 * *areas->deviation / statistics.observed_area);
   }
 } // namespace squeal::tribology

@@ -119,6 +119,45 @@ namespace squeal::tribology
 
 
 
+  PixelOnPad::PixelOnPad(const Placement &placement, const cv::Point2d &pixel)
+  {
+    // The derivatives, exact where lines stay parallel.
+    const cv::Matx33d &m = placement.to_pad;
+    const cv::Point2d  o = placement(pixel);
+    const double       w = m(2, 0) * pixel.x + m(2, 1) * pixel.y + m(2, 2);
+    u = {(m(0, 0) - o.x * m(2, 0)) / w, (m(1, 0) - o.y * m(2, 0)) / w};
+    v = {(m(0, 1) - o.x * m(2, 1)) / w, (m(1, 1) - o.y * m(2, 1)) / w};
+  }
+
+
+
+  double
+  PixelOnPad::area() const
+  {
+    return std::abs(u.cross(v));
+  }
+
+
+
+  cv::Point2d
+  PixelOnPad::step(const double direction) const
+  {
+    return std::cos(direction) * u + std::sin(direction) * v;
+  }
+
+
+
+  double
+  PixelOnPad::stretch() const
+  {
+    // Singular values of the two edges.
+    const double sum  = u.dot(u) + v.dot(v);
+    const double root = std::hypot(u.dot(u) - v.dot(v), 2. * u.dot(v));
+    return std::sqrt((sum + root) / std::max(sum - root, 1e-12 * sum));
+  }
+
+
+
   Placement
   fit_placement(const std::vector<cv::Point2d>         &pixels,
                 const std::vector<cv::Point2d>         &pad,
@@ -334,10 +373,15 @@ namespace squeal::tribology
                            cvRound(result.shifts[i].y));
         const cv::Rect  place =
           cv::Rect(at, frames[i].frame.size()) & cv::Rect({0, 0}, size);
-        result.grey(place) +=
-          frames[i].grey(frames[i].frame)(cv::Rect({0, 0}, place.size()));
-        weight(place) += 1.;
+        const cv::Rect part({0, 0}, place.size());
+        cv::Mat        shown(part.size(), CV_32F, cv::Scalar(1.));
+        if (!frames[i].seen.empty())
+          shown.setTo(0., ~frames[i].seen(frames[i].frame)(part));
+        result.grey(place) += frames[i].grey(frames[i].frame)(part).mul(shown);
+        weight(place) += shown;
       }
+    if (cv::countNonZero(weight) < int(weight.total()))
+      result.seen = weight > 0.;
     cv::max(weight, 1., weight);
     result.grey /= weight;
     return result;

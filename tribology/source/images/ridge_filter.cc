@@ -247,6 +247,23 @@ namespace squeal::tribology
         }
       return contrast;
     }
+
+
+
+    /** No evidence where nothing is seen. */
+    void
+    silence_unseen(OrientedContrast &contrast,
+                   cv::Mat          &unlimited,
+                   const SeenPixels &seen)
+    {
+      if (seen.empty())
+        return;
+      cv::Mat unseen;
+      cv::resize(~seen, unseen, unlimited.size(), 0., 0., cv::INTER_NEAREST);
+      for (cv::Mat &plane : contrast.planes)
+        cv::Mat(cv::min(plane, 0.)).copyTo(plane, unseen);
+      cv::Mat(cv::min(unlimited, 0.)).copyTo(unlimited, unseen);
+    }
   } // namespace
 
 
@@ -290,21 +307,23 @@ namespace squeal::tribology
 
 
   RidgeField
-  filter_ridges(const cv::Mat &grey,
-                const int      n_octaves,
-                const double   narrowest)
+  filter_ridges(const cv::Mat    &grey,
+                const int         n_octaves,
+                const double      narrowest,
+                const SeenPixels &seen)
   {
     OrientedContrast contrast;
     cv::Mat          level  = grey, unlimited, coarse;
     double           factor = 1.;
     for (int octave = 0; octave < n_octaves; ++octave)
       {
-        cv::Mat                found_unlimited;
-        const OrientedContrast found =
+        cv::Mat          found_unlimited;
+        OrientedContrast found =
           contrast_of_level(level,
                             narrowest,
                             std::max(16., noise_block / factor),
                             found_unlimited);
+        silence_unseen(found, found_unlimited, seen);
         for (int t = 0; t < n_ridge_directions; ++t)
           keep_larger(contrast.planes[t], found.planes[t]);
         keep_larger(unlimited, found_unlimited);

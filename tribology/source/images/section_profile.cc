@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/section_profile.h>
 
@@ -6,12 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace squeal::tribology
 {
   namespace
   {
     constexpr int least_step = 12; // grey levels between layer and bulk
+    // Strata above the material: pixels, deviations, shares of the pixels.
+    constexpr int    blurred_edge = 6, strip_end = 10;
+    constexpr double apart = 4., most_of_stratum = 0.8;
+    // Resin is darker than so much of the bulk, and seen in most columns.
+    constexpr double brightest_resin = 0.35, few_columns = 0.1;
 
     double
     quantile(std::vector<double> values, const double q)
@@ -26,20 +33,16 @@ namespace squeal::tribology
 
 
 
-    /** Row below the resin in each column: Otsu's threshold, the lowest dark
-     * run from the top, a median over neighbours. */
+    /** Row in each column where @p smooth first exceeds @p threshold, 0 where it
+     * never does; a median over neighbours. */
     std::vector<double>
-    find_surface(const cv::Mat &smooth)
+    rows_below(const cv::Mat1f &smooth, const double threshold)
     {
-      cv::Mat bytes, material;
-      smooth.convertTo(bytes, CV_8U);
-      cv::threshold(
-        bytes, material, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
       cv::Mat1f rows(1, smooth.cols, 0.F);
       for (int x = 0; x < smooth.cols; ++x)
         {
           int y = 0;
-          while (y < smooth.rows && material.at<uchar>(y, x) == 0)
+          while (y < smooth.rows && cvRound(smooth(y, x)) <= threshold)
             ++y;
           rows(0, x) = y < smooth.rows ? float(y) : 0.F;
         }
@@ -54,6 +57,99 @@ namespace squeal::tribology
           surface[x] = quantile(near, 0.5);
         }
       return surface;
+    }
+
+
+
+    double
+    otsu_threshold(const cv::Mat &values)
+    {
+      cv::Mat bytes, above;
+      values.convertTo(bytes, CV_8U);
+      return cv::threshold(
+        bytes, above, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
+    }
+
+
+
+    /** The share of the values above a threshold. */
+    double
+    share_above(const std::vector<float> &values, const double threshold)
+    {
+      double n = 0.;
+      for (const float v : values)
+        n += v > threshold;
+      return values.empty() ? 0. : n / double(values.size());
+    }
+
+
+
+    /** Of the pixels above a surface: all but its blurred edge, those next to
+     * it, and those at the upper edge of the picture. */
+    struct Strip
+    {
+      std::vector<float> all, lower, upper;
+
+      Strip(const cv::Mat1f &smooth, const std::vector<double> &surface)
+      {
+        for (int x = 0; x < smooth.cols; ++x)
+          for (int y = 0; y < int(surface[x]) - blurred_edge; ++y)
+            {
+              all.push_back(smooth(y, x));
+              if (y < strip_end)
+                upper.push_back(smooth(y, x));
+              if (y >= int(surface[x]) - blurred_edge - strip_end)
+                lower.push_back(smooth(y, x));
+            }
+      }
+
+      double
+      mean() const
+      {
+        return all.empty() ? 0. : cv::mean(cv::Mat(all))[0];
+      }
+
+      /** The brightness between two strata of which the lower one is brighter;
+       * nothing where there is one. */
+      std::optional<double>
+      between_strata() const
+      {
+        if (all.empty())
+          return {};
+        const double threshold = otsu_threshold(cv::Mat(all));
+        double       n[2] = {}, sum[2] = {}, squares[2] = {};
+        for (const float v : all)
+          {
+            const int k = v > threshold;
+            n[k] += 1.;
+            sum[k] += v;
+            squares[k] += double(v) * v;
+          }
+        if (n[0] == 0. || n[1] == 0.)
+          return {};
+        const double step   = sum[1] / n[1] - sum[0] / n[0];
+        const double within = (squares[0] - sum[0] * sum[0] / n[0] +
+                               squares[1] - sum[1] * sum[1] / n[1]) /
+                              (n[0] + n[1]);
+        if (step < least_step || step * step < apart * apart * within ||
+            share_above(lower, threshold) < most_of_stratum ||
+            share_above(upper, threshold) > 1. - most_of_stratum)
+          return {};
+        return threshold;
+      }
+    };
+
+
+
+    /** Row below the resin in each column, by Otsu's threshold. A dark layer
+     * under darker resin is below that threshold, too. */
+    std::vector<double>
+    find_surface(const cv::Mat1f &smooth)
+    {
+      const std::vector<double> surface =
+        rows_below(smooth, otsu_threshold(smooth));
+      const auto between = Strip(smooth, surface).between_strata();
+      return between ? rows_below(smooth, *between) : surface;
     }
 
 
@@ -97,6 +193,60 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    double
+    share_of_zeros(const std::vector<double> &values)
+    {
+      return double(std::count(values.begin(), values.end(), 0.)) /
+             double(values.size());
+    }
+
+
+
+    std::string
+    per_cent(const double share)
+    {
+      return rounded_text(100. * share, 2) + " %";
+    }
+
+
+
+    std::vector<std::string>
+    doubts_of(const SectionProfile &p, const cv::Mat1f &smooth, double bulk)
+    {
+      std::vector<std::string> doubts;
+      const double             no_resin = share_of_zeros(p.surface);
+      if (no_resin > few_columns)
+        doubts.push_back(
+          "no dark resin is seen above the face in " + per_cent(no_resin) +
+          " of the columns: depths are those below the upper edge of the "
+          "picture there, and bright resin would be taken for the layer; cut "
+          "the picture at the face, or blacken the resin");
+      const Strip  strip(smooth, p.surface);
+      const double none = share_of_zeros(p.layer);
+      if (no_resin < 1. - few_columns && p.layer_median > 0. &&
+          strip.mean() > brightest_resin * bulk)
+        doubts.push_back("what is taken for resin has " +
+                         per_cent(strip.mean() / bulk) +
+                         " of the brightness of the material and may belong to "
+                         "it: blacken the resin");
+      if (p.layer_median == 0.)
+        doubts.push_back(
+          "no layer is found in " + per_cent(none) +
+          " of the columns; if the dark strip at the top is a layer and no "
+          "resin, neither the layer nor the depths are right: take a picture "
+          "with resin above the layer, or blacken the resin");
+      else if (p.layer_10 == 0.)
+        doubts.push_back("no layer is found in " + per_cent(none) +
+                         " of the columns: look whether it is missing there or "
+                         "as bright as the bulk");
+      return doubts;
+    }
+  } // namespace
+
+
+
   SectionProfile
   profile_section(const cv::Mat &grey,
                   const cv::Mat &centre_line,
@@ -131,6 +281,7 @@ namespace squeal::tribology
     result.layer_median = quantile(result.layer, 0.5);
     result.layer_10     = quantile(result.layer, 0.1);
     result.layer_90     = quantile(result.layer, 0.9);
+    result.doubts       = doubts_of(result, smooth, bulk);
 
     const int n_bands = std::max(1, int(grey.rows / band));
     result.crack_length.assign(n_bands, 0.);

@@ -124,20 +124,25 @@ namespace squeal::tribology
 
 
   Segmentation
-  segment(const cv::Mat              &grey,
+  segment(const cv::Mat              &picture,
           const SegmentationSettings &settings,
-          const LineJudge            &judge)
+          const LineJudge            &judge,
+          const SeenPixels           &seen)
   {
-    const CrackLines found = find_cracks(grey, settings.n_octaves, judge);
+    const cv::Mat    grey  = mirrored_beyond(picture, seen);
+    const CrackLines found = find_cracks(grey, settings.n_octaves, judge, seen);
     cv::Mat          line  = found.centre_line;
     Segmentation     result;
+    result.seen   = seen;
     result.cracks = measure_cracks(grey, line, found.ridges);
-    result.areas  = find_areas(grey, result.cracks.area, settings.areas);
+    result.areas  = find_areas(grey, result.cracks.area, settings.areas, seen);
     leave_shoulders(result.areas.exfoliation, line);
     result.areas.rough &= result.areas.exfoliation;
-    const PixelPath rims = cut(line, result.areas.rough, grey);
-    result.cracks =
-      measure_cracks(grey, move_to_middle(grey, line), found.ridges);
+    const PixelPath rims   = cut(line, result.areas.rough, grey);
+    cv::Mat         middle = move_to_middle(grey, line);
+    keep_seen(middle, seen);
+    result.cracks = measure_cracks(grey, middle, found.ridges);
+    keep_seen(result.cracks.area, seen);
     result.cracks.doubt = found.doubt;
     result.excluded     = found.excluded;
     if (!rims.empty())

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/results/json_file.h>
-#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/segmentation_record.h>
 
 #include <nlohmann/json.hpp>
@@ -55,15 +54,15 @@ namespace squeal::tribology
     excluded_json(const SegmentedImage &i)
     {
       Json list = Json::array();
-      for (const ExcludedLine &line : i.excluded)
+      for (std::size_t k = 0; k < i.excluded.size(); ++k)
         {
-          const cv::Point &p = line.pixels[line.pixels.size() / 2];
-          list.push_back(
-            {{"x_px", p.x},
-             {"y_px", p.y},
-             {"length_um", i.pixel_size * length_of_pixels(line.pixels)},
-             {"probability", line.probability},
-             {"reason", name_of(line.reason)}});
+          const ExcludedLine &line = i.excluded[k];
+          const cv::Point    &p    = line.pixels[line.pixels.size() / 2];
+          list.push_back({{"x_px", p.x},
+                          {"y_px", p.y},
+                          {"length_um", i.excluded_lengths[k]},
+                          {"probability", line.probability},
+                          {"reason", name_of(line.reason)}});
         }
       return list;
     }
@@ -80,8 +79,7 @@ namespace squeal::tribology
 
 
 
-    /** @p amounts and @p deviation in pixels; @p factor takes them to what the
-     * name says. */
+    /** @p factor takes um or um^2 to what the name says. */
     Json
     rating_json(const Rating &rating, const std::string &name, double factor)
     {
@@ -148,12 +146,12 @@ namespace squeal::tribology
       if (i.crack_rating)
         {
           json["cracks"]["rating"] =
-            rating_json(*i.crack_rating, "lengths_mm", 1e-3 * i.pixel_size);
+            rating_json(*i.crack_rating, "lengths_mm", 1e-3);
           json["cracks"]["rating"]["tolerance_px"] = i.tolerance;
         }
       if (i.area_rating)
         json["exfoliation"]["rating"] =
-          rating_json(*i.area_rating, "areas_um2", i.pixel_size * i.pixel_size);
+          rating_json(*i.area_rating, "areas_um2", 1.);
       return json;
     }
   } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/tiff_directory.h>
 
+#include <set>
+
 namespace squeal::tribology
 {
   TiffDirectory::TiffDirectory(const std::string &data)
@@ -11,6 +13,7 @@ namespace squeal::tribology
     big   = data[0] == 'M';
     valid = (data.compare(0, 2, "II") == 0 || data.compare(0, 2, "MM") == 0) &&
             bytes(2, 2) == 42;
+    directory = bytes(4, 4);
   }
 
 
@@ -20,7 +23,6 @@ namespace squeal::tribology
   {
     if (!valid)
       return {};
-    const std::size_t directory = bytes(4, 4);
     const std::size_t n_entries = bytes(directory, 2);
     for (std::size_t i = 0; i < n_entries; ++i)
       {
@@ -61,6 +63,26 @@ namespace squeal::tribology
     if (type == long_type)
       return bytes(*place + 8, 4);
     return {};
+  }
+
+
+
+  std::vector<TiffDirectory>
+  TiffDirectory::later_pages() const
+  {
+    std::vector<TiffDirectory> pages;
+    if (!valid)
+      return pages;
+    // A damaged chain may run in circles.
+    std::set<std::size_t> seen = {directory};
+    for (TiffDirectory page = *this;; pages.push_back(page))
+      {
+        const std::size_t n_entries = bytes(page.directory, 2);
+        page.directory = bytes(page.directory + 2 + 12 * n_entries, 4);
+        if (page.directory == 0 || page.directory + 2 > data.size() ||
+            !seen.insert(page.directory).second)
+          return pages;
+      }
   }
 
 

@@ -20,7 +20,8 @@ namespace squeal::tribology
                  "Images in which people or other programs (Fiji, ilastik) "
                  "marked cracks, 8 or 16 bit; * and ? stand for any letters. "
                  "The name of a mask begins with that of its image; several "
-                 "masks of an image are several raters.");
+                 "masks of an image are several raters. On a transparent layer "
+                 "what is opaque is marked.");
       schema.add("Area masks",
                  s.area_masks,
                  Allowed::list(Allowed::file()),
@@ -114,7 +115,10 @@ namespace squeal::tribology
                  "found by their even background, which the log tells.",
                  "pixels");
       schema.add(
-        "Mosaic", s.mosaic, "Join all images to one by their stage positions.");
+        "Mosaic",
+        s.mosaic,
+        "Join all images to one by their stage positions. What none of them "
+        "shows is no area.");
       schema.add("Depth band",
                  s.depth_band,
                  Allowed::positive(),
@@ -237,8 +241,9 @@ namespace squeal::tribology
     schema.add("Images",
                images.images,
                Allowed::list(Allowed::file()),
-               "Image files of 8 or 16 bit (PNG, TIFF, JPEG); * and ? stand "
-               "for any letters.");
+               "Image files of 8 or 16 bit (PNG, TIFF, JPEG), one image a "
+               "file; * and ? stand for any letters where no file has that "
+               "very name.");
     schema.add("Pixel size",
                images.pixel_size,
                Allowed::number(0.),

@@ -2,7 +2,7 @@
 #ifndef squeal_tribology_images_area_evidence_h
 #define squeal_tribology_images_area_evidence_h
 
-#include <opencv2/core.hpp>
+#include <squeal/tribology/images/seen_pixels.h>
 
 namespace squeal::tribology
 {
@@ -24,15 +24,18 @@ namespace squeal::tribology
    * seen.
    *
    * @p flat is the brightness over the shading (CV_32F), @p lines (CV_8U) are
-   * left out of every mean; @p least_step is the least step at a rim.
+   * left out of every mean; @p least_step is the least step at a rim. Where
+   * what is @p seen ends, there is a border as well.
    */
-  AreasWithoutRim take_without_rim(cv::Mat         &areas,
-                                   const cv::Mat1f &flat,
-                                   const cv::Mat   &lines,
-                                   double           least_step);
+  AreasWithoutRim take_without_rim(cv::Mat          &areas,
+                                   const cv::Mat1f  &flat,
+                                   const cv::Mat    &lines,
+                                   double            least_step,
+                                   const SeenPixels &seen = {});
 
-  /** Length of all outlines of @p areas inside of the image, pixels. */
-  double outline_length(const cv::Mat &areas);
+  /** Length of all outlines of @p areas inside of what is @p seen of the image,
+   * pixels. */
+  double outline_length(const cv::Mat &areas, const SeenPixels &seen = {});
 } // namespace squeal::tribology
 
 #endif

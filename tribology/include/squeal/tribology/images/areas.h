@@ -2,7 +2,7 @@
 #ifndef squeal_tribology_images_areas_h
 #define squeal_tribology_images_areas_h
 
-#include <opencv2/core.hpp>
+#include <squeal/tribology/images/seen_pixels.h>
 
 #include <vector>
 
@@ -11,8 +11,10 @@ namespace squeal::tribology
   /** @p grey over its shading, minus 1, so that the bulk of the surface (its
    * most frequent brightness) is 0. The shading is a polynomial of second
    * degree whose slopes are fitted robustly to those of the logarithm: areas
-   * of other brightness disturb at their edges only. */
-  cv::Mat flatten_illumination(const cv::Mat &grey);
+   * of other brightness disturb at their edges only. Both are those of what is
+   * @p seen. */
+  cv::Mat flatten_illumination(const cv::Mat    &grey,
+                               const SeenPixels &seen = {});
 
   /** Exfoliations and contact plateaus. */
   struct AreaMap
@@ -40,14 +42,18 @@ namespace squeal::tribology
    * take_without_rim(), areas that are brighter and no rougher than the bulk
    * are plateaus. Both thresholds are absolute
    * contrasts and at least three deviations of the smoothed bulk. Thin dark
-   * lines (@p cracks, CV_8U) are taken out before.
+   * lines (@p cracks, CV_8U) are taken out before. No area lies where nothing
+   * is @p seen.
    */
   AreaMap find_areas(const cv::Mat      &grey,
                      const cv::Mat      &cracks,
-                     const AreaSettings &settings = {});
+                     const AreaSettings &settings = {},
+                     const SeenPixels   &seen     = {});
 
-  /** Area of each connected part of @p mask, pixels, largest first. */
-  std::vector<double> part_areas(const cv::Mat &mask);
+  /** Area of each connected part of @p mask, largest first: the sum of
+   * @p pixel_areas, or the number of pixels where they are empty. */
+  std::vector<double> part_areas(const cv::Mat   &mask,
+                                 const cv::Mat1d &pixel_areas = {});
 } // namespace squeal::tribology
 
 #endif

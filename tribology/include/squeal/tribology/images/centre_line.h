@@ -21,6 +21,17 @@ namespace squeal::tribology
   /** Number of the eight neighbours that are set. */
   int n_neighbours(const cv::Mat &skeleton, const cv::Point &p);
 
+  /** Moments of the pixels of a skeleton within @p reach of @p p in x and y. */
+  cv::Moments moments_around(const cv::Mat   &skeleton,
+                             const cv::Point &p,
+                             int              reach);
+
+  /** Direction of a skeleton at @p p, radians in [0, pi) from +x towards +y, from
+   * its pixels within five; @p fallback where they are fewer than four. */
+  double direction_at(const cv::Mat   &skeleton,
+                      const cv::Point &p,
+                      double           fallback);
+
   /** Pixels with one neighbour and the unit direction in which the line
    * would go on, from its last 12 pixels. */
   struct LineEnd

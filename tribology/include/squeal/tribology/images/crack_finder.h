@@ -62,11 +62,13 @@ namespace squeal::tribology
    * as much evidence again, as on coarse grains, they are used instead.
    *
    * Nothing depends on quantiles of the evidence: an image without cracks
-   * gives none. @p grey is CV_32F; for @p n_octaves see filter_ridges().
+   * gives none. @p grey is CV_32F; for @p n_octaves see filter_ridges(). No
+   * crack lies or leads where nothing is @p seen.
    */
-  CrackLines find_cracks(const cv::Mat   &grey,
-                         int              n_octaves,
-                         const LineJudge &judge = LineJudge::standard());
+  CrackLines find_cracks(const cv::Mat    &grey,
+                         int               n_octaves,
+                         const LineJudge  &judge = LineJudge::standard(),
+                         const SeenPixels &seen  = {});
 
   /** Width, direction and area from the dark profile across the centre line:
    * the width is the missing light over the depth, see CrackDepth. @p grey is

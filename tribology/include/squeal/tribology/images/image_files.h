@@ -4,13 +4,20 @@
 
 #include <opencv2/core.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace squeal::tribology
 {
+  /** Whether a file ends in .tif, .tiff, .png, .jpg, .jpeg or .bmp, in any
+   * case.
+   */
+  bool is_image_name(const std::filesystem::path &path);
+
   /** The files that names and wildcards stand for, each once, sorted within a
-   * wildcard. Throws InputError, naming @p entry, when a name or wildcard
+   * wildcard. The name of a file that there is stands for that file, whatever
+   * it has of *, ? and [. Throws InputError, naming @p entry, when a name or wildcard
    * matches nothing. */
   std::vector<std::string> expand_names(const std::vector<std::string> &names,
                                         const std::string              &entry);
@@ -23,8 +30,7 @@ namespace squeal::tribology
   /**
    * What wildcards miss: for each folder in which one of @p names has a
    * wildcard, a line with the images there that are not among @p files, as
-   * SLIDE.TIF beside *.tif. Images are what ends in .tif, .tiff, .png, .jpg,
-   * .jpeg or .bmp, in any case.
+   * SLIDE.TIF beside *.tif. Images are what is_image_name() says.
    */
   std::vector<std::string> missed_images(const std::vector<std::string> &names,
                                          const std::vector<std::string> &files);

@@ -3,21 +3,25 @@
 #define squeal_tribology_images_micrograph_h
 
 #include <squeal/tribology/images/image_size.h>
+#include <squeal/tribology/images/seen_pixels.h>
 
 #include <opencv2/core.hpp>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace squeal::tribology
 {
   /** What a microscope writes beside the pixels. */
   struct ImageMetadata
   {
-    std::optional<double>      pixel_size; /**< um */
+    std::optional<double>      pixel_size; /**< um, root of the area */
     std::optional<cv::Point2d> stage;      /**< um, of the image centre */
     std::string                source;     /**< "FEI tags", ... or empty */
     bool                       is_synthetic = false;
+    double                     aspect = 1.; /**< height of a pixel over its
+                                               width */
   };
 
   /** Box around a scale bar and the length that it stands for. */
@@ -33,10 +37,14 @@ namespace squeal::tribology
     std::string   path;
     std::string   stem;
     cv::Mat       grey;  /**< CV_32F, 0 to 255 whatever the depth was */
+    SeenPixels    seen;  /**< of the size of grey */
     cv::Rect      frame; /**< the specimen, without data bar */
     double        pixel_size = 0.; /**< um */
     std::string   scale_source;
     ImageMetadata metadata;
+    int           orientation = 1; /**< tag of the file; grey is upright */
+    /** What was made of the file, and what is wrong with it, for the log. */
+    std::vector<std::string> notes, warnings;
   };
 
   /**
@@ -46,25 +54,16 @@ namespace squeal::tribology
    */
   ImageMetadata read_metadata(const std::string &path);
 
-  /** Grey values of a PNG, TIFF or JPEG as stored, CV_8U or CV_16U. Throws
-   * InputError naming the file when it is missing, no regular file, empty,
-   * truncated, no image, or larger than require_room() allows. */
-  cv::Mat read_raw(const std::string &path,
-                   double             largest = usual_largest_image);
-
-  /** The same scaled to 0..255, CV_32F. */
+  /** Grey values of a file, see read_pixels(), scaled to 0..255, CV_32F. Of 16
+   * bit the bits that the picture uses are the range: a camera of 12 bits has
+   * its white at 4095. */
   cv::Mat read_grey(const std::string &path,
                     double             largest = usual_largest_image);
-
-  /** The numbers of an element map as stored, CV_32F. Throws InputError as
-   * read_raw() does, and where the image has colours. */
-  cv::Mat read_element_map(const std::string &path,
-                           double             largest = usual_largest_image);
 
   /** Rows above a data bar at the bottom; all rows when there is none. A data
    * bar is at least 2 and at most 20 percent of the height and has one and the
    * same value in more than half of each row, but for lines across it, and in
-   * 70 percent of its pixels. */
+   * 70 percent of its pixels; it ends from one row to the next. */
   int rows_above_data_bar(const cv::Mat &grey);
 
   /** Pixels of the longest horizontal run in the box that differs from the

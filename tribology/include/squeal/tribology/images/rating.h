@@ -22,7 +22,8 @@ namespace squeal::tribology
   struct Rating
   {
     std::vector<std::string> raters;
-    std::vector<double>      amounts; /**< length (pixels) or area (pixels) */
+    std::vector<double>      amounts; /**< on the pad: length (um) or area
+                                           (um^2) */
     /** Root mean square difference of the raters' amounts from the one that is
      * stated, in the same unit. Missing with one rater: how far raters differ
      * is not known then. */
@@ -35,7 +36,8 @@ namespace squeal::tribology
   {
     bool is_beside = false; /**< squeal is a rater like the others, and its own
                                  finding is stated; else that of the others */
-    double tolerance = 2.;  /**< pixels; lines as far apart are the same */
+    double    tolerance = 2.; /**< pixels; lines as far apart are the same */
+    Placement placement;      /**< of the image */
   };
 
   /**
@@ -58,7 +60,6 @@ namespace squeal::tribology
   /** Adds how far raters differ to the errors of @p statistics. */
   void add_deviations(const std::optional<Rating> &cracks,
                       const std::optional<Rating> &areas,
-                      double                       pixel_size,
                       ImageStatistics             &statistics);
 } // namespace squeal::tribology
 

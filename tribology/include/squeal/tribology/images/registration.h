@@ -20,6 +20,23 @@ namespace squeal::tribology
     cv::Point2d operator()(const cv::Point2d &pixel) const;
   };
 
+  /** What a placement makes of a pixel: its edges on the pad, um. */
+  struct PixelOnPad
+  {
+    cv::Point2d u, v;
+
+    PixelOnPad(const Placement &placement, const cv::Point2d &pixel);
+
+    /** um^2 */
+    double area() const;
+
+    /** Of a step of one pixel in a direction of the image, radians. */
+    cv::Point2d step(double direction) const;
+
+    /** The longest step of one pixel over the shortest: 1 for a square. */
+    double stretch() const;
+  };
+
   /**
    * Least squares over pairs of points: similarity and affine map (3 points
    * or more) or homography (4). Throws InputError when there are too few or
@@ -60,14 +77,16 @@ namespace squeal::tribology
   struct Mosaic
   {
     cv::Mat                  grey; /**< CV_32F, the mean where frames overlap */
+    SeenPixels               seen; /**< what one frame at least shows */
     std::vector<cv::Point2d> shifts; /**< px, of each frame */
     int                      n_refined  = 0;
     double                   correction = 0.; /**< px, largest */
   };
 
-  /** Joins frames of one pixel size by stage positions, refined pair by pair
-   * on their overlaps. Throws InputError when a frame has no stage position,
-   * the scales differ or the result would be larger than require_room() allows.
+  /** Joins what is seen in frames of one pixel size by stage positions, refined
+   * pair by pair on their overlaps. Throws InputError when a frame has no stage
+   * position, the scales differ or the result would be larger than
+   * require_room() allows.
    */
   Mosaic join_frames(const std::vector<Micrograph> &frames,
                      double largest = usual_largest_image);

@@ -2,7 +2,7 @@
 #ifndef squeal_tribology_images_ridge_filter_h
 #define squeal_tribology_images_ridge_filter_h
 
-#include <opencv2/core.hpp>
+#include <squeal/tribology/images/seen_pixels.h>
 
 namespace squeal::tribology
 {
@@ -53,13 +53,14 @@ namespace squeal::tribology
    * and added up along paths, see integrate_paths(). The second octave is also
    * added up by itself, along paths twice as long.
    *
-   * @p grey is CV_32F. @p narrowest is the deviation of the narrowest filter,
+   * @p grey is CV_32F. What is not @p seen proves nothing. @p narrowest is the deviation of the narrowest filter,
    * pixels. With 1, @p n_octaves 2 reaches lines about 9 pixels wide, each
    * further one doubles that.
    */
-  RidgeField filter_ridges(const cv::Mat &grey,
-                           int            n_octaves = 2,
-                           double         narrowest = 1.);
+  RidgeField filter_ridges(const cv::Mat    &grey,
+                           int               n_octaves = 2,
+                           double            narrowest = 1.,
+                           const SeenPixels &seen      = {});
 } // namespace squeal::tribology
 
 #endif

@@ -13,6 +13,7 @@ namespace squeal::tribology
     CrackMap                  cracks;
     AreaMap                   areas;
     std::vector<ExcludedLine> excluded; /**< dark lines that are no cracks */
+    SeenPixels                seen;     /**< what the figures are of */
   };
 
   struct SegmentationSettings
@@ -22,10 +23,12 @@ namespace squeal::tribology
   };
 
   /** Cracks, exfoliations and plateaus of @p grey (CV_32F, 0 to 255). A dark
-   * line inside an exfoliation is part of its roughness, no crack. */
+   * line inside an exfoliation is part of its roughness, no crack. Where
+   * nothing is @p seen the grey values may be any: they are not looked at. */
   Segmentation segment(const cv::Mat              &grey,
                        const SegmentationSettings &settings = {},
-                       const LineJudge &judge = LineJudge::standard());
+                       const LineJudge  &judge = LineJudge::standard(),
+                       const SeenPixels &seen  = {});
 } // namespace squeal::tribology
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef squeal_tribology_images_segmentation_record_h
 #define squeal_tribology_images_segmentation_record_h
 
+#include <squeal/results/table.h>
 #include <squeal/tribology/images/rating.h>
 #include <squeal/tribology/images/statistics.h>
 
@@ -24,6 +25,7 @@ namespace squeal::tribology
     std::optional<Rating>      crack_rating, area_rating;
     double                     tolerance = 0.; /**< of lines, px */
     std::vector<ExcludedLine>  excluded;
+    std::vector<double>        excluded_lengths;           /**< um, of each */
     double                     missed = 0., invented = 0.; /**< expected, px */
     std::optional<std::array<double, 3>> layer; /**< um: 10 %, median, 90 % */
   };

@@ -2,12 +2,9 @@
 #ifndef squeal_tribology_images_statistics_h
 #define squeal_tribology_images_statistics_h
 
-#include <squeal/results/table.h>
 #include <squeal/tribology/images/registration.h>
 #include <squeal/tribology/images/segmentation.h>
 
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace squeal::tribology
@@ -50,75 +47,32 @@ namespace squeal::tribology
     }
   };
 
-  /** The sliding direction as an image shows it. */
-  struct SlidingInImage
+  /** The areas of the pixels of an image on the pad. */
+  struct PixelAreas
   {
-    double direction   = 0.;    /**< radians from x towards y */
-    bool   is_mirrored = false; /**< angles on the pad go the other way round */
+    cv::Mat1d of_pixels; /**< um^2 */
+    double    seen = 0.; /**< um^2, of all that are seen */
+
+    PixelAreas(const Segmentation &segmentation, const Placement &placement);
+
+    /** um^2, of the pixels of @p mask (CV_8U, may be empty). */
+    double of(const cv::Mat &mask) const;
   };
 
-  /** The direction @p on_pad, radians from the x axis of the pad towards its y
-   * axis, in an image that @p placement takes to the pad, at @p middle. */
-  SlidingInImage sliding_in_image(double             on_pad,
-                                  const Placement   &placement,
-                                  const cv::Point2d &middle);
+  /** Figures on the pad, to which @p placement takes the pixels: lengths, widths
+   * and directions follow the pixels where they are no squares. @p sliding is
+   * the direction there, radians from x towards y. */
+  ImageStatistics measure(const Segmentation &segmentation,
+                          const Placement    &placement,
+                          double              sliding);
 
-  ImageStatistics measure(const Segmentation   &segmentation,
-                          double                pixel_size,
-                          const SlidingInImage &sliding);
+  /** The same of square pixels of @p pixel_size (um), x along the rows. */
+  ImageStatistics measure(const Segmentation &segmentation,
+                          double              pixel_size,
+                          double              sliding);
 
-  /** Features of the images gathered on cells of the pad or of one image. */
-  class CellGrid
-  {
-  public:
-    /** Cells over a rectangle of @p size (um) about the origin. */
-    CellGrid(const cv::Size2d &size, int n_x, int n_y);
-
-    /** Adds a segmented image whose pixels @p placement takes to um. Lengths,
-     * widths and directions of cracks are those on the pad; @p sliding is the
-     * direction there, radians from x towards y. */
-    void add(const Segmentation &segmentation,
-             const Placement    &placement,
-             double              sliding);
-
-    /** Adds the mean of a covariate (CV_32F, size of the image). */
-    void add_covariate(const std::string &name,
-                       const cv::Mat     &values,
-                       const Placement   &placement);
-
-    /** Columns of the table; covariates come last. */
-    std::vector<Table::Column> columns() const;
-
-    /** One row for each cell, after the name of the image. */
-    void append_rows(Table &table, const std::string &image) const;
-
-  private:
-    struct Cell
-    {
-      double area = 0., crack_length = 0., crack_width = 0., cosine = 0.,
-             sine = 0., exfoliation = 0., plateau = 0.; // um
-    };
-    struct Covariate
-    {
-      std::string         name;
-      std::vector<double> sum, weight;
-    };
-    int index(const cv::Point2d &p) const;
-    /** Notes which parts of the cells an image shows. */
-    void note_view(const cv::Size &size_of_image, const Placement &placement);
-    /** What images show of a cell over what they show of it one by one: less
-     * than 1 where they overlap. */
-    double share_seen_once(int i, int j) const;
-
-    /** Overlaps are seen on a grid of so many parts in each direction. */
-    static constexpr int parts_of_a_cell = 32;
-
-    cv::Size2d             size;
-    int                    n_x, n_y;
-    std::vector<Cell>      cells;
-    std::vector<Covariate> covariates;
-    cv::Mat1f              views; /**< number of images that show each part */
-  };
+  /** Length on the pad, um, of a line of which the pixels are known. */
+  double length_on_pad(const PixelPath &line, const Placement &placement);
 
   /** The picture with cracks in red, exfoliations outlined in magenta, dark
    * places without a rim in grey and plateaus in blue (CV_8UC3). */

@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace squeal::tribology
 {
-  /** The first directory of a TIFF file; of any other file an empty one. Looks
-   * into @p data, which must outlive it. */
+  /** A directory of a TIFF file, the first one at that; of any other file an
+   * empty one. Looks into @p data, which must outlive it. */
   class TiffDirectory
   {
   public:
@@ -21,6 +22,9 @@ namespace squeal::tribology
     /** First number (16 or 32 bit) of @p tag. */
     std::optional<std::uint32_t> number(unsigned int tag) const;
 
+    /** The directories behind this one, each once. */
+    std::vector<TiffDirectory> later_pages() const;
+
   private:
     /** Place of the entry of a tag. */
     std::optional<std::size_t> entry(unsigned int tag) const;
@@ -30,6 +34,7 @@ namespace squeal::tribology
 
     const std::string &data;
     bool               big = false, valid = false;
+    std::size_t        directory = 0; /**< its place */
   };
 } // namespace squeal::tribology
 

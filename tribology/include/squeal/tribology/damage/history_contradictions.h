@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_damage_history_contradictions_h
+#define squeal_tribology_damage_history_contradictions_h
+
+#include <squeal/tribology/damage/surface.h>
+
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** What no contact does, in a history that comes in pieces: pulling, carrying
+   * a pressure while it is open, giving energy to the sliding. */
+  class HistoryContradictions
+  {
+  public:
+    explicit HistoryContradictions(const HistoryLayout &layout);
+
+    void add(const HistorySamples &samples);
+
+    /** A line for a run on each, nothing where rounding says it all.
+     * @p sums are those of the nodes over the same history. */
+    std::vector<std::string> notes(const std::vector<SurfaceSums> &sums) const;
+
+  private:
+    HistoryLayout layout;
+    std::size_t   n_tension = 0, lowest_node = 0; /**< values; of the lowest */
+    std::size_t   n_open = 0, n_values = 0; /**< open under pressure, all */
+    double        lowest = 0., highest = 0., highest_open = 0.; /**< Pa */
+  };
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_image_tags_h
+#define squeal_tribology_images_image_tags_h
+
+#include <string>
+
+namespace squeal::tribology
+{
+  /** What the tags of an image file say of its pixels. */
+  struct ImageTags
+  {
+    int orientation = 1;     /**< tag 274, of TIFF or of the EXIF of PNG and
+                                  JPEG; 1: upright */
+    int  n_images       = 1; /**< pages of a TIFF that are no smaller copies */
+    bool white_is_zero  = false; /**< tag 262 of TIFF */
+    bool may_have_alpha = false; /**< an alpha channel or transparent colours */
+  };
+
+  /** Reads the tags in the bytes of a PNG, TIFF or JPEG file; of any other file
+   * and where there are none they are as above. */
+  ImageTags image_tags(const std::string &data);
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
+#include <squeal/tribology/damage/history_contradictions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    // Of the largest value of a history; a contact opens between two samples.
+    constexpr double rounding_of_values = 1e-9, worth_a_line = 0.01;
+
+
+
+    /** "" where the friction takes energy. */
+    std::string
+    note_of_energy(const std::vector<SurfaceSums> &sums)
+    {
+      double      taken = 0., given = 0.;
+      std::size_t n_giving = 0;
+      for (const SurfaceSums &s : sums)
+        {
+          taken += std::max(0., s.friction_energy);
+          given += std::max(0., -s.friction_energy);
+          n_giving += s.friction_energy < 0.;
+        }
+      if (!(given > worth_a_line * taken))
+        return "";
+      return "the friction power is negative at " + std::to_string(n_giving) +
+             " of " + std::to_string(sums.size()) +
+             " nodes, as if friction drove the sliding: traction and slip rate "
+             "of a face point the same way; turn the sign of one "
+             "of them, or friction energy and power are wrong";
+    }
+  } // namespace
+
+
+
+  HistoryContradictions::HistoryContradictions(const HistoryLayout &layout)
+    : layout(layout)
+  {
+  }
+
+
+
+  void
+  HistoryContradictions::add(const HistorySamples &s)
+  {
+    n_values += s.pressure.size();
+    for (std::size_t i = 0; i < s.pressure.size(); ++i)
+      {
+        const double p = s.pressure[i];
+        n_tension += p < 0.;
+        highest = std::max(highest, p);
+        if (p < lowest)
+          {
+            lowest      = p;
+            lowest_node = i % layout.n_nodes();
+          }
+        if (layout.has_status && p > 0. &&
+            static_cast<ContactStatus>(s.status[i]) == ContactStatus::open)
+          {
+            ++n_open;
+            highest_open = std::max(highest_open, p);
+          }
+      }
+  }
+
+
+
+  std::vector<std::string>
+  HistoryContradictions::notes(const std::vector<SurfaceSums> &sums) const
+  {
+    std::vector<std::string> lines;
+    if (lowest < -rounding_of_values * highest)
+      lines.push_back("the pressure is negative in " +
+                      std::to_string(n_tension) + " values, down to " +
+                      rounded_text(lowest, 3) + " Pa at node " +
+                      std::to_string(lowest_node) +
+                      ": compression is positive and a contact cannot pull; "
+                      "they are counted as they stand");
+    if (highest_open > worth_a_line * highest)
+      lines.push_back("the status is open in " + std::to_string(n_open) +
+                      " of " + std::to_string(n_values) +
+                      " values that have a pressure, up to " +
+                      rounded_text(highest_open, 3) +
+                      " Pa: contact time, impacts and stick-slip follow the "
+                      "status, wear and pressures do not; mend the status, or "
+                      "leave it out and it follows from the pressure");
+    if (const std::string energy = note_of_energy(sums); !energy.empty())
+      lines.push_back(energy);
+    return lines;
+  }
+} // namespace squeal::tribology

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/cell_grid.h>
+#include <squeal/tribology/images/line_length.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    bool
+    is_shown(const SeenPixels &seen, const cv::Point &p)
+    {
+      return seen.empty() || seen.at<uchar>(p) != 0;
+    }
+  } // namespace
+
+
+
+  CellGrid::CellGrid(const cv::Size2d &size, const int n_x, const int n_y)
+    : size(size)
+    , n_x(n_x)
+    , n_y(n_y)
+    , cells(std::size_t(n_x) * n_y)
+    , views(n_y * parts_of_a_cell, n_x * parts_of_a_cell, 0.f)
+  {
+  }
+
+
+
+  int
+  CellGrid::index(const cv::Point2d &p) const
+  {
+    const int i = int(std::floor((p.x / size.width + 0.5) * n_x));
+    const int j = int(std::floor((p.y / size.height + 0.5) * n_y));
+    return i < 0 || j < 0 || i >= n_x || j >= n_y ? -1 : j * n_x + i;
+  }
+
+
+
+  void
+  CellGrid::add(const Segmentation &s,
+                const Placement    &placement,
+                const double        sliding)
+  {
+    const cv::Mat &line    = s.cracks.centre_line;
+    const cv::Mat  lengths = pixel_lengths(line);
+    note_view(line.size(), s.seen, placement);
+    for (int y = 0; y < line.rows; ++y)
+      for (int x = 0; x < line.cols; ++x)
+        {
+          const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
+          if (i < 0 || !is_shown(s.seen, {x, y}))
+            continue;
+          Cell            &cell = cells[i];
+          const PixelOnPad pixel(placement, cv::Point2d(x + 0.5, y + 0.5));
+          const double     area = pixel.area();
+          cell.area += area;
+          cell.exfoliation += s.areas.exfoliation.at<uchar>(y, x) ? area : 0.;
+          cell.plateau += s.areas.plateau.at<uchar>(y, x) ? area : 0.;
+          if (line.at<uchar>(y, x) == 0)
+            continue;
+          // Along the crack by that direction, across it by what is left of
+          // the area.
+          const cv::Point2d step =
+            pixel.step(s.cracks.direction.at<float>(y, x));
+          const double along  = cv::norm(step);
+          const double length = lengths.at<float>(y, x) * along;
+          const double angle  = 2. * (std::atan2(step.y, step.x) - sliding);
+          cell.crack_length += length;
+          cell.crack_width +=
+            length * area / along * s.cracks.width.at<float>(y, x);
+          cell.cosine += length * std::cos(angle);
+          cell.sine += length * std::sin(angle);
+        }
+  }
+
+
+
+  void
+  CellGrid::note_view(const cv::Size   &size_of_image,
+                      const SeenPixels &seen,
+                      const Placement  &placement)
+  {
+    const double             w = size_of_image.width, h = size_of_image.height;
+    std::vector<cv::Point2d> corners;
+    for (const cv::Point2d &c : {cv::Point2d(0., 0.),
+                                 cv::Point2d(w, 0.),
+                                 cv::Point2d(w, h),
+                                 cv::Point2d(0., h)})
+      {
+        const cv::Point2d p = placement(c);
+        corners.emplace_back((p.x / size.width + 0.5) * views.cols,
+                             (p.y / size.height + 0.5) * views.rows);
+      }
+    const Placement back{placement.to_pad.inv(), 0.};
+    const auto      pixel_of = [&](const cv::Point2d &part) {
+      const cv::Point2d p = back({(part.x / views.cols - 0.5) * size.width,
+                                  (part.y / views.rows - 0.5) * size.height});
+      return cv::Point(std::clamp(int(p.x), 0, size_of_image.width - 1),
+                       std::clamp(int(p.y), 0, size_of_image.height - 1));
+    };
+    // Parts whose middles lie in the view, row by row.
+    for (int y = 0; y < views.rows; ++y)
+      {
+        double left = 1e300, right = -1e300;
+        for (int k = 0; k < 4; ++k)
+          {
+            const cv::Point2d from = corners[k], to = corners[(k + 1) % 4];
+            if ((from.y > y + 0.5) == (to.y > y + 0.5))
+              continue;
+            const double x =
+              from.x + (y + 0.5 - from.y) / (to.y - from.y) * (to.x - from.x);
+            left  = std::min(left, x);
+            right = std::max(right, x);
+          }
+        const double first = std::clamp(left - 0.5, 0., double(views.cols));
+        for (int x = int(std::ceil(first)); x < views.cols && x + 0.5 < right;
+             ++x)
+          if (seen.empty() || is_shown(seen, pixel_of({x + 0.5, y + 0.5})))
+            views(y, x) += 1.f;
+      }
+  }
+
+  double
+  CellGrid::share_seen_once(const int i, const int j) const
+  {
+    const cv::Mat part = views(cv::Rect(i * parts_of_a_cell,
+                                        j * parts_of_a_cell,
+                                        parts_of_a_cell,
+                                        parts_of_a_cell));
+    const double  sum  = cv::sum(part)[0];
+    return sum > 0. ? cv::countNonZero(part) / sum : 1.;
+  }
+
+
+
+  void
+  CellGrid::add_covariate(const std::string &name,
+                          const cv::Mat     &values,
+                          const Placement   &placement,
+                          const SeenPixels  &seen)
+  {
+    Covariate c{name,
+                std::vector<double>(cells.size(), 0.),
+                std::vector<double>(cells.size(), 0.)};
+    for (int y = 0; y < values.rows; ++y)
+      for (int x = 0; x < values.cols; ++x)
+        {
+          const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
+          if (i < 0 || !is_shown(seen, {x, y}))
+            continue;
+          c.sum[i] += values.at<float>(y, x);
+          c.weight[i] += 1.;
+        }
+    covariates.push_back(c);
+  }
+
+
+
+  std::vector<Table::Column>
+  CellGrid::columns() const
+  {
+    using T                           = Table::Type;
+    std::vector<Table::Column> result = {
+      {"image", T::text, "", "image, or pad when registered"},
+      {"cell", T::integer, "", "number of the cell, x fastest"},
+      {"x_m", T::real, "m", "centre of the cell"},
+      {"y_m", T::real, "m", "centre of the cell"},
+      {"coverage",
+       T::real,
+       "",
+       "part of the cell that was observed, at most 1"},
+      {"crack_density_per_m", T::real, "1/m", "crack length per area"},
+      {"crack_width_m", T::real, "m", "mean width along the length"},
+      {"crack_angle_deg",
+       T::real,
+       "degrees",
+       "mean direction against the sliding direction, -90 to 90"},
+      {"crack_alignment",
+       T::real,
+       "",
+       "0: every direction alike, 1: all cracks parallel"},
+      {"crack_along_sliding",
+       T::real,
+       "",
+       "mean of cos 2a of that angle: 1 along the sliding, -1 across it"},
+      {"exfoliation_fraction", T::real, "", "area of exfoliations"},
+      {"plateau_fraction", T::real, "", "area of contact plateaus"}};
+    for (const Covariate &c : covariates)
+      result.push_back({c.name, T::real, "", "mean of the element map"});
+    return result;
+  }
+
+
+
+  void
+  CellGrid::append_rows(Table &table, const std::string &image) const
+  {
+    const squeal::Cell nothing;
+    for (int j = 0; j < n_y; ++j)
+      for (int i = 0; i < n_x; ++i)
+        {
+          const std::size_t k    = std::size_t(j) * n_x + i;
+          const Cell       &c    = cells[k];
+          const bool        seen = c.area > 0., has = c.crack_length > 0.;
+          std::vector<squeal::Cell> row = {
+            image,
+            int(k),
+            1e-6 * size.width * ((i + 0.5) / n_x - 0.5),
+            1e-6 * size.height * ((j + 0.5) / n_y - 0.5),
+            std::min(1.,
+                     share_seen_once(i, j) * c.area * n_x * n_y / size.area()),
+            seen ? squeal::Cell(1e6 * c.crack_length / c.area) : nothing,
+            has ? squeal::Cell(1e-6 * c.crack_width / c.crack_length) : nothing,
+            has ? squeal::Cell(90. / CV_PI * std::atan2(c.sine, c.cosine))
+                : nothing,
+            has ? squeal::Cell(std::hypot(c.sine, c.cosine) / c.crack_length)
+                : nothing,
+            has ? squeal::Cell(c.cosine / c.crack_length) : nothing,
+            seen ? squeal::Cell(c.exfoliation / c.area) : nothing,
+            seen ? squeal::Cell(c.plateau / c.area) : nothing};
+          for (const Covariate &v : covariates)
+            row.push_back(v.weight[k] > 0.
+                            ? squeal::Cell(v.sum[k] / v.weight[k])
+                            : nothing);
+          table.add_row(row);
+        }
+  }
+} // namespace squeal::tribology
