@@ -82,7 +82,9 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/image_parameters.cc
     source/setup/tribology_parameters.cc
     source/statistics/association.cc
+    source/statistics/cell_lags.cc
     source/statistics/conditional_link.cc
+    source/statistics/covariance_family.cc
     source/statistics/group_comparison.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc

@@ -4,6 +4,7 @@
 // when images are known from the pad's centre on and nodes from that of the
 // disc, how rows of a cell count, and places that lie nowhere.
 #include <squeal/base/exceptions.h>
+#include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 #include <squeal/tribology/statistics/quantity_text.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <random>
 
 #include "check.h"
 #include "worst.h"
@@ -143,15 +145,16 @@ namespace
   void
   write_measured()
   {
-    std::ofstream damage("damage.csv"), features("features.csv");
+    std::ofstream   damage("damage.csv"), features("features.csv");
+    std::mt19937_64 generator(1);
     damage << "node,x_m,y_m,area_m2,damage_m3_per_s,mean_pressure_pa\n";
     features << "x_m,y_m,crack_density_per_m,plateau_fraction\n";
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         {
           damage << i + n * j << "," << place(i) << "," << place(j) << ",4e-6,"
-                 << (7 * i + 3 * j) % 5 << "," << i * j << "\n";
-          features << place(i) << "," << place(j) << "," << (3 * i + j) % 4
+                 << generator() % 97 << "," << i * j << "\n";
+          features << place(i) << "," << place(j) << "," << generator() % 97
                    << "," << (i * i + j) % 2 << "\n";
         }
   }
@@ -182,18 +185,73 @@ namespace
       "neither 'damage.csv' nor 'features.csv' has a column 'hardness'",
       "a covariate that is in neither table");
     p.covariates.clear();
-    const std::vector<std::string> lines =
-      warnings_of_few_cells(link_pads(read_pads(p), p));
+    const std::vector<PadLink>     beside = link_pads(read_pads(p), p);
+    const std::vector<std::string> lines  = warnings_of_few_cells(beside);
     check(lines.size() == 2 &&
             lines[0].find("'crack_density_per_m': 25 cells are known, ") !=
               std::string::npos,
           "few cells are warned of: " + (lines.empty() ? "" : lines[0]));
-    p.shared_causes = {};
-    const std::vector<std::string> none =
-      warnings_of_few_cells(link_pads(read_pads(p), p));
-    check(none.empty(),
-          "25 cells without causes are enough" +
-            (none.empty() ? "" : ": " + none[0]));
+    p.shared_causes                        = {};
+    const std::vector<PadLink> plain_links = link_pads(read_pads(p), p);
+    for (std::size_t i = 0; i < beside.size(); ++i)
+      check(plain_links[i].test.conditional.n_effective >
+              1.5 * beside[i].test.conditional.n_effective,
+            "25 cells without causes are worth more: " +
+              std::to_string(plain_links[i].test.conditional.n_effective));
+  }
+
+
+
+  /** A cell of which next to nothing was seen has no say in links. */
+  void
+  thin_cells()
+  {
+    write_damage(0., 0.);
+    const auto links = [](const double coverage_of_row, const double least) {
+      {
+        std::ofstream out("features.csv");
+        out << "x_m,y_m,coverage,feature\n";
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+            out << place(i) << "," << place(j) << ","
+                << (j == 0 ? coverage_of_row : 1.) << "," << value(i, j)
+                << "\n";
+      }
+      CorrelationParameters p;
+      p.damage_tables  = {"damage.csv"};
+      p.feature_tables = {"features.csv"};
+      p.indices        = {"index"};
+      p.shared_causes  = {};
+      p.least_coverage = least;
+      const auto pads  = read_pads(p);
+      return std::pair(link_pads(pads, p)[0].test.n_cells,
+                       warnings_of_thin_cells(pads, p));
+    };
+    check(links(.3, .1).first == 25 && links(.3, .1).second.empty(),
+          "cells seen to 30 % count");
+    const auto [n_cells, lines] = links(.02, .1);
+    check(n_cells == 20 && lines.size() == 1 &&
+            lines[0].find("5 of 25 cells") != std::string::npos,
+          "cells seen to 2 % are left out and told: " +
+            (lines.empty() ? "" : lines[0]));
+    check(links(.02, 0.).first == 25 && links(.02, 0.).second.empty(),
+          "unless all are wanted");
+  }
+
+
+
+  /** Distances between cells are those on the pad. */
+  void
+  long_cells()
+  {
+    std::ofstream("damage.csv") << "node,x_m,y_m,area_m2,index\n"
+                                   "0,0,0,1e-5,1\n1,0.01,0,1e-5,2\n"
+                                   "2,0,0.002,1e-5,3\n3,0.01,0.002,1e-5,5\n";
+    std::ofstream("features.csv") << "x_m,y_m,feature\n0,0,1\n";
+    const PadMaps pad = read();
+    check_close(pad.indices.at("index").aspect, .2, 1e-12, "edges of cells");
+    check_close(
+      pad.features.at("feature").aspect, .2, 1e-12, "in all maps of a pad");
   }
 
 
@@ -220,6 +278,18 @@ namespace
           std::pair("damage_m3_per_application",
                     "damage (slope 3) per application"),
           std::pair("crack_density_per_m", "crack density in 1/m"),
+          std::pair("wear_rate_m_per_s", "wear rate in m/s"),
+          std::pair("wear_depth_per_application_m",
+                    "wear depth per application in m"),
+          std::pair("wear_index_per_application_pa_m",
+                    "wear index per application in Pa m"),
+          std::pair("friction_energy_per_application_j_per_m2",
+                    "friction energy per application in J/m^2"),
+          std::pair("impulse_per_impact_pa_s", "impulse per impact in Pa s"),
+          std::pair("friction_power_w", "friction power in W"),
+          std::pair("exfoliated_area_m2", "exfoliated area in m^2"),
+          std::pair("dirlik_over_counting_m2",
+                    "dirlik over counting (slope 2)"),
           std::pair("contact_duty", "contact duty")})
       check(QuantityText(column).with_unit() == text, text);
   }
@@ -255,6 +325,62 @@ namespace
     std::sort(means.begin(), means.begin() + 15);
     std::sort(means.begin() + 15, means.end(), std::greater<double>());
     check_close(p_of(means) / p, 1., 1e-12, "whatever their order");
+  }
+
+  /** A feature among many that are unlinked is held against all of them; and
+   * every feature of any pad is compared. */
+  void
+  many_features_of_groups()
+  {
+    write_damage(0., 0.);
+    constexpr unsigned int n_pads = 10, n_features = 12;
+    for (unsigned int pad = 0; pad < n_pads; ++pad)
+      {
+        std::ofstream out("features_" + std::to_string(pad) + ".csv");
+        out << "x_m,y_m";
+        for (unsigned int f = 0; f < n_features; ++f)
+          out << ",f" << f;
+        // the first pad lacks the one that tells the groups apart
+        out << (pad > 0 ? ",told\n0,0" : "\n0,0");
+        for (unsigned int f = 0; f < n_features; ++f)
+          out << "," << std::sin(3.7 * pad * pad + 1.3 * f * pad + f);
+        out << (pad > 0 ? "," + std::to_string(pad < 5 ? pad : 10 * pad) : "")
+            << "\n";
+      }
+    CorrelationParameters p;
+    p.damage_tables = std::vector<std::string>(n_pads, "damage.csv");
+    for (unsigned int pad = 0; pad < n_pads; ++pad)
+      {
+        p.feature_tables.push_back("features_" + std::to_string(pad) + ".csv");
+        p.groups.push_back(pad < 5 ? "silent" : "squealing");
+      }
+    p.indices                             = {"index"};
+    const std::vector<PadMaps>     pads   = read_pads(p);
+    const std::vector<GroupResult> groups = compare_groups(pads, p);
+    check(groups.size() == n_features + 1 && groups.back().feature == "told",
+          "features of any pad are compared");
+    check(groups.back().n_silent == 4 && groups.back().n_squealing == 5,
+          "with the pads that have them");
+    std::vector<double> single;
+    for (const GroupResult &g : groups)
+      single.push_back(g.p_value);
+    const std::vector<double> adjusted = holm(single);
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      check(groups[i].p_adjusted == adjusted[i] &&
+              (groups[i].verdict != Verdict::undecided) ==
+                (adjusted[i] <= p.level),
+            groups[i].feature + ": Holm's p-value decides");
+    check(groups.back().p_value < p.level &&
+            groups.back().verdict == Verdict::undecided &&
+            groups.back().reason.find("13 features") != std::string::npos,
+          "what the numbers of pads cannot decide among 13 features is "
+          "undecided: " +
+            groups.back().reason);
+    const std::vector<std::string> lines =
+      warnings_of_lacking_features(pads, p);
+    check(lines.size() == 1 &&
+            lines[0].find("'told': pad 1 ") != std::string::npos,
+          "the pad that lacks it is named: " + (lines.empty() ? "" : lines[0]));
   }
 
   /** Means of pads weigh what was seen of the face; angles of lines are no
@@ -327,7 +453,9 @@ namespace
                              "two images without a pad are refused");
     write_damage(0., 0.);
     write({"field_1"}, 0);
-    check(read().features.size() == 1, "one image is read");
+    check_throws<InputError>([]() { read(); },
+                             "'field_1', which is not laid on the pad",
+                             "one image without a place is refused");
   }
 } // namespace
 
@@ -339,7 +467,10 @@ main()
   means_of_pads();
   rows_of_a_cell();
   covariates();
+  thin_cells();
+  long_cells();
   nowhere();
   names();
   groups_of_pads();
+  many_features_of_groups();
 }

@@ -271,6 +271,7 @@ namespace squeal::tribology
                       {"mean_silent", number(g.mean_silent)},
                       {"mean_squealing", number(g.mean_squealing)},
                       {"p", number(g.p_value)},
+                      {"p_adjusted", number(g.p_adjusted)},
                       {"verdict", verdict_text(g.verdict, is_synthetic)},
                       {"reason", g.reason}});
     return list;

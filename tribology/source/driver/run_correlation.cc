@@ -194,7 +194,9 @@ namespace squeal::tribology
           g.feature + ": mean " + rounded_text(g.mean_squealing, 4) + " on " +
           std::to_string(g.n_squealing) + " squealing pads, " +
           rounded_text(g.mean_silent, 4) + " on " + std::to_string(g.n_silent) +
-          " silent pads; p = " + rounded_text(g.p_value, 3) + ": " +
+          " silent pads; p = " + rounded_text(g.p_value, 3) + ", " +
+          rounded_text(g.p_adjusted, 3) + " adjusted by Holm for " +
+          std::to_string(groups.size()) + " features: " +
           verdict_text(g.verdict, p.is_synthetic) + ". " + g.reason);
       report.section("How sure");
       report.list(
@@ -248,7 +250,11 @@ namespace squeal::tribology
                  {"groups", json_of(groups, p.is_synthetic)}};
     if (!pads.empty())
       json["shared_causes"] = pads[0].causes.names;
+    for (const std::string &line : warnings_of_thin_cells(pads, p))
+      context.log.warning(line);
     for (const std::string &line : warnings_of_few_cells(links))
+      context.log.warning(line);
+    for (const std::string &line : warnings_of_lacking_features(pads, p))
       context.log.warning(line);
     context.write_table("correlation.csv", link_table(links, p.is_synthetic));
     HtmlReport report("Correlation" + (context.parameters.name.empty()
@@ -306,7 +312,8 @@ namespace squeal::tribology
         report.section("Test of the tester");
         report.paragraph(
           "Pairs of random maps of 11 x 11 cells, to which a pattern is added "
-          "that both share: with a link of 0 every find is a false positive.");
+          "that both share, or which are bands along the sliding direction "
+          "(streaks): with a link of 0 every find is a false positive.");
         report.table(test, "Rates (self_test.csv)");
         report.figure(context.output.path() + "/plots/power.png",
                       "Power against the strength of the link.");

@@ -128,6 +128,7 @@ namespace squeal::tribology
             {"trend", SharedPattern::trend},
             {"rim", SharedPattern::rim},
             {"leading edge", SharedPattern::leading_edge},
-            {"mask", SharedPattern::mask}};
+            {"mask", SharedPattern::mask},
+            {"streaks", SharedPattern::streaks}};
   }
 } // namespace squeal::tribology

@@ -75,6 +75,13 @@ namespace squeal::tribology
                "stage, anything measured. They are no longer indices or "
                "features.");
     schema.add(
+      "Least coverage",
+      c.least_coverage,
+      Allowed::number(0., 1.),
+      "Part of a cell that images must show for it to count in links: "
+      "densities of cells of which next to nothing was seen are noise. "
+      "0: all cells.");
+    schema.add(
       "Seed", c.seed, Allowed::integer(0), "Start of the random numbers.");
     schema.add("Wanted power",
                c.wanted_power,
@@ -105,7 +112,9 @@ namespace squeal::tribology
       "Test patterns",
       c.test_patterns,
       Allowed::list(prm::Schema::allowed_choices(SharedPattern::none), 1),
-      "What both maps share without a link.");
+      "What both maps share without a link. Streaks share nothing: they are "
+      "bands, four times the length along the sliding direction and a quarter "
+      "of it across.");
     schema.leave_section();
   }
 

@@ -2,6 +2,7 @@
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/conditional_link.h>
 
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
@@ -62,12 +63,15 @@ namespace squeal::tribology
     struct Slope
     {
       double          t = 0., dof = 0., scatter = 1.;
-      Eigen::VectorXd x, y; /**< whitened */
+      double          likeness = 1.; /**< of cells, that the member missed */
+      Eigen::VectorXd x, y;          /**< whitened */
     };
 
     Slope
     slope(const SpatialCovariance      &covariance,
           const SpatialCovariance::Fit &fit,
+          const CellLags               &lags,
+          const double                  white,
           const Eigen::VectorXd        &index,
           const Eigen::VectorXd        &feature)
     {
@@ -80,14 +84,21 @@ namespace squeal::tribology
       const double          sum      = fit.resolved.sum();
       const double          of_slope =
         (x.array().square() * fit.resolved.array()).sum() / xx;
-      Slope result;
+      const Eigen::VectorXd x_of_cells = covariance.on_cells(fit.form, x),
+                            r_of_cells =
+                              covariance.on_cells(fit.form, residual);
+      const double independent = sum * sum / fit.resolved.squaredNorm();
+      Slope        result;
       result.x       = x;
       result.y       = y;
-      result.dof     = sum * sum / fit.resolved.squaredNorm() - 1.;
-      result.scatter = common_scatter(covariance.on_cells(fit.form, x),
-                                      covariance.on_cells(fit.form, residual));
-      result.t       = b * std::sqrt(xx * (sum - of_slope) /
-                               (residual.squaredNorm() * of_slope));
+      result.scatter = common_scatter(x_of_cells, r_of_cells);
+      // what the member describes leaves as many independent cells as it has
+      result.likeness = std::max(
+        1., independent * lags.variance(x_of_cells, r_of_cells) / white);
+      result.dof = (independent - 1.) / result.likeness;
+      result.t =
+        b * std::sqrt(xx * (sum - of_slope) /
+                      (residual.squaredNorm() * of_slope * result.likeness));
       return result;
     }
   } // namespace
@@ -136,14 +147,17 @@ namespace squeal::tribology
       }
     if (m < 20.)
       return {{link.r, link.r}};
-    // n resampled pairs scatter by 1/n, n new ones by Fisher's 1/(n - 3)
+    // n resampled pairs scatter by 1/n, n new ones by Fisher's 1/(n - 3); of
+    // few pairs that carry most of the index the resampled ones know too little
     const double deviation =
       std::sqrt(std::max(0., squares - sum * sum / m) / (m - 1.) *
-                  link.n_effective / (link.n_effective - 3.) +
+                  link.likeness * link.n_effective / (link.n_effective - 3.) +
                 link.between);
-    const double half =
-      deviation *
-      quantile(boost::math::students_t(link.n_effective - 2.), 1. - level / 2.);
+    const double half = std::max(
+      deviation * quantile(boost::math::students_t(link.n_effective - 2.),
+                           1. - level / 2.),
+      quantile(boost::math::normal(), 1. - level / 2.) /
+        std::sqrt(link.n_effective - 3.));
     return {{std::tanh(std::atanh(link.r) - half),
              std::tanh(std::atanh(link.r) + half)}};
   }
@@ -158,9 +172,12 @@ namespace squeal::tribology
     for (blocks = merged(grid, cells, edge); blocks.size() > most_cells;
          edge *= 2)
       blocks = merged(grid, cells, 2 * edge);
-    const Eigen::Index     n = blocks.size();
-    std::vector<CellPlace> places;
-    Eigen::MatrixXd        means = Eigen::MatrixXd::Zero(n, causes.cols());
+    const Eigen::Index         n = blocks.size();
+    std::vector<CellPlace>     places;
+    std::vector<CellColumnRow> squares;
+    // distances are those on the pad, over the mean edge of a block
+    const double    stretch = std::sqrt(grid.aspect);
+    Eigen::MatrixXd means   = Eigen::MatrixXd::Zero(n, causes.cols());
     for (Eigen::Index i = 0; i < n; ++i)
       {
         CellPlace    place{{0., 0.}};
@@ -171,12 +188,17 @@ namespace squeal::tribology
             place[1] += weight * (cell / grid.n_x);
             means.row(i) += weight * causes.row(cell);
           }
-        places.push_back({{place[0] / edge, place[1] / edge}});
+        places.push_back(
+          {{place[0] / edge / stretch, place[1] / edge * stretch}});
+        const std::size_t first = blocks[i].front();
+        squares.push_back({{first % grid.n_x / edge, first / grid.n_x / edge}});
       }
     if (n <= fewest)
       return;
     covariance = std::make_unique<SpatialCovariance>(places, means);
     n_taken    = n - covariance->n_free();
+    lags       = std::make_unique<CellLags>(squares);
+    white      = lags->variance_in(covariance->basis()) * covariance->n_free();
   }
 
 
@@ -226,7 +248,7 @@ namespace squeal::tribology
            within = 0., heaviest = 0.;
     for (const SpatialCovariance::Fit &fit : fits(y))
       {
-        const Slope s = slope(*covariance, fit, dx, dy);
+        const Slope s = slope(*covariance, fit, *lags, white, dx, dy);
         if (!(s.dof > 1.) || std::isnan(s.t))
           continue;
         const boost::math::students_t student(s.dof);
@@ -241,8 +263,9 @@ namespace squeal::tribology
         within += fit.weight * s.scatter / (s.dof - 1.);
         if (fit.weight > heaviest)
           {
-            heaviest   = fit.weight;
-            link.pairs = {{s.x, s.y}};
+            heaviest      = fit.weight;
+            link.pairs    = {{s.x, s.y}};
+            link.likeness = s.likeness;
           }
       }
     // most of the posterior must be able to speak

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
+#include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 
 namespace squeal::tribology
 {
@@ -84,6 +86,87 @@ namespace squeal::tribology
       while (std::next_permutation(chosen.begin(), chosen.end()));
       return n_larger / n_all;
     }
+
+
+
+    double
+    mean_of(const std::vector<double> &values)
+    {
+      double mean = 0.;
+      for (const double v : values)
+        mean += v / values.size();
+      return mean;
+    }
+
+
+
+    /** Names of the features that any pad has. */
+    std::set<std::string>
+    features_of(const std::vector<PadMaps> &pads)
+    {
+      std::set<std::string> names;
+      for (const PadMaps &pad : pads)
+        for (const auto &[name, map] : pad.features)
+          names.insert(name);
+      return names;
+    }
+
+
+
+    /** Mean of a feature on a pad, NaN where it has none. */
+    double
+    mean_on(const PadMaps &pad, const std::string &feature)
+    {
+      const auto it = pad.features.find(feature);
+      return it == pad.features.end() ? NAN : known_mean(it->second, pad.seen);
+    }
+
+
+
+    /** Smallest p-value that the numbers of pads allow. */
+    double
+    smallest_p(const GroupResult &result)
+    {
+      const double both = result.n_silent == result.n_squealing ? 2. : 1.;
+      return std::min(1.,
+                      both /
+                        number_of_choices(result.n_silent + result.n_squealing,
+                                          result.n_squealing));
+    }
+
+
+
+    /** Verdicts of all features together. */
+    void
+    decide_groups(std::vector<GroupResult> &results, const double level)
+    {
+      std::vector<double> p_values;
+      for (const GroupResult &result : results)
+        p_values.push_back(result.p_value);
+      const std::vector<double> adjusted = holm(p_values);
+      for (std::size_t i = 0; i < results.size(); ++i)
+        {
+          GroupResult &result   = results[i];
+          const double smallest = smallest_p(result),
+                       n        = double(results.size());
+          result.p_adjusted     = adjusted[i];
+          if (adjusted[i] <= level)
+            result.verdict = result.mean_squealing > result.mean_silent
+                               ? Verdict::supported
+                               : Verdict::contradicted;
+          else if (smallest > level)
+            result.reason = "So few pads cannot decide: a pad is one sample, "
+                            "and the smallest p-value of these numbers is " +
+                            rounded_text(smallest, 2) + ".";
+          else if (n * smallest > level)
+            result.reason = "So few pads cannot decide among " +
+                            std::to_string(results.size()) +
+                            " features: the smallest p-value of these "
+                            "numbers, adjusted, is " +
+                            rounded_text(std::min(1., n * smallest), 2) +
+                            "; name fewer in 'Features'.";
+        }
+    }
   } // namespace
 
 
@@ -93,45 +176,60 @@ namespace squeal::tribology
                  const CorrelationParameters &p)
   {
     std::vector<GroupResult> results;
-    if (pads.empty())
-      return results;
-    for (const auto &[feature, map] : pads[0].features)
+    for (const std::string &feature : features_of(pads))
       {
         GroupResult         result;
         std::vector<double> silent, squealing;
-        result.feature = feature;
         for (const PadMaps &pad : pads)
-          if (pad.features.count(feature) > 0)
-            if (const double mean =
-                  known_mean(pad.features.at(feature), pad.seen);
-                std::isfinite(mean))
-              (pad.is_silent ? silent : squealing).push_back(mean);
+          if (const double mean = mean_on(pad, feature); std::isfinite(mean))
+            (pad.is_silent ? silent : squealing).push_back(mean);
         if (silent.empty() || squealing.empty())
           continue;
-        result.n_silent    = silent.size();
-        result.n_squealing = squealing.size();
-        for (const double v : silent)
-          result.mean_silent += v / silent.size();
-        for (const double v : squealing)
-          result.mean_squealing += v / squealing.size();
-        const double difference = result.mean_squealing - result.mean_silent;
+        result.feature          = feature;
+        result.n_silent         = silent.size();
+        result.n_squealing      = squealing.size();
+        result.mean_silent      = mean_of(silent);
+        result.mean_squealing   = mean_of(squealing);
         std::vector<double> all = silent;
         all.insert(all.end(), squealing.begin(), squealing.end());
         result.p_value =
-          permutation_p(all, squealing.size(), difference, p.seed);
-        const double smallest =
-          std::min(1.,
-                   (silent.size() == squealing.size() ? 2. : 1.) /
-                     number_of_choices(all.size(), squealing.size()));
-        if (result.p_value <= p.level)
-          result.verdict =
-            difference > 0. ? Verdict::supported : Verdict::contradicted;
-        else if (smallest > p.level)
-          result.reason = "So few pads cannot decide: a pad is one sample, and "
-                          "the smallest p-value of these numbers is " +
-                          rounded_text(smallest, 2) + ".";
+          permutation_p(all,
+                        squealing.size(),
+                        result.mean_squealing - result.mean_silent,
+                        p.seed);
         results.push_back(result);
       }
+    decide_groups(results, p.level);
     return results;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_lacking_features(const std::vector<PadMaps>  &pads,
+                               const CorrelationParameters &p)
+  {
+    std::vector<std::string> warnings;
+    if (p.groups.empty())
+      return warnings;
+    for (const std::string &feature : features_of(pads))
+      {
+        std::string lacking;
+        std::size_t n_lacking = 0;
+        for (std::size_t pad = 0; pad < pads.size(); ++pad)
+          if (!std::isfinite(mean_on(pads[pad], feature)))
+            {
+              lacking +=
+                (lacking.empty() ? "" : ", ") + std::to_string(pad + 1);
+              ++n_lacking;
+            }
+        if (n_lacking > 0)
+          warnings.push_back(
+            "feature '" + feature + "': pad" + (n_lacking > 1 ? "s " : " ") +
+            lacking + (n_lacking > 1 ? " have" : " has") +
+            " no value of it, and groups are compared without; "
+            "give every pad the same features");
+      }
+    return warnings;
   }
 } // namespace squeal::tribology

@@ -105,10 +105,23 @@ namespace squeal::tribology
 
 
 
+    /** Mean edge of the cells along y over that along x. */
+    double
+    aspect_of(const ContactGrid &grid)
+    {
+      const auto &first = grid.place(grid.order().front()),
+                 &last  = grid.place(grid.order().back());
+      const double x    = (last[0] - first[0]) / (grid.n_x() - 1.),
+                   y    = (last[1] - first[1]) / (grid.n_y() - 1.);
+      return grid.n_x() > 1 && grid.n_y() > 1 ? y / x : 1.;
+    }
+
+
+
     GridMap
     on_grid(const ContactGrid &grid, const std::vector<double> &by_node)
     {
-      GridMap map{grid.n_x(), grid.n_y(), {}};
+      GridMap map{grid.n_x(), grid.n_y(), {}, aspect_of(grid)};
       for (const std::size_t node : grid.order())
         map.values.push_back(by_node[node]);
       return map;
@@ -124,8 +137,8 @@ namespace squeal::tribology
       bool of_pad = false; /**< placed from the centre of the pad on */
     };
 
-    /** Throws InputError where several images have not been laid on the pad:
-     * each is known from its own centre on. */
+    /** Throws InputError where images have not been laid on the pad: each is
+     * known from its own centre on, and even one may show any part of it. */
     PadRows
     rows_of_pad(const Table &table, const std::string &file)
     {
@@ -144,13 +157,18 @@ namespace squeal::tribology
         }
       if (!pad.rows.empty())
         return pad;
-      if (images.size() > 1)
-        throw InputError(file + ": its rows are of " +
-                         std::to_string(images.size()) + " images ('" +
-                         *images.begin() + "', '" + *std::next(images.begin()) +
-                         "', ...), none laid on the pad: segment them with "
-                         "'Registration', or give a table of one image");
-      return all;
+      if (images.empty())
+        return all;
+      const std::string which =
+        images.size() == 1
+          ? "of '" + *images.begin() + "', which is not laid on the pad"
+          : "of " + std::to_string(images.size()) + " images ('" +
+              *images.begin() + "', '" + *std::next(images.begin()) +
+              "', ...), none laid on the pad";
+      throw InputError(file + ": its rows are " + which +
+                       ", and places count from the centre of the image: "
+                       "segment it with 'Registration', which adds rows of "
+                       "the image 'pad'");
     }
 
 
@@ -238,18 +256,40 @@ namespace squeal::tribology
 
 
 
-    /** The area of each cell that rows tell about, m^2. */
-    GridMap
-    seen_areas(const ContactGrid              &grid,
+    /** The part of each cell that rows tell about. */
+    std::vector<double>
+    seen_parts(const ContactGrid              &grid,
                const std::vector<std::size_t> &nodes,
                const std::vector<double>      &coverages)
     {
       std::vector<double> seen(grid.n_nodes(), 0.);
       for (std::size_t i = 0; i < nodes.size(); ++i)
         seen[nodes[i]] += coverages[i];
-      for (std::size_t k = 0; k < seen.size(); ++k)
-        seen[k] = std::min(1., seen[k]) * grid.area(k);
-      return on_grid(grid, seen);
+      for (double &part : seen)
+        part = std::min(1., part);
+      return seen;
+    }
+
+
+
+    /** Whether a cell is seen, but too little to count. */
+    bool
+    is_thin(const PadMaps &pad, const std::size_t cell, const double least)
+    {
+      const double part = pad.coverage.values[cell];
+      return part > 0. && part < least;
+    }
+
+
+
+    /** A feature without the cells that are seen too little. */
+    GridMap
+    well_seen(const PadMaps &pad, GridMap feature, const double least)
+    {
+      for (std::size_t cell = 0; cell < feature.size(); ++cell)
+        if (is_thin(pad, cell, least))
+          feature.values[cell] = NAN;
+      return feature;
     }
 
 
@@ -309,7 +349,11 @@ namespace squeal::tribology
                     feature_file + ":" + std::to_string(row + 2) + ": "));
           coverages.push_back(coverage(features, row, feature_file));
         }
-      pad.seen                  = seen_areas(*pad.grid, nodes, coverages);
+      std::vector<double> seen = seen_parts(*pad.grid, nodes, coverages);
+      pad.coverage             = on_grid(*pad.grid, seen);
+      for (std::size_t k = 0; k < seen.size(); ++k)
+        seen[k] *= pad.grid->area(k);
+      pad.seen                  = on_grid(*pad.grid, seen);
       const auto map_of_feature = [&](const std::string &name) {
         return feature_map(*pad.grid, features, rows, nodes, coverages, name);
       };
@@ -372,13 +416,16 @@ namespace squeal::tribology
       {
         ConditionalTests conditional(pads[pad].causes);
         // all indices of a feature in turn: its covariance is fitted once
-        for (const auto &[feature, y] : pads[pad].features)
-          for (const auto &[index, x] : pads[pad].indices)
-            links.push_back(
-              {pad,
-               index,
-               feature,
-               measure_link(x, y, conditional, p, n_surrogates, generator)});
+        for (const auto &[feature, map] : pads[pad].features)
+          {
+            const GridMap y = well_seen(pads[pad], map, p.least_coverage);
+            for (const auto &[index, x] : pads[pad].indices)
+              links.push_back(
+                {pad,
+                 index,
+                 feature,
+                 measure_link(x, y, conditional, p, n_surrogates, generator)});
+          }
       }
     std::sort(
       links.begin(), links.end(), [](const PadLink &a, const PadLink &b) {
@@ -392,6 +439,28 @@ namespace squeal::tribology
     for (std::size_t i = 0; i < links.size(); ++i)
       links[i].test = tests[i];
     return links;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_thin_cells(const std::vector<PadMaps>  &pads,
+                         const CorrelationParameters &p)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      {
+        std::size_t n_thin = 0;
+        for (std::size_t cell = 0; cell < pads[i].coverage.size(); ++cell)
+          n_thin += is_thin(pads[i], cell, p.least_coverage);
+        if (n_thin > 0)
+          warnings.push_back(
+            "pad " + std::to_string(i + 1) + ": " + std::to_string(n_thin) +
+            " of " + std::to_string(pads[i].coverage.size()) +
+            " cells are seen to less than 'Least coverage', " +
+            rounded_text(p.least_coverage, 2) + ", and do not count in links");
+      }
+    return warnings;
   }
 
 

@@ -9,9 +9,11 @@ namespace squeal::tribology
 {
   namespace
   {
-    // The longer endings first: "_pa_m_per_s" ends in "_per_s" as well.
+    // The longer endings first: "_pa_m_per_s" ends in "_m_per_s" and in
+    // "_per_s" as well.
     const std::pair<const char *, const char *> endings[] = {
       {"_pa_m_per_s", "Pa m/s"},
+      {"_m_per_s", "m/s"},
       {"_w_per_m2", "W/m^2"},
       {"_j_per_m2", "J/m^2"},
       {"_pa_m", "Pa m"},
@@ -22,7 +24,18 @@ namespace squeal::tribology
       {"_deg", "deg"},
       {"_pa", "Pa"},
       {"_m2", "m^2"},
-      {"_m", "m"}};
+      {"_hz", "Hz"},
+      {"_m", "m"},
+      {"_n", "N"},
+      {"_s", "s"},
+      {"_w", "W"}};
+
+    /** A ratio of damages ends in the slope, as in "_m2", not in a unit. */
+    bool
+    ends_in_slope(const std::string &column)
+    {
+      return column.rfind("dirlik_over_counting_", 0) == 0;
+    }
   } // namespace
 
 
@@ -33,7 +46,7 @@ namespace squeal::tribology
     for (const auto &[ending, symbol] : endings)
       {
         const std::string end(ending);
-        if (column.size() > end.size() &&
+        if (!ends_in_slope(column) && column.size() > end.size() &&
             column.compare(column.size() - end.size(), end.size(), end) == 0)
           {
             name = column.substr(0, column.size() - end.size());

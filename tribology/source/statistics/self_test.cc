@@ -24,6 +24,16 @@ namespace squeal::tribology
 
 
 
+    /** Correlation lengths across and along the sliding direction. */
+    std::array<double, 2>
+    lengths_of(const SelfTestRow &row)
+    {
+      const double stretch = row.pattern == SharedPattern::streaks ? 4. : 1.;
+      return {{row.length / stretch, row.length * stretch}};
+    }
+
+
+
     bool
     holds(const std::array<double, 2> &interval, const double value)
     {
@@ -62,6 +72,7 @@ namespace squeal::tribology
         switch (pattern)
           {
           case SharedPattern::none:
+          case SharedPattern::streaks:
             break;
           case SharedPattern::trend:
             value = 4. * j / (n - 1.) - 2.;
@@ -87,8 +98,9 @@ namespace squeal::tribology
                      const GridMap   &pattern,
                      std::mt19937_64 &generator)
   {
-    GridMap       x         = random_map(n, n, row.length, generator);
-    const GridMap other     = random_map(n, n, row.length, generator);
+    const auto    lengths   = lengths_of(row);
+    GridMap       x         = random_map(n, n, lengths, generator);
+    const GridMap other     = random_map(n, n, lengths, generator);
     GridMap       y         = x;
     const bool    is_masked = row.pattern == SharedPattern::mask;
     for (std::size_t cell = 0; cell < y.size(); ++cell)

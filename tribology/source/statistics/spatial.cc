@@ -220,35 +220,63 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** A normal kernel of standard deviation length / 2, from -reach to
+     * reach, whose squares add up to 1. */
+    std::vector<double>
+    normal_kernel(const double length)
+    {
+      const int           reach = static_cast<int>(std::ceil(2. * length));
+      std::vector<double> kernel;
+      double              squares = 0.;
+      for (int k = -reach; k <= reach; ++k)
+        {
+          kernel.push_back(
+            length > 0. ? std::exp(-2. * k * k / (length * length)) : 1.);
+          squares += kernel.back() * kernel.back();
+        }
+      for (double &weight : kernel)
+        weight /= std::sqrt(squares);
+      return kernel;
+    }
+  } // namespace
+
+
+
+  GridMap
+  random_map(const std::size_t            n_x,
+             const std::size_t            n_y,
+             const std::array<double, 2> &lengths,
+             std::mt19937_64             &generator)
+  {
+    std::normal_distribution<double> normal;
+    const std::vector<double>        in_row = normal_kernel(lengths[0]),
+                              in_column     = normal_kernel(lengths[1]);
+    const int       wide = static_cast<int>(n_x + in_row.size()) - 1;
+    const int       high = static_cast<int>(n_y + in_column.size()) - 1;
+    Eigen::MatrixXd noise(wide, high);
+    for (int j = 0; j < high; ++j)
+      for (int i = 0; i < wide; ++i)
+        noise(i, j) = normal(generator);
+    Eigen::MatrixXd along = Eigen::MatrixXd::Zero(n_x, high);
+    for (std::size_t k = 0; k < in_row.size(); ++k)
+      along += in_row[k] * noise.middleRows(k, n_x);
+    Eigen::MatrixXd both = Eigen::MatrixXd::Zero(n_x, n_y);
+    for (std::size_t k = 0; k < in_column.size(); ++k)
+      both += in_column[k] * along.middleCols(k, n_y);
+    return {n_x, n_y, {both.data(), both.data() + both.size()}};
+  }
+
+
+
   GridMap
   random_map(const std::size_t n_x,
              const std::size_t n_y,
              const double      length,
              std::mt19937_64  &generator)
   {
-    std::normal_distribution<double> normal;
-    const int           reach = static_cast<int>(std::ceil(2. * length));
-    const int           wide  = static_cast<int>(n_x) + 2 * reach;
-    const int           high  = static_cast<int>(n_y) + 2 * reach;
-    std::vector<double> kernel;
-    double              squares = 0.;
-    for (int k = -reach; k <= reach; ++k)
-      {
-        kernel.push_back(length > 0. ? std::exp(-2. * k * k / (length * length))
-                                     : 1.);
-        squares += kernel.back() * kernel.back();
-      }
-    Eigen::MatrixXd noise(wide, high);
-    for (int j = 0; j < high; ++j)
-      for (int i = 0; i < wide; ++i)
-        noise(i, j) = normal(generator);
-    Eigen::MatrixXd along = Eigen::MatrixXd::Zero(n_x, high);
-    for (int k = 0; k <= 2 * reach; ++k)
-      along += kernel[k] * noise.middleRows(k, n_x);
-    Eigen::MatrixXd both = Eigen::MatrixXd::Zero(n_x, n_y);
-    for (int k = 0; k <= 2 * reach; ++k)
-      both += kernel[k] * along.middleCols(k, n_y);
-    both /= squares;
-    return {n_x, n_y, {both.data(), both.data() + both.size()}};
+    return random_map(
+      n_x, n_y, std::array<double, 2>{{length, length}}, generator);
   }
 } // namespace squeal::tribology

@@ -7,63 +7,42 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace squeal::tribology
 {
   namespace
   {
-    enum class Kind
-    {
-      normal,
-      exponential,
-      matern
-    };
+    /** Members farther than this below the best, as logarithms of the
+     * likelihood, weigh less than 1e-4 and are left out. */
+    constexpr double far_below = 9.2;
 
-    /** Correlation at a distance over the length. */
-    double
-    correlation(const Kind kind, const double d)
-    {
-      switch (kind)
-        {
-        case Kind::normal:
-          return std::exp(-d * d);
-        case Kind::exponential:
-          return std::exp(-d);
-        case Kind::matern:
-          return (1. + std::sqrt(3.) * d) * std::exp(-std::sqrt(3.) * d);
-        }
-      return 0.;
-    }
+    /** A search goes on from members that are not farther below the best than
+     * this, which keeps it out of local maxima. */
+    constexpr double reach = 12.;
 
+    /** Flat likelihoods, as of white maps, need no more than these. */
+    constexpr std::size_t most_members = 300, most_fits = 64;
 
+    /** Coefficients of principal axes that are kept for later maps. */
+    constexpr std::size_t most_coefficients = 40000000;
 
-    Eigen::MatrixXd
-    correlations(const std::vector<CellPlace> &places,
-                 const Kind                    kind,
-                 const double                  length,
-                 const double                  ratio)
-    {
-      const Eigen::Index n = places.size();
-      Eigen::MatrixXd    r(n, n);
-      const double       along = std::sqrt(ratio) / length,
-                   across      = 1. / (std::sqrt(ratio) * length);
-      for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j <= i; ++j)
-          r(i, j) = r(j, i) =
-            correlation(kind,
-                        std::hypot((places[i][0] - places[j][0]) * along,
-                                   (places[i][1] - places[j][1]) * across));
-      return r;
-    }
-
-
+    /** Parts of the variance that are uncorrelated: none, or those. */
+    constexpr double own_parts[] = {0., .1, .03, .3, .6};
 
     /** One member, its overall variance chosen by the likelihood. */
     struct Scaled
     {
-      double          likelihood = 0.; /**< log */
-      Eigen::VectorXd variance, resolved;
+      double likelihood = 0.; /**< log */
+      double scale      = 0.; /**< variance */
     };
+
+    /** Spectrum of a member with an uncorrelated part. */
+    Eigen::ArrayXd
+    with_own(const Eigen::VectorXd &spectrum, const double own)
+    {
+      return (1. - own) * spectrum.array() + own;
+    }
 
     /** Fisher's scoring on the logarithm of the variance. @p squares are those
      * of the coefficients, @p floor the variance of the resolution, @p start
@@ -91,17 +70,14 @@ namespace squeal::tribology
           if (std::abs(step) < 1e-3)
             break;
         }
-      start = scale;
-      Scaled result;
-      result.variance = scale * shape + floor;
-      result.resolved = (scale * shape) / result.variance.array();
+      start                         = scale;
+      const Eigen::ArrayXd variance = scale * shape + floor,
+                           resolved = scale * shape / variance;
       // Not Eigen's log(): its vector form makes the compiler warn.
       double sum = 0.;
       for (Eigen::Index i = 0; i < energy.size(); ++i)
-        sum += std::log(result.variance[i]) + energy[i] / result.variance[i];
-      result.likelihood =
-        -.5 * sum - .5 * std::log(result.resolved.squaredNorm());
-      return result;
+        sum += std::log(variance[i]) + energy[i] / variance[i];
+      return Scaled{-.5 * sum - .5 * std::log(resolved.square().sum()), scale};
     }
   } // namespace
 
@@ -109,6 +85,7 @@ namespace squeal::tribology
 
   SpatialCovariance::SpatialCovariance(const std::vector<CellPlace> &places,
                                        const Eigen::MatrixXd        &covariates)
+    : places(places)
   {
     const Eigen::Index n      = places.size();
     Eigen::MatrixXd    scaled = covariates;
@@ -121,27 +98,26 @@ namespace squeal::tribology
     Eigen::MatrixXd    last   = Eigen::MatrixXd::Zero(n, n_kept);
     last.bottomRows(n_kept).setIdentity();
     kept = qr.householderQ() * last;
-    if (n_kept == 0)
-      return;
-    add(Eigen::MatrixXd::Identity(n, n));
-    for (const Kind kind : {Kind::normal, Kind::exponential, Kind::matern})
-      for (const double ratio : {.4, .63, 1., 1.6, 2.5})
-        for (double length = .7; length < 20.; length *= 1.3)
-          add(correlations(places, kind, length, ratio));
   }
 
 
 
-  void
-  SpatialCovariance::add(const Eigen::MatrixXd &correlation)
+  std::size_t
+  SpatialCovariance::form_of(const CovarianceMember &member)
   {
-    const Eigen::MatrixXd left = kept.transpose() * correlation * kept;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(left);
-    Form                                                 form;
-    form.axes     = solver.eigenvectors().transpose();
-    form.spectrum = solver.eigenvalues().cwiseMax(0.);
-    form.spectrum /= form.spectrum.mean();
-    forms.push_back(std::move(form));
+    const auto [place, is_new] = known.try_emplace(member, forms.size());
+    if (is_new)
+      {
+        const Eigen::MatrixXd left =
+          kept.transpose() * correlations(places, member) * kept;
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(left);
+        Form                                                 form;
+        form.axes     = solver.eigenvectors().transpose();
+        form.spectrum = solver.eigenvalues().cwiseMax(0.);
+        form.spectrum /= form.spectrum.mean();
+        forms.push_back(std::move(form));
+      }
+    return place->second;
   }
 
 
@@ -179,51 +155,124 @@ namespace squeal::tribology
 
 
 
-  std::vector<SpatialCovariance::Fit>
-  SpatialCovariance::fit(const Eigen::VectorXd &map) const
+  /** Likelihoods of members for one map, and the best of all. */
+  class SpatialCovariance::Search
   {
-    const Eigen::VectorXd left = residual(map);
-    const double mean = left.size() > 0 ? left.squaredNorm() / left.size() : 0.;
-    std::vector<Fit> fits;
-    // a map that is what the covariates say, but for rounding, leaves nothing
-    if (!(mean > 1e-20 * map.squaredNorm() / map.size()))
-      return fits;
-    double best = -1e300;
-    for (std::size_t form = 0; form < forms.size(); ++form)
+  public:
+    Search(SpatialCovariance &covariance, const Eigen::VectorXd &left)
+      : covariance(covariance)
+      , left(left)
+      , mean(left.squaredNorm() / left.size())
+    {
+    }
+
+    void
+    run()
+    {
+      for (const CovarianceMember &member : first_members())
+        look_at(member);
+      while (!front.empty() && front.front().first > best - reach &&
+             seen.size() < most_members)
+        {
+          std::pop_heap(front.begin(), front.end());
+          const CovarianceMember member = front.back().second;
+          front.pop_back();
+          for (const CovarianceMember &other : neighbours(member))
+            look_at(other);
+        }
+    }
+
+    /** The members that matter, the likeliest first. */
+    std::vector<Fit>
+    fits()
+    {
+      std::stable_sort(
+        found.begin(), found.end(), [](const Found &a, const Found &b) {
+          return a.likelihood > b.likelihood;
+        });
+      std::vector<Fit> result;
+      double           sum = 0.;
+      for (const Found &f : found)
+        {
+          if (result.size() == most_fits || !(f.likelihood > best - far_below))
+            break;
+          const Eigen::VectorXd part =
+            f.scale *
+            with_own(covariance.forms[f.form].spectrum, f.own).matrix();
+          Fit fit;
+          fit.form     = f.form;
+          fit.weight   = std::exp(f.likelihood - best);
+          fit.variance = part.array() + resolution * mean;
+          fit.resolved = part.cwiseQuotient(fit.variance);
+          sum += fit.weight;
+          result.push_back(std::move(fit));
+        }
+      for (Fit &fit : result)
+        fit.weight /= sum;
+      return result;
+    }
+
+  private:
+    struct Found
+    {
+      std::size_t form = 0;
+      double      own = 0., likelihood = 0., scale = 0.;
+    };
+
+    void
+    look_at(const CovarianceMember &member)
+    {
+      if (!seen.insert(member).second)
+        return;
+      const std::size_t     form     = covariance.form_of(member);
+      const Eigen::VectorXd spectrum = covariance.forms[form].spectrum;
+      const Eigen::ArrayXd  squares =
+        (covariance.forms[form].axes * left).array().square();
+      double scale = mean, highest = -1e300;
+      for (const double own : own_parts)
+        {
+          // without likeness the uncorrelated part is all there is; and where
+          // neither no such part nor a tenth comes near, no other does
+          if ((member.is_white() && own > 0.) ||
+              (own == .03 && highest < best - 30.))
+            break;
+          const auto result =
+            scaled(squares, with_own(spectrum, own), resolution * mean, scale);
+          if (!result)
+            continue;
+          highest = std::max(highest, result->likelihood);
+          best    = std::max(best, result->likelihood);
+          found.push_back({form, own, result->likelihood, result->scale});
+        }
+      front.push_back({highest, member});
+      std::push_heap(front.begin(), front.end());
+    }
+
+    SpatialCovariance                               &covariance;
+    const Eigen::VectorXd                           &left;
+    double                                           mean = 0., best = -1e300;
+    std::set<CovarianceMember>                       seen;
+    std::vector<Found>                               found;
+    std::vector<std::pair<double, CovarianceMember>> front; /**< a heap */
+  };
+
+
+
+  std::vector<SpatialCovariance::Fit>
+  SpatialCovariance::fit(const Eigen::VectorXd &map)
+  {
+    if (forms.size() * kept.cols() * kept.cols() > most_coefficients)
       {
-        const Eigen::ArrayXd squares =
-          (forms[form].axes * left).array().square();
-        double scale = mean, highest = -1e300;
-        for (const double own : {0., .1, .03, .3, .6})
-          {
-            // without likeness the uncorrelated part is all there is; and where
-            // neither no such part nor a tenth comes near, no other does
-            if ((form == 0 && own > 0.) || (own == .03 && highest < best - 30.))
-              break;
-            const auto member =
-              scaled(squares,
-                     (1. - own) * forms[form].spectrum.array() + own,
-                     resolution * mean,
-                     scale);
-            if (!member)
-              continue;
-            highest = std::max(highest, member->likelihood);
-            best    = std::max(best, member->likelihood);
-            if (member->likelihood > best - 9.2)
-              fits.push_back(
-                {form, member->likelihood, member->variance, member->resolved});
-          }
+        forms.clear();
+        known.clear();
       }
-    double sum = 0.;
-    fits.erase(
-      std::remove_if(fits.begin(),
-                     fits.end(),
-                     [best](const Fit &f) { return f.weight < best - 9.2; }),
-      fits.end());
-    for (Fit &f : fits)
-      sum += f.weight = std::exp(f.weight - best);
-    for (Fit &f : fits)
-      f.weight /= sum;
-    return fits;
+    const Eigen::VectorXd left = residual(map);
+    // a map that is what the covariates say, but for rounding, leaves nothing
+    if (left.size() == 0 || !(left.squaredNorm() / left.size() >
+                              1e-20 * map.squaredNorm() / map.size()))
+      return {};
+    Search search(*this, left);
+    search.run();
+    return search.fits();
   }
 } // namespace squeal::tribology

@@ -180,8 +180,9 @@ namespace squeal
       trend,        /**< along the sliding direction, 4 deviations in all */
       rim,          /**< the outermost cells are 2 deviations higher */
       leading_edge, /**< 2 deviations, decaying over 1.5 cells */
-      mask /**< plateaus, which are measured, are 2 deviations lower; part of
-              the pad was not looked at */
+      mask,   /**< plateaus, which are measured, are 2 deviations lower; part of
+                 the pad was not looked at */
+      streaks /**< nothing; the random parts are bands along the sliding */
     };
 
     /** Maps against maps, section "Correlation". */
@@ -204,16 +205,18 @@ namespace squeal
                                                 SharedCause::edges};
       LeadingEdge              leading_edge  = LeadingEdge::lowest_y;
       std::vector<std::string> covariates; /**< columns of either table */
-      bool                     is_synthetic = false;
-      bool                     self_test    = false;
-      unsigned int             n_test_pairs = 1000;
-      std::vector<double>      test_lengths = {0., 1.5, 3., 5., 8.};
+      double                   least_coverage = 0.1; /**< of a cell in links */
+      bool                     is_synthetic   = false;
+      bool                     self_test      = false;
+      unsigned int             n_test_pairs   = 1000;
+      std::vector<double>      test_lengths   = {0., 1.5, 3., 5., 8.};
 
       std::vector<SharedPattern> test_patterns = {SharedPattern::none,
                                                   SharedPattern::trend,
                                                   SharedPattern::rim,
                                                   SharedPattern::leading_edge,
-                                                  SharedPattern::mask};
+                                                  SharedPattern::mask,
+                                                  SharedPattern::streaks};
     };
 
     /** @name Choices in parameter files */

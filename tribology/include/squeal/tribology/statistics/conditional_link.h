@@ -2,6 +2,7 @@
 #ifndef squeal_tribology_statistics_conditional_link_h
 #define squeal_tribology_statistics_conditional_link_h
 
+#include <squeal/tribology/statistics/cell_lags.h>
 #include <squeal/tribology/statistics/shared_causes.h>
 #include <squeal/tribology/statistics/spatial.h>
 #include <squeal/tribology/statistics/spatial_covariance.h>
@@ -29,6 +30,7 @@ namespace squeal::tribology
     /** Index and feature along the principal axes of the likeliest covariance,
      * over their standard deviations: as good as independent pairs. */
     std::array<Eigen::VectorXd, 2> pairs;
+    double likeness = 1.; /**< that they still have, a factor of variances */
   };
 
   /** Interval of the partial correlation at @p level: Fisher's z with the
@@ -40,8 +42,8 @@ namespace squeal::tribology
    * The same from @p n bootstraps of the pairs along the principal axes, which
    * unlike cells or blocks of cells are independent: z plus and minus Student's
    * quantile, with the independent cells, times the standard deviation of the
-   * resampled z and of z between covariances. (-1, 1) for fewer than 20
-   * resamplings.
+   * resampled z and of z between covariances, and never narrower than
+   * conditional_interval(). (-1, 1) for fewer than 20 resamplings.
    */
   std::array<double, 2> bootstrap_interval(const ConditionalLink &link,
                                            unsigned int           n,
@@ -56,12 +58,15 @@ namespace squeal::tribology
    * posterior weights; its degrees of freedom are Satterthwaite's, of the
    * variances that the map holds above the resolution. Where index and
    * residuals scatter more at the same cells, the variance of the slope grows
-   * by as much (White 1980). r is the partial correlation, t / sqrt(t^2 + dof);
+   * by as much (White 1980). Where both are still alike over the same lags,
+   * which the member of the family did not describe, it grows by what that
+   * likeness costs in independent cells (CellLags), and the degrees of freedom
+   * fall by it. r is the partial correlation, t / sqrt(t^2 + dof);
    * the independent cells are those with which Fisher's z scatters as it does
    * within the members and between them.
    *
    * Maps of more than 300 cells are merged to blocks of 2 x 2, again until
-   * they are fewer; shared causes likewise.
+   * they are fewer; shared causes likewise. Distances are those on the pad.
    */
   class ConditionalTest
   {
@@ -89,8 +94,10 @@ namespace squeal::tribology
     std::vector<std::vector<std::size_t>> blocks;
     std::size_t                           n_taken = 0;
     std::unique_ptr<SpatialCovariance>    covariance;
-    Eigen::VectorXd                       fitted_map;
-    std::vector<SpatialCovariance::Fit>   fitted;
+    std::unique_ptr<CellLags>             lags;
+    double white = 1.; /**< variance over lags of white maps, times n_free */
+    Eigen::VectorXd                     fitted_map;
+    std::vector<SpatialCovariance::Fit> fitted;
   };
 
   /** The tests of one pad: one for each set of cells that two maps share. */

@@ -19,6 +19,7 @@ namespace squeal::tribology
     std::map<std::string, GridMap> indices;
     std::map<std::string, GridMap> features; /**< NaN where not looked at */
     GridMap                        seen;     /**< area of features, m^2 */
+    GridMap                        coverage; /**< part of each cell seen */
     SharedCauses                   causes;   /**< taken out of both */
     bool                           is_silent = false;
   };
@@ -27,7 +28,7 @@ namespace squeal::tribology
    * Reads a damage table and a table of features for each pad. Rows of features
    * belong to the nodal cell in which their place (x_m, y_m) lies; several rows
    * in a cell count with their coverage. Of a table with a column "image" only
-   * the rows "pad" count if there are any. The damage table must cover a
+   * the rows "pad" count, and there must be some. The damage table must cover a
    * rectangular grid. Columns that are covariates are shared causes, and
    * neither indices nor features. Throws InputError for a missing column, for a
    * place that lies in no cell and for a coverage that is no part of a cell.
@@ -43,7 +44,8 @@ namespace squeal::tribology
   };
 
   /** All links with their verdicts: Holm's adjustment and the number of
-   * surrogates take all of them together. */
+   * surrogates take all of them together. Cells below the least coverage do not
+   * count. */
   std::vector<PadLink> link_pads(const std::vector<PadMaps>  &pads,
                                  const CorrelationParameters &parameters);
 
@@ -51,13 +53,18 @@ namespace squeal::tribology
   std::vector<std::string> warnings_of_few_cells(
     const std::vector<PadLink> &links);
 
+  /** Pads with cells that are seen too little to count in links. */
+  std::vector<std::string> warnings_of_thin_cells(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
   /** A feature's mean on squealing against silent pads. */
   struct GroupResult
   {
     std::string feature;
     std::size_t n_silent = 0, n_squealing = 0;
     double      mean_silent = 0., mean_squealing = 0.;
-    double      p_value = 1.;
+    double      p_value = 1., p_adjusted = 1.; /**< alone; Holm over features */
     Verdict     verdict = Verdict::undecided;
     std::string reason;
   };
@@ -65,11 +72,19 @@ namespace squeal::tribology
   /**
    * Two-sided permutation test of the means of pads, exact up to a million
    * choices of pads and from 200 000 random ones beyond (a p-value of 0.05 is
-   * then good to 0.0005). A pad is one sample: where the smallest p-value that
-   * the numbers of pads allow is above the level, the verdict is undecided and
-   * says so. Empty if a group has no pad.
+   * then good to 0.0005), adjusted by Holm for the number of features. A pad is
+   * one sample: where the smallest adjusted p-value that the numbers of pads
+   * allow is above the level, the verdict is undecided and says so. Features
+   * are those of all pads, each compared on the pads that have it. Empty if a
+   * group has no pad.
    */
   std::vector<GroupResult> compare_groups(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Features of groups that some pads do not have: a line for each, with the
+   * pads. */
+  std::vector<std::string> warnings_of_lacking_features(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
 } // namespace squeal::tribology

@@ -16,6 +16,7 @@ namespace squeal::tribology
   {
     std::size_t         n_x = 0, n_y = 0;
     std::vector<double> values;
+    double aspect = 1.; /**< edge of a cell along y over that along x */
 
     std::size_t
     size() const
@@ -76,10 +77,16 @@ namespace squeal::tribology
                            std::mt19937_64 &generator);
 
   /**
-   * A Gaussian map whose covariance at distance d (cells) is
-   * exp(-(d / length)^2): white noise under a normal kernel of standard
-   * deviation length / 2; 0 is white noise.
+   * A Gaussian map whose covariance at a distance of (dx, dy) cells is
+   * exp(-(dx / lengths[0])^2 - (dy / lengths[1])^2): white noise under normal
+   * kernels of standard deviation length / 2; 0 is white noise.
    */
+  GridMap random_map(std::size_t                  n_x,
+                     std::size_t                  n_y,
+                     const std::array<double, 2> &lengths,
+                     std::mt19937_64             &generator);
+
+  /** The same with one length for both directions. */
   GridMap random_map(std::size_t      n_x,
                      std::size_t      n_y,
                      double           length,

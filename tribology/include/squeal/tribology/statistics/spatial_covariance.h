@@ -2,24 +2,26 @@
 #ifndef squeal_tribology_statistics_spatial_covariance_h
 #define squeal_tribology_statistics_spatial_covariance_h
 
+#include <squeal/tribology/statistics/covariance_family.h>
+
 #include <Eigen/Core>
 
-#include <array>
+#include <map>
 #include <vector>
 
 namespace squeal::tribology
 {
-  /** A place of a cell, in cells. */
-  using CellPlace = std::array<double, 2>;
-
   /**
    * How alike neighbouring cells of a map are, after covariates have been taken
-   * out of it: a family of covariances (normal, exponential, Matern 3/2;
-   * fourteen correlation lengths; five ratios of the lengths along and across;
-   * none) with an uncorrelated part, each brought to its principal axes in
-   * the space that the covariates leave.
+   * out of it: a family of covariances (CovarianceMember) with an uncorrelated
+   * part, each brought to its principal axes in the space that the covariates
+   * leave.
    *
-   * A fit is the residual likelihood (REML) of every member. What is smaller
+   * A search for the members that matter starts all over the family and goes on
+   * from the likeliest to their neighbours, up to 300 members for a map; their
+   * axes are kept for other maps.
+   *
+   * A fit is the residual likelihood (REML) of a member. What is smaller
    * than the resolution, a standard deviation of 3 % of the residual map, is
    * treated as unknown: the likelihood is that of the map plus white noise of
    * that size, in expectation, so that nothing is drawn. Smooth maps are then
@@ -40,6 +42,13 @@ namespace squeal::tribology
     /** Dimension of what the covariates leave. */
     Eigen::Index n_free() const;
 
+    /** Orthonormal columns over the cells: what the covariates leave. */
+    const Eigen::MatrixXd &
+    basis() const
+    {
+      return kept;
+    }
+
     /** Coefficients of a map in the space that the covariates leave. */
     Eigen::VectorXd residual(const Eigen::VectorXd &map) const;
 
@@ -52,9 +61,10 @@ namespace squeal::tribology
       Eigen::VectorXd resolved;    /**< part of it that is the map's own */
     };
 
-    /** The members that matter for a map (1e-4 of the best), none for a map
-     * of which the covariates leave nothing. */
-    std::vector<Fit> fit(const Eigen::VectorXd &map) const;
+    /** The members that matter for a map, the likeliest first: 64 at most,
+     * with 1e-4 of the best or more. None for a map of which the covariates
+     * leave nothing. Forms of earlier fits may no longer be there. */
+    std::vector<Fit> fit(const Eigen::VectorXd &map);
 
     /** Principal axes of a member, as rows over the residual() space. */
     const Eigen::MatrixXd &axes(std::size_t form) const;
@@ -70,10 +80,14 @@ namespace squeal::tribology
       Eigen::VectorXd spectrum; /**< mean 1 */
     };
 
-    void add(const Eigen::MatrixXd &correlation);
+    class Search;
 
-    Eigen::MatrixXd   kept; /**< orthonormal columns over the cells */
-    std::vector<Form> forms;
+    std::size_t form_of(const CovarianceMember &member);
+
+    std::vector<CellPlace>                  places;
+    Eigen::MatrixXd                         kept;
+    std::vector<Form>                       forms;
+    std::map<CovarianceMember, std::size_t> known; /**< place in forms */
   };
 } // namespace squeal::tribology
 

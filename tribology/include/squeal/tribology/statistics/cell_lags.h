@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_statistics_cell_lags_h
+#define squeal_tribology_statistics_cell_lags_h
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /** Column and row of a cell. */
+  using CellColumnRow = std::array<std::size_t, 2>;
+
+  /**
+   * Pairs of cells of a grid by the lag between them, along both axes and with
+   * its sign: what two maps have in common in any direction, as bands and waves
+   * do.
+   */
+  class CellLags
+  {
+  public:
+    explicit CellLags(const std::vector<CellColumnRow> &cells);
+
+    /**
+     * Variance of the correlation of two unrelated maps, 1 over the number of
+     * independent cells: the sum over all lags of the product of both
+     * autocorrelations and the pairs with that lag, over the square of the
+     * cells (Clifford, Richardson and Hemon 1989, with lags for distances). A
+     * value for each cell, with a mean of 0 or nearly.
+     */
+    double variance(const Eigen::VectorXd &x, const Eigen::VectorXd &y) const;
+
+    /** What it is, to a good approximation, for maps that are white in a space
+     * with the orthonormal columns @p basis: 1 over its dimension or less. */
+    double variance_in(const Eigen::MatrixXd &basis) const;
+
+  private:
+    /** Values on the rectangle round all cells, 0 elsewhere. */
+    Eigen::MatrixXd on_rectangle(const Eigen::VectorXd &values) const;
+
+    /** Sums over the pairs of each lag, half of the lags, 0 first. */
+    Eigen::VectorXd sums(const Eigen::MatrixXd &values) const;
+
+    double variance_of(const Eigen::VectorXd &a,
+                       const Eigen::VectorXd &b) const;
+
+    std::vector<CellColumnRow> cells;
+    std::size_t                n_columns = 0, n_rows = 0;
+    Eigen::VectorXd            counts;
+  };
+} // namespace squeal::tribology
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/statistics/cell_lags.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  CellLags::CellLags(const std::vector<CellColumnRow> &cells)
+    : cells(cells)
+  {
+    for (const auto &[column, row] : cells)
+      {
+        n_columns = std::max(n_columns, column + 1);
+        n_rows    = std::max(n_rows, row + 1);
+      }
+    counts = sums(on_rectangle(Eigen::VectorXd::Ones(cells.size())));
+  }
+
+
+
+  Eigen::MatrixXd
+  CellLags::on_rectangle(const Eigen::VectorXd &values) const
+  {
+    Eigen::MatrixXd map = Eigen::MatrixXd::Zero(n_columns, n_rows);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      map(cells[i][0], cells[i][1]) = values(i);
+    return map;
+  }
+
+
+
+  Eigen::VectorXd
+  CellLags::sums(const Eigen::MatrixXd &values) const
+  {
+    const Eigen::Index wide = values.rows(), high = values.cols();
+    Eigen::VectorXd    result(wide * high + (wide - 1) * (high - 1));
+    Eigen::Index       lag = 0;
+    for (Eigen::Index down = 0; down < high; ++down)
+      for (Eigen::Index right = down == 0 ? 0 : 1 - wide; right < wide; ++right)
+        {
+          const Eigen::Index n = wide - std::abs(right);
+          result(lag++) =
+            values.block(std::max<Eigen::Index>(0, -right), 0, n, high - down)
+              .cwiseProduct(values.block(
+                std::max<Eigen::Index>(0, right), down, n, high - down))
+              .sum();
+        }
+    return result;
+  }
+
+
+
+  double
+  CellLags::variance_of(const Eigen::VectorXd &a,
+                        const Eigen::VectorXd &b) const
+  {
+    double sum = 0.;
+    for (Eigen::Index lag = 0; lag < counts.size(); ++lag)
+      if (counts(lag) > 0.)
+        sum += (lag == 0 ? 1. : 2.) * a(lag) * b(lag) / counts(lag);
+    return sum / (a(0) * b(0));
+  }
+
+
+
+  double
+  CellLags::variance(const Eigen::VectorXd &x, const Eigen::VectorXd &y) const
+  {
+    return variance_of(sums(on_rectangle(x)), sums(on_rectangle(y)));
+  }
+
+
+
+  double
+  CellLags::variance_in(const Eigen::MatrixXd &basis) const
+  {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(counts.size());
+    for (Eigen::Index c = 0; c < basis.cols(); ++c)
+      all += sums(on_rectangle(basis.col(c)));
+    return variance_of(all, all);
+  }
+} // namespace squeal::tribology
