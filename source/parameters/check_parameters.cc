@@ -110,6 +110,31 @@ namespace squeal
 
 
 
+      /** Whether both axes of rotation are the same line. */
+      bool
+      turn_about_one_line(const BodyParameters &a, const BodyParameters &b)
+      {
+        if (a.rotation_axis != b.rotation_axis)
+          return false;
+        const Vector3 &axis = a.rotation_axis, &x = a.centre_of_rotation(),
+                      &y = b.centre_of_rotation();
+        double along = 0., square = 0., distance = 0., size = 0.;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            along += axis[c] * (y[c] - x[c]);
+            square += axis[c] * axis[c];
+            size += x[c] * x[c] + y[c] * y[c];
+          }
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            const double beside = y[c] - x[c] - along / square * axis[c];
+            distance += beside * beside;
+          }
+        return distance <= 1e-18 * size;
+      }
+
+
+
       void
       check_angles(const Parameters &parameters)
       {
@@ -122,17 +147,21 @@ namespace squeal
         if (a.bodies.empty())
           refuse_entry(
             "Angles", "Turning bodies", "is empty: name the bodies that turn");
-        const auto &axis =
-          require_body(
-            parameters.scene, a.bodies[0], "Angles", "Turning bodies")
-            .rotation_axis;
+        const BodyParameters &first = require_body(
+          parameters.scene, a.bodies[0], "Angles", "Turning bodies");
         for (const std::string &name : a.bodies)
-          if (require_body(parameters.scene, name, "Angles", "Turning bodies")
-                .rotation_axis != axis)
-            refuse_entry("Angles",
-                         "Turning bodies",
-                         "turn about different axes: give " + in_quotes(name) +
-                           " the 'Rotation axis' of " + in_quotes(a.bodies[0]));
+          if (!turn_about_one_line(
+                first,
+                require_body(
+                  parameters.scene, name, "Angles", "Turning bodies")))
+            refuse_entry(
+              "Angles",
+              "Turning bodies",
+              "turn about different lines: give " + in_quotes(name) +
+                " the 'Rotation axis' and the 'Rotation centre' of " +
+                in_quotes(a.bodies[0]) +
+                " (without an entry the centre is the 'Position' of "
+                "each body)");
         if (a.number > 1 && a.from == a.to)
           refuse_entry("Angles", "To", "is 'From': there is nothing to turn");
       }

@@ -141,6 +141,13 @@ namespace squeal
                        "Numbers",
                        "is empty: name at least one number and add its "
                        "section 'Number <name>'");
+        for (const ContactParameters &contact : parameters.scene.contacts)
+          if (contact.state == ContactParameters::State::preload)
+            refuse_entry("Scene/Contact " + contact.name,
+                         "Contact state",
+                         "= preload: an updating keeps the contact of its "
+                         "start, which numbers that are fitted would change; "
+                         "take 'full' or 'stick'");
         std::set<std::string> seen;
         for (const UpdatedNumberParameters &n : u.numbers)
           {

@@ -323,6 +323,11 @@ namespace squeal
         if (is_joined(scene, c.target_body))
           refuse_corotating("cannot turn body '" + c.target_body +
                             "': a tie or a spring joins it to another body");
+        for (const auto &mass : scene.lumped_masses)
+          if (mass.body == c.target_body)
+            refuse_corotating("leaves out Coriolis and centrifugal forces of "
+                              "'Scene/Lumped mass " +
+                              mass.name + "': give the body density instead");
         for (const auto &other : scene.contacts)
           if (other.source_body == c.target_body ||
               (other.target_body == c.target_body &&

@@ -219,6 +219,9 @@ namespace squeal
                      const std::string &included_from);
 
       private:
+        /** A file and the section that it is read into. */
+        using Inclusion = std::pair<std::string, std::string>;
+
         struct File
         {
           std::string             name;
@@ -227,6 +230,8 @@ namespace squeal
           IndexedTree             own;
           IndexedTree             included;
           std::vector<RawSection> dropped; /**< of what was included */
+          /** Files that it has included, themselves or through others. */
+          std::set<Inclusion> has_included;
         };
 
         void read_line(const std::string &line,
@@ -248,7 +253,9 @@ namespace squeal
         /** Files being read, outermost first. */
         std::vector<std::string> active;
         /** Files read, with the section they were read into. */
-        std::set<std::pair<std::string, std::string>> done;
+        std::set<Inclusion> done;
+        /** The same in order. */
+        std::vector<Inclusion> order;
         /** Lines of all of them so far. */
         std::size_t n_lines = 0;
       };
@@ -317,8 +324,23 @@ namespace squeal
           fs::path(name).is_absolute()
             ? fs::path(name)
             : (fs::path(file.name).parent_path() / name).lexically_normal();
-        file.included.add(
-          read(path.string(), innermost(file.open), location.text()));
+        const std::string section = innermost(file.open);
+        std::error_code   ignored;
+        const Inclusion   self = {fs::weakly_canonical(path, ignored).string(),
+                                  section};
+        // What files share that this one includes is read once; here it would
+        // be passed over without a word.
+        if (file.has_included.count(self) > 0)
+          refuse(location,
+                 "include " + in_quotes(name) +
+                   ": that file is included above already, here or by a file "
+                   "that this one includes, and is not read again: name it "
+                   "before what is to override it, or write what was dropped "
+                   "into a file of its own");
+        const std::size_t before = order.size();
+        file.included.add(read(path.string(), section, location.text()));
+        file.has_included.insert(self);
+        file.has_included.insert(order.begin() + before, order.end());
       }
 
 
@@ -416,6 +438,7 @@ namespace squeal
                            " leads back to a file that includes this one");
         if (!done.insert({identity, section}).second)
           return {};
+        order.emplace_back(identity, section);
 
         active.push_back(identity);
         File file;

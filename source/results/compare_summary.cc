@@ -58,10 +58,13 @@ namespace squeal
       if (parameters == nullptr)
         return;
       const std::size_t n = parameters->n_rows();
-      out << '\n'
-          << (n == 0 ? "No parameter that shapes the result differs.\n"
-                     : std::to_string(n) + (n == 1 ? " parameter differs:\n"
-                                                   : " parameters differ:\n"));
+      out
+        << '\n'
+        << (n == 0
+              ? "No parameter that shapes the result differs (files that both "
+                "read were not compared).\n"
+              : std::to_string(n) +
+                  (n == 1 ? " parameter differs:\n" : " parameters differ:\n"));
       if (n == 0)
         return;
       std::vector<std::size_t> rows(n);

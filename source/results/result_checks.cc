@@ -28,6 +28,9 @@ namespace squeal
       return result.ec == std::errc() && result.ptr == end;
     }
 
+    /** Numbers that differ by less, relatively, are equal. */
+    constexpr double rounding_of_values = 1e-12;
+
     /** Splits "column op value" at the first operator. */
     Condition
     read_condition(const std::string &text)
@@ -85,8 +88,11 @@ namespace squeal
         throw InputError("the column '" + condition.column +
                          "' holds numbers, not '" + condition.value + "'");
       // comparisons with a missing value (NaN) are false, and "!=" true
-      return holds(
-        table.real(row, condition.column), condition.comparison, number);
+      double value = table.real(row, condition.column);
+      // 0.9 of a file is 0.1 + 8 x 0.1 of an axis.
+      if (std::abs(value - number) <= rounding_of_values * std::abs(number))
+        value = number;
+      return holds(value, condition.comparison, number);
     }
 
     std::size_t
@@ -130,7 +136,12 @@ namespace squeal
       };
       check.n_rows = rows.size();
       if (asked.column == "count")
-        take(static_cast<double>(rows.size()));
+        {
+          if (!asked.nearest.empty())
+            throw InputError("'Nearest' takes one row, which 'count' does not "
+                             "count: select rows by 'Where'");
+          take(static_cast<double>(rows.size()));
+        }
       else
         {
           table.column_index(asked.column);

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
+#include <string>
 
 namespace squeal
 {
@@ -78,16 +80,20 @@ namespace squeal
     {
       if (!context.is_root)
         return;
-      const auto  &points = context.parameters.measurement.points;
-      unsigned int n      = 0;
+      const auto           &points = context.parameters.measurement.points;
+      unsigned int          n      = 0;
+      std::set<std::string> names;
       report.section("Responses");
       for (unsigned int j = 0; j < grid.excitations.size(); ++j)
         for (unsigned int i = 0; i < grid.responses.size(); ++i)
           {
             if (++n > most_pictures)
               continue;
-            const std::string name = points[grid.responses[i]].name + "_" +
-                                     points[grid.excitations[j]].name;
+            // Points "a" and "a_a" make "a_a_a" of two pairs.
+            std::string name = points[grid.responses[i]].name + "_" +
+                               points[grid.excitations[j]].name;
+            if (!names.insert(name).second)
+              name += "_" + std::to_string(n);
             context.output.file("plots/" + name + ".png");
             const std::string path = context.output.path() + "/plots/" + name;
             const std::string title =

@@ -187,9 +187,10 @@ namespace squeal
          shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") + " N, " +
            (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
            " to " + shown("max_normal_n") + " N"},
-        {"nodes: slip, stick-slip, separating, never closed",
-         shown("n_slip") + ", " + shown("n_stick_slip") + ", " +
-           shown("n_separating") + ", " + shown("n_never")},
+        {"nodes: slip, stick, stick-slip, separating, never closed",
+         shown("n_slip") + ", " + shown("n_sticking") + ", " +
+           shown("n_stick_slip") + ", " + shown("n_separating") + ", " +
+           shown("n_never")},
         {"worst imbalance of the ledger", shown("worst_imbalance")},
         {"steps per second",
          shown("steps_per_second") + ", " + shown("iterations_per_step") +

@@ -189,6 +189,8 @@ namespace squeal
             ++f.n_never;
           else if (node.open > 0.)
             ++f.n_separating;
+          else if (node.slip == 0.)
+            ++f.n_sticking;
           else if (node.stick > 0.)
             ++f.n_stick_slip;
           else

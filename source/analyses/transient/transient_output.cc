@@ -185,9 +185,10 @@ namespace squeal
     {
       if (n.stick + n.slip == 0.)
         return "open";
-      if (n.open > 0.)
-        return n.stick > 0. ? "stick-slip-separation" : "slip-separation";
-      return n.stick > 0. ? "stick-slip" : "slip";
+      const std::string closed = n.slip == 0.   ? "stick"
+                                 : n.stick > 0. ? "stick-slip"
+                                                : "slip";
+      return n.open > 0. ? closed + "-separation" : closed;
     }
   } // namespace
 

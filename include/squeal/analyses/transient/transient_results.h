@@ -100,7 +100,8 @@ namespace squeal
                                          of all pairs, m/s^2 */
     double       mean_leading_edge_factor = 0.;
     double       peak_pressure            = 0.; /**< Pa */
-    unsigned int n_never = 0, n_slip = 0, n_stick_slip = 0, n_separating = 0;
+    unsigned int n_never = 0, n_slip = 0, n_sticking = 0, n_stick_slip = 0,
+                 n_separating = 0;
     //@}
 
     double worst_imbalance = 0.; /**< of the ledger, over the work of the run */
