@@ -123,6 +123,7 @@ namespace squeal
         numbers.set("n_points", static_cast<double>(side.points.size()));
         numbers.set("step", side.step);
         numbers.set("is_lost", side.is_lost ? 1. : 0.);
+        numbers.set("turns", side.turns ? 1. : 0.);
         // The first one is the start, which is there.
         for (std::size_t k = 1; k < side.points.size(); ++k)
           numbers.set(std::to_string(k), numbers_of(side.points[k]));
@@ -185,6 +186,7 @@ namespace squeal
         const std::size_t  n       = numbers.count("n_points", most_points);
         side.step                  = numbers.number("step");
         side.is_lost               = numbers.count("is_lost", 1) == 1;
+        side.turns                 = numbers.count("turns", 1) == 1;
         side.points.resize(1);
         for (std::size_t k = 1; k < n; ++k)
           side.points.push_back(point_from(numbers.group(std::to_string(k))));

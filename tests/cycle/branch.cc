@@ -37,9 +37,11 @@ namespace
 
   /** Where the largest growth rate is nothing. */
   double
-  critical_friction(const ReducedContactModel &m, const double speed)
+  critical_friction(const ReducedContactModel &m,
+                    const double               speed,
+                    double                     high = .5)
   {
-    double low = .1, high = .5;
+    double low = .1;
     while (high - low > 1e-12)
       {
         const double middle = .5 * (low + high);
@@ -123,7 +125,8 @@ namespace
   Start
   start_of(const ReducedContactModel &m,
            const PeriodMaps          &maps,
-           const double               start_at)
+           const double               start_at,
+           const unsigned int         n = n_steps)
   {
     const auto  map = maps(start_at);
     const Orbit tail =
@@ -137,7 +140,7 @@ namespace
     s.upper              = .7;
     s.n_points           = 400;
     s.largest_step       = .02;
-    s.shooting.n_steps   = n_steps;
+    s.shooting.n_steps   = n;
     s.shooting.tolerance = 1e-8;
     start.motion         = shoot(*map, tail.end(), return_.first, s.shooting);
     check(start.motion.status == CycleStatus::converged,
@@ -479,6 +482,45 @@ namespace
     check_below(frequency.largest(), 1e-3, "frequency of long transients");
     check_below(rms.largest(), 1e-2, "rms of long transients");
   }
+
+  /** A branch that comes back from a fold in long steps goes on to the onset,
+   * once through every motion: a shift along the period, which every step
+   * would hand on to the next, does not turn it round. */
+  void
+  folding()
+  {
+    const double              speed    = .15;
+    const ReducedContactModel m        = two_modes(.8);
+    const PeriodMaps          maps     = over_friction(m, speed);
+    const double              critical = critical_friction(m, speed, 1.);
+    for (const unsigned int n : {128u, 256u})
+      {
+        const double start_at           = 1.03 * critical;
+        Start        start              = start_of(m, maps, start_at, n);
+        start.settings                  = {};
+        start.settings.lower            = .5 * critical;
+        start.settings.upper            = 1.06 * critical;
+        start.settings.shooting.n_steps = n;
+        const CycleBranch b =
+          follow_branch(maps, start.motion, start_at, start.settings);
+        print(b, "folding");
+        check(b.first_end == BranchEnd::onset,
+              "the branch goes on from its fold to the onset");
+        check_close(
+          b.points.front().parameter, critical, 1e-3, "friction of the onset");
+        unsigned int n_folds = 0;
+        for (std::size_t i = 0; i < b.points.size(); ++i)
+          {
+            n_folds += b.points[i].is_fold;
+            check(b.points[i].is_fold == b.points[i].turns_back,
+                  "a multiplier passes 1 where the branch turns back");
+            check(i == 0 || figures_of(b.points[i - 1].motion.orbit).rms <
+                              figures_of(b.points[i].motion.orbit).rms,
+                  "the amplitude grows all along the branch");
+          }
+        check(n_folds == 1, "it has one fold");
+      }
+  }
 } // namespace
 
 int
@@ -493,6 +535,9 @@ main(int argc, char *argv[])
     resume();
   else if (which == "stiffness")
     stiffness();
+  else if (which == "folding")
+    folding();
   else
-    check(false, "an argument: separating, sticking, stiffness or resume");
+    check(false,
+          "an argument: separating, sticking, stiffness, folding or resume");
 }

@@ -81,7 +81,10 @@ namespace squeal
                              "trivial_multiplier_error"})
       columns.push_back(common<BranchPoint>(name));
     columns.push_back(
-      {{"is_fold", Type::integer, "", "1 where the parameter turns back"},
+      {{"is_fold",
+        Type::integer,
+        "",
+        "1 where the parameter turns back and a multiplier passes 1"},
        [](const BranchPoint &x) { return Cell(x.is_fold ? 1 : 0); }});
     columns.push_back(
       {{"n_changes", Type::integer, "", "changes of status in a period"},
@@ -109,8 +112,12 @@ namespace squeal
     };
     const auto folds = std::count_if(branch.points.begin(),
                                      branch.points.end(),
-                                     [](const auto &x) { return x.is_fold; });
-    const auto span  = [&](const auto &value) {
+                                     [](const auto &x) { return x.is_fold; }),
+               turns = std::count_if(
+                 branch.points.begin(), branch.points.end(), [](const auto &x) {
+                   return x.turns_back && !x.is_fold;
+                 });
+    const auto span = [&](const auto &value) {
       const auto [least, most] = std::minmax_element(
         branch.points.begin(),
         branch.points.end(),
@@ -126,8 +133,11 @@ namespace squeal
            span([](const BranchPoint &x) { return x.figures.frequency; }) +
            " Hz; " + std::to_string(branch.points.size()) + " points, " +
            count("stable") + " stable, " + count("unstable") + " unstable, " +
-           std::to_string(folds) +
-           " folds; ends: " + branch_end_text(branch.first_end) + ", " +
+           std::to_string(folds) + " folds" +
+           (turns > 0 ? ", and " + std::to_string(turns) +
+                          " turns at which no multiplier passes 1"
+                      : "") +
+           "; ends: " + branch_end_text(branch.first_end) + ", " +
            branch_end_text(branch.last_end);
   }
 
