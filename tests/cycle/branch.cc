@@ -489,36 +489,46 @@ namespace
   void
   folding()
   {
-    const double              speed    = .15;
-    const ReducedContactModel m        = two_modes(.8);
-    const PeriodMaps          maps     = over_friction(m, speed);
-    const double              critical = critical_friction(m, speed, 1.);
-    for (const unsigned int n : {128u, 256u})
+    const double        speed = .15;
+    ReducedContactModel m     = two_modes(.8);
+    // Where nodes give way along the belt, too, forces follow the shift.
+    m.flexibility                   = Eigen::Matrix3d::Identity();
+    const PeriodMaps   maps         = over_friction(m, speed);
+    const double       critical     = critical_friction(m, speed, 1.);
+    const unsigned int n            = 128;
+    const double       start_at     = 1.03 * critical;
+    Start              start        = start_of(m, maps, start_at, n);
+    start.settings                  = {};
+    start.settings.lower            = .5 * critical;
+    start.settings.upper            = 1.06 * critical;
+    start.settings.shooting.n_steps = n;
+    // Wherever in its period the motion starts.
+    for (unsigned int i = 0; i < n; i += n / 8)
       {
-        const double start_at           = 1.03 * critical;
-        Start        start              = start_of(m, maps, start_at, n);
-        start.settings                  = {};
-        start.settings.lower            = .5 * critical;
-        start.settings.upper            = 1.06 * critical;
-        start.settings.shooting.n_steps = n;
+        const PeriodicMotion later = shoot(*maps(start_at),
+                                           start.motion.orbit.states[i],
+                                           start.motion.period,
+                                           start.settings.shooting);
+        check(later.status == CycleStatus::converged, "the start");
         const CycleBranch b =
-          follow_branch(maps, start.motion, start_at, start.settings);
+          follow_branch(maps, later, start_at, start.settings);
         print(b, "folding");
         check(b.first_end == BranchEnd::onset,
               "the branch goes on from its fold to the onset");
         check_close(
           b.points.front().parameter, critical, 1e-3, "friction of the onset");
-        unsigned int n_folds = 0;
-        for (std::size_t i = 0; i < b.points.size(); ++i)
+        bool grows = true, all_folds = true;
+        for (std::size_t k = 0; k < b.points.size(); ++k)
           {
-            n_folds += b.points[i].is_fold;
-            check(b.points[i].is_fold == b.points[i].turns_back,
-                  "a multiplier passes 1 where the branch turns back");
-            check(i == 0 || figures_of(b.points[i - 1].motion.orbit).rms <
-                              figures_of(b.points[i].motion.orbit).rms,
-                  "the amplitude grows all along the branch");
+            all_folds =
+              all_folds && b.points[k].is_fold == b.points[k].turns_back;
+            grows =
+              grows &&
+              (k == 0 || .99 * figures_of(b.points[k - 1].motion.orbit).rms <
+                           figures_of(b.points[k].motion.orbit).rms);
           }
-        check(n_folds == 1, "it has one fold");
+        check(grows, "the amplitude grows all along the branch");
+        check(all_folds, "a multiplier passes 1 where the branch turns back");
       }
   }
 } // namespace
