@@ -110,12 +110,28 @@ namespace
           "the last of the motions is that from the cycle itself");
     check(followed.text(0, "outcome") == "stable limit cycle",
           "the multipliers decide where they can");
-    check(
-      outcome_table({unstable}, {0, {there, there}}).text(0, "outcome") ==
-          "limit cycle, stable in time" &&
-        outcome_table({unstable}, {0, {elsewhere, there}}).text(0, "outcome") ==
-          "limit cycles found are unstable",
-      "a cycle that all motions end in is stable in time");
+    const CycleResult nearly = cycle(5000., 90., 1.008);
+    const auto        after  = [&](const CycleResult &c,
+                           const MotionTrial &from_elsewhere) {
+      return outcome_table({c}, {0, {from_elsewhere, there}});
+    };
+    check(after(nearly, there).text(0, "outcome") ==
+              "limit cycle, stable in time" &&
+            !after(nearly, there).is_missing(0, "frequency_hz"),
+          "a cycle that all motions end in is stable in time where its "
+          "multiplier is near to 1");
+    check(after(unstable, there).text(0, "outcome") ==
+              "unstable limit cycle that motions stay near" &&
+            after(unstable, there).is_missing(0, "frequency_hz"),
+          "a multiplier far beyond 1 is not overruled: what is heard is not "
+          "known");
+    check(after(nearly, elsewhere).text(0, "outcome") ==
+            "limit cycles found are unstable",
+          "motions that end elsewhere leave it unstable");
+    check(after(open, elsewhere).is_missing(0, "frequency_hz") &&
+            after(open, elsewhere).text(0, "outcome") ==
+              "limit cycle, stability open",
+          "an open cycle that no motion from elsewhere ends in is not heard");
     check(outcome_table({stable}).is_missing(0, "stays"),
           "nothing is said of motions that were not followed");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");

@@ -18,6 +18,10 @@ namespace squeal
     /** Cycles are the same within these shares and their errors. */
     constexpr double same_frequency = 1e-3, same_rms = 1e-2;
 
+    /** Multipliers above this, less their error, are those of an unstable
+     * cycle whatever motions do: below it they can be off by more. */
+    constexpr double largest_of_stable = 1.01;
+
     bool
     agree(const double a,
           const double b,
@@ -77,6 +81,17 @@ namespace squeal
       return std::all_of(cycles.begin(), cycles.end(), [](const auto &c) {
         return c.coarse.status == CycleStatus::aperiodic;
       });
+    }
+
+    /** Whether some motion from elsewhere ends in the cycle, if any was
+     * followed. */
+    bool
+    is_reached(const std::vector<MotionTrial> &trials)
+    {
+      return trials.size() < 2 ||
+             std::any_of(trials.begin(),
+                         trials.end() - 1,
+                         [](const MotionTrial &x) { return x.ends_in; });
     }
 
     using PointColumn = ColumnOf<PointRow>;
@@ -270,10 +285,19 @@ namespace squeal
       std::all_of(trials.motions.begin(),
                   trials.motions.end(),
                   [](const MotionTrial &x) { return x.ends_in; });
-    if (trials.cycle >= 0 && (all_end_there || !outcome.open.empty()))
-      outcome.heard = trials.cycle;
+    // What is unstable by far is no attractor, however long motions stay near.
+    const bool is_far_from_stable =
+      trials.cycle >= 0 && cycles[trials.cycle].multipliers.largest -
+                               cycles[trials.cycle].multipliers.uncertainty() >
+                             largest_of_stable;
+    if (all_end_there)
+      outcome.heard = is_far_from_stable ? -1 : trials.cycle;
+    else if (trials.cycle >= 0 && !outcome.open.empty())
+      outcome.heard = is_reached(trials.motions) ? trials.cycle : -1;
     if (all_end_there && outcome.n_stable == 0)
-      outcome.text = "limit cycle, stable in time";
+      outcome.text = is_far_from_stable
+                       ? "unstable limit cycle that motions stay near"
+                       : "limit cycle, stable in time";
     return table_of(columns(),
                     std::vector<PointRow>{{cycles, trials.motions, outcome}});
   }

@@ -77,7 +77,9 @@ namespace squeal
 
   /** Columns of what a point comes to, without those of the axes; one row. A
    * cycle that all motions of @p trials end in is heard, whatever multipliers
-   * near to 1 say. */
+   * within a hundredth of 1 say; one that is unstable by more is not. One whose
+   * stability is left open is not heard where all motions from elsewhere end
+   * elsewhere. */
   Table outcome_table(const std::vector<CycleResult> &cycles,
                       const PointTrials              &trials = {});
 
