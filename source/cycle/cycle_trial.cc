@@ -30,15 +30,17 @@ namespace squeal
                           : 0.;
     }
 
+    /** Shares are of @p size. */
     bool
     is_near(const double value,
             const double expected,
+            const double size,
             const double share,
             const double wide_share,
             const double error)
     {
       return std::abs(value - expected) <=
-             std::min(share * expected + error, wide_share * expected);
+             std::min(share * size + error, wide_share * size);
     }
   } // namespace
 
@@ -67,17 +69,23 @@ namespace squeal
   bool
   CycleTrials::is_there(const MotionTrial &trial) const
   {
-    const double times = cycle.figures.repetitions();
-    return is_near(trial.frequency,
-                   1. / shortest_period,
-                   line_share,
-                   wide_line_share,
-                   times * cycle.frequency_error()) &&
-           is_near(trial.figures.rms_normal,
-                   cycle.figures.rms_normal,
-                   rms_share,
-                   wide_rms_share,
-                   cycle.rms_normal_error());
+    const double              times  = cycle.figures.repetitions();
+    const std::vector<double> pairs  = cycle.figures.rms_of_pairs(),
+                              coarse = cycle.coarse_figures.rms_of_pairs();
+    bool result                      = is_near(trial.frequency,
+                          1. / shortest_period,
+                          1. / shortest_period,
+                          line_share,
+                          wide_line_share,
+                          times * cycle.frequency_error());
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      result = result && is_near(trial.figures.rms_of_pairs[p],
+                                 pairs[p],
+                                 cycle.figures.rms_normal,
+                                 rms_share,
+                                 wide_rms_share,
+                                 2. * std::abs(pairs[p] - coarse[p]));
+    return result;
   }
 
   MotionTrial

@@ -95,6 +95,19 @@ namespace
     doubled.figures.normal_harmonics[0] = 5.;
     is({once, twice}, "stable limit cycle", 0, 1);
     is({once, doubled}, "several stable limit cycles", 0, 2);
+    // Alike in the louder pad, not in the other one.
+    CycleResult together = stable, alone = stable, halved = twice;
+    together.figures.pairs.resize(2);
+    for (ForceFigures &pair : together.figures.pairs)
+      pair.rms_normal = 50.;
+    alone.figures.pairs               = together.figures.pairs;
+    alone.figures.pairs[1].rms_normal = 20.;
+    together.coarse_figures           = together.figures;
+    alone.coarse_figures              = alone.figures;
+    is({together, alone}, "several stable limit cycles", 0, 2);
+    halved.figures.pairs = {twice.figures, doubled.figures};
+    check(halved.figures.repetitions() == 1,
+          "the period of all pairs is that of the motion");
     check(once.figures.repetitions() == 1 && twice.figures.repetitions() == 2 &&
             doubled.figures.repetitions() == 1,
           "how often a motion repeats itself within its period");

@@ -64,7 +64,7 @@ namespace squeal
 
 
   Table
-  branch_table(const CycleBranch &branch)
+  branch_table(const CycleBranch &branch, const std::vector<std::string> &pairs)
   {
     using Column = ColumnOf<BranchPoint>;
     std::vector<Column> columns{
@@ -92,6 +92,9 @@ namespace squeal
     for (const char *name :
          {"n_opening", "n_sticking", "residual", "n_iterations"})
       columns.push_back(common<BranchPoint>(name));
+    const std::vector<Column> of_pairs = of_each_pair<BranchPoint>(
+      pairs, [](const BranchPoint &x) { return &x.figures; });
+    columns.insert(columns.end(), of_pairs.begin(), of_pairs.end());
     return table_of(columns, branch.points);
   }
 
