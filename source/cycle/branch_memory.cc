@@ -4,6 +4,7 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/cycle/branch_run.h>
+#include <squeal/cycle/period_equations.h>
 
 namespace squeal
 {
@@ -169,10 +170,18 @@ namespace squeal
     motion.history = numbers.get("history");
     motion.iterations =
       numbers.count("iterations", settings.shooting.iterations);
-    motion.residual = motion.history.empty() ? 0. : motion.history.back();
-    motion.status   = CycleStatus::converged;
-    motion.orbit    = map->run(
-      start, motion.period, n_steps, past, motion.is_held ? &held : nullptr);
+    // What its steps miss now tells whether it is a motion of this branch.
+    if (!try_orbit(*map,
+                   start,
+                   motion.period,
+                   n_steps,
+                   past,
+                   motion.is_held ? &held : nullptr,
+                   motion) ||
+        !(motion.residual <= settings.shooting.tolerance))
+      throw InputError("parameter " + std::to_string(parameter) +
+                       ": not a periodic motion of this branch");
+    motion.status = CycleStatus::converged;
     return point_of(*map, std::move(motion), parameter);
   }
 
