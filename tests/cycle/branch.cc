@@ -234,6 +234,10 @@ namespace
         damaged.set(name, std::vector<double>{7., 7.});
         check_refused([&]() { run(8).restore(damaged); }, name);
       }
+    NamedNumbers moved = memory;
+    moved.set("1/2/period", 1.01 * memory.number("1/2/period"));
+    check_refused([&]() { run(8).restore(moved); },
+                  "what is no periodic motion of the branch");
   }
 
   bool
