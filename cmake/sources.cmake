@@ -223,6 +223,7 @@ set(SQUEAL_SOURCES_CYCLE
     source/cycle/branch_run.cc
     source/cycle/branch_step.cc
     source/cycle/cycle_branch.cc
+    source/cycle/cycle_figures.cc
     source/cycle/cycle_friction.cc
     source/cycle/cycle_search.cc
     source/cycle/cycle_trial.cc

@@ -4,6 +4,7 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/cycle/branch_run.h>
+#include <squeal/cycle/period_equations.h>
 
 namespace squeal
 {
@@ -123,6 +124,7 @@ namespace squeal
         numbers.set("n_points", static_cast<double>(side.points.size()));
         numbers.set("step", side.step);
         numbers.set("is_lost", side.is_lost ? 1. : 0.);
+        numbers.set("turns", side.turns ? 1. : 0.);
         // The first one is the start, which is there.
         for (std::size_t k = 1; k < side.points.size(); ++k)
           numbers.set(std::to_string(k), numbers_of(side.points[k]));
@@ -168,10 +170,18 @@ namespace squeal
     motion.history = numbers.get("history");
     motion.iterations =
       numbers.count("iterations", settings.shooting.iterations);
-    motion.residual = motion.history.empty() ? 0. : motion.history.back();
-    motion.status   = CycleStatus::converged;
-    motion.orbit    = map->run(
-      start, motion.period, n_steps, past, motion.is_held ? &held : nullptr);
+    // What its steps miss now tells whether it is a motion of this branch.
+    if (!try_orbit(*map,
+                   start,
+                   motion.period,
+                   n_steps,
+                   past,
+                   motion.is_held ? &held : nullptr,
+                   motion) ||
+        !(motion.residual <= settings.shooting.tolerance))
+      throw InputError("parameter " + std::to_string(parameter) +
+                       ": not a periodic motion of this branch");
+    motion.status = CycleStatus::converged;
     return point_of(*map, std::move(motion), parameter);
   }
 
@@ -185,6 +195,7 @@ namespace squeal
         const std::size_t  n       = numbers.count("n_points", most_points);
         side.step                  = numbers.number("step");
         side.is_lost               = numbers.count("is_lost", 1) == 1;
+        side.turns                 = numbers.count("turns", 1) == 1;
         side.points.resize(1);
         for (std::size_t k = 1; k < n; ++k)
           side.points.push_back(point_from(numbers.group(std::to_string(k))));

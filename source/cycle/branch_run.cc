@@ -24,13 +24,42 @@ namespace squeal
       return result;
     }
 
+    /** Whether an odd number of real multipliers is beyond 1, without the
+     * trivial one. */
+    bool
+    is_odd_beyond(const FloquetMultipliers &multipliers)
+    {
+      bool result = false;
+      for (const std::complex<double> m : multipliers.values)
+        if (m != multipliers.trivial && m.imag() == 0. && m.real() > 1.)
+          result = !result;
+      return result;
+    }
+
+    /** Whether a multiplier passes 1 near point @p i: where it is as near to 1
+     * as the trivial one, the points beside the neighbours tell. */
+    bool
+    passes_one(const std::vector<BranchPoint> &points, const std::size_t i)
+    {
+      const auto first = points.begin() + (i < 2 ? 0 : i - 2),
+                 last  = points.begin() + std::min(i + 3, points.size());
+      return std::any_of(first, last, [&](const BranchPoint &x) {
+        return is_odd_beyond(x.multipliers) !=
+               is_odd_beyond(first->multipliers);
+      });
+    }
+
     void
     mark_folds(std::vector<BranchPoint> &points)
     {
       for (std::size_t i = 1; i + 1 < points.size(); ++i)
-        points[i].is_fold = (points[i].parameter - points[i - 1].parameter) *
-                              (points[i + 1].parameter - points[i].parameter) <
-                            0.;
+        {
+          points[i].turns_back =
+            (points[i].parameter - points[i - 1].parameter) *
+              (points[i + 1].parameter - points[i].parameter) <
+            0.;
+          points[i].is_fold = points[i].turns_back && passes_one(points, i);
+        }
     }
   } // namespace
 
@@ -158,7 +187,7 @@ namespace squeal
   {
     const BranchPoint &last = side.points.back();
     if (side.is_lost)
-      return BranchEnd::not_found;
+      return side.turns ? BranchEnd::turn : BranchEnd::not_found;
     const bool is_low  = last.parameter <= settings.lower,
                is_high = last.parameter >= settings.upper;
     if (side.points.size() == 1)
@@ -174,33 +203,38 @@ namespace squeal
     return {};
   }
 
+  std::optional<BranchPoint>
+  BranchRun::step_along(Side &side) const
+  {
+    const BranchPoint &last   = side.points.back(),
+                      &before = side.points[side.points.size() - 2];
+    const double way          = branch_distance(maps, before, last, settings);
+    for (double step =
+           std::min(side.step > 0. ? side.step : way, settings.largest_step);
+         step >= settings.smallest_step;
+         step *= shorter)
+      if (auto next = correct_along(maps, before, last, step, settings))
+        {
+          side.turns = branch_turn(maps, before, last, *next, settings) >
+                       settings.largest_turn;
+          if (side.turns)
+            continue;
+          const unsigned int iterations = next->motion.iterations;
+          side.step = iterations <= few_iterations    ? longer * step
+                      : iterations >= many_iterations ? shorter * step
+                                                      : step;
+          return within_range(point_of(
+            *maps(next->parameter), std::move(next->motion), next->parameter));
+        }
+    return {};
+  }
+
   void
   BranchRun::add_point(Side &side) const
   {
-    std::optional<BranchPoint> next;
-    if (side.points.size() == 1)
-      next = neighbour(side.points.front(), side.sign);
-    else
-      {
-        const BranchPoint &last   = side.points.back(),
-                          &before = side.points[side.points.size() - 2];
-        const double way  = branch_distance(maps, before, last, settings);
-        double       step = side.step > 0. ? side.step : way;
-        for (step = std::min(step, settings.largest_step);
-             !next && step >= settings.smallest_step;)
-          if (!(next = correct_along(maps, before, last, step, settings)))
-            step *= shorter;
-        if (next)
-          {
-            const unsigned int iterations = next->motion.iterations;
-            *next     = within_range(point_of(*maps(next->parameter),
-                                          std::move(next->motion),
-                                          next->parameter));
-            side.step = iterations <= few_iterations    ? longer * step
-                        : iterations >= many_iterations ? shorter * step
-                                                        : step;
-          }
-      }
+    auto next    = side.points.size() == 1
+                     ? neighbour(side.points.front(), side.sign)
+                     : step_along(side);
     side.is_lost = !next;
     if (next)
       side.points.push_back(std::move(*next));

@@ -26,6 +26,42 @@ namespace squeal
       double      length    = 0.; /**< of the step that it was told from */
     };
 
+    /** <x, y> of the norm of the energy. */
+    double
+    energy_product(const ReducedContactModel &model,
+                   const MotionState         &x,
+                   const MotionState         &y)
+    {
+      return x.velocities.dot(y.velocities) +
+             model.omega_squared.dot(
+               x.coordinates.cwiseProduct(y.coordinates)) +
+             x.forces.dot(model.flexibility * y.forces);
+    }
+
+    /** @p change of the start of @p orbit without what moves it along the
+     * motion: where in its period a motion starts is no part of the way along a
+     * branch. A tangent would hand such a shift on from step to step, which
+     * then grows until the branch goes back along itself. */
+    MotionState
+    across_motion(const PeriodMap &map, const Orbit &orbit, MotionState change)
+    {
+      const MotionState         &start = orbit.states.front();
+      MotionState                rate{start.velocities,
+                       map.acceleration(start).tail(start.velocities.size()),
+                       Eigen::VectorXd::Zero(start.forces.size())};
+      const ReducedContactModel &model = map.reduced_model();
+      const double               time =
+        energy_product(model, change, rate) / energy_product(model, rate, rate);
+      // Forces have no part in the product, as in the condition of shooting.
+      rate.forces =
+        (orbit.end().forces - orbit.states[orbit.n_steps() - 1].forces) /
+        orbit.step;
+      change.coordinates -= time * rate.coordinates;
+      change.velocities -= time * rate.velocities;
+      change.forces -= time * rate.forces;
+      return change;
+    }
+
     /** The steps of two neighbours, in the modes of @p last. */
     Tangent
     tangent_of(const PeriodMaps     &maps,
@@ -33,22 +69,30 @@ namespace squeal
                const BranchPoint    &last,
                const BranchSettings &s)
     {
-      const ReducedContactModel &model = maps(last.parameter)->reduced_model();
+      const auto                 map   = maps(last.parameter);
+      const ReducedContactModel &model = map->reduced_model();
       const MotionState a  = maps.carried(before.motion.orbit.states.front(),
                                          before.parameter,
                                          last.parameter),
                         &b = last.motion.orbit.states.front();
-      const double size    = motion_size(model, last.motion.orbit);
-      Tangent      t;
+      const MotionState change = across_motion(*map,
+                                               last.motion.orbit,
+                                               {b.coordinates - a.coordinates,
+                                                b.velocities - a.velocities,
+                                                b.forces - a.forces});
+      const double      size   = motion_size(model, last.motion.orbit);
+      Tangent           t;
       t.period    = last.motion.period / before.motion.period - 1.;
       t.parameter = (last.parameter - before.parameter) / (s.upper - s.lower);
       t.length =
-        std::hypot(energy_norm(model, a, b) / size, t.period, t.parameter);
+        std::hypot(std::sqrt(energy_product(model, change, change)) / size,
+                   t.period,
+                   t.parameter);
       t.period /= t.length;
       t.parameter /= t.length;
-      t.state = {(b.coordinates - a.coordinates) / t.length,
-                 (b.velocities - a.velocities) / t.length,
-                 (b.forces - a.forces) / t.length};
+      t.state = {change.coordinates / t.length,
+                 change.velocities / t.length,
+                 change.forces / t.length};
       return t;
     }
 
@@ -97,6 +141,27 @@ namespace squeal
                   const BranchSettings &settings)
   {
     return tangent_of(maps, before, last, settings).length;
+  }
+
+  double
+  branch_turn(const PeriodMaps     &maps,
+              const BranchPoint    &before,
+              const BranchPoint    &last,
+              const BranchPoint    &next,
+              const BranchSettings &settings)
+  {
+    Tangent       x = tangent_of(maps, before, last, settings);
+    const Tangent y = tangent_of(maps, last, next, settings);
+    x.state = maps.carried_difference(x.state, last.parameter, next.parameter);
+    const ReducedContactModel &model = maps(next.parameter)->reduced_model();
+    const double               size  = motion_size(model, next.motion.orbit);
+    const auto product               = [&](const Tangent &a, const Tangent &b) {
+      return energy_product(model, a.state, b.state) / (size * size) +
+             a.period * b.period + a.parameter * b.parameter;
+    };
+    const double cosine =
+      product(x, y) / std::sqrt(product(x, x) * product(y, y));
+    return std::acos(std::clamp(cosine, -1., 1.));
   }
 
 

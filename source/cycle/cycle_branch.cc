@@ -15,6 +15,8 @@ namespace squeal
         return "as many points as asked for";
       case BranchEnd::onset:
         return "onset";
+      case BranchEnd::turn:
+        return "turns too sharply";
       case BranchEnd::not_found:
         return "not converged";
       }

@@ -3,7 +3,6 @@
 #include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
-#include <squeal/cycle/orbit_forces.h>
 #include <squeal/transient/modal_step.h>
 
 #include <algorithm>
@@ -198,134 +197,7 @@ namespace squeal
         result.coarse.status = CycleStatus::aperiodic;
       return result;
     }
-
-    /** Of the rms: what harmonics of a longer period leave of a motion that
-     * repeats itself within it; and how often it may. */
-    constexpr double       nothing          = 1e-3;
-    constexpr unsigned int most_repetitions = 8;
-
-    /** |a_k| of x = mean + Re sum a_k e^{i k omega t}. */
-    std::vector<double>
-    amplitudes_of(const Eigen::VectorXd &x)
-    {
-      const Eigen::Index  n = x.size();
-      std::vector<double> result;
-      for (Eigen::Index k = 1; 2 * k < n; ++k)
-        {
-          std::complex<double> sum = 0.;
-          for (Eigen::Index i = 0; i < n; ++i)
-            sum +=
-              x[i] * std::polar(2. / n, -2. * M_PI * double(k * i % n) / n);
-          result.push_back(std::abs(sum));
-        }
-      return result;
-    }
-
-    /** Depth of the nodes in the middle of the steps, over all. */
-    double
-    penetration_of(const ReducedContactModel &model, const Orbit &orbit)
-    {
-      const ModalStep half(model, .5 * orbit.step);
-      double          result = 0.;
-      for (unsigned int i = 0; i < orbit.n_steps(); ++i)
-        {
-          const MotionState    &a = orbit.states[i], &b = orbit.states[i + 1];
-          const Eigen::VectorXd lambda = .5 * (a.forces + b.forces);
-          const auto            modal  = [&](const Eigen::VectorXd &f) {
-            return Eigen::VectorXd(model.load -
-                                   model.participation.transpose() * f);
-          };
-          const Eigen::VectorXd q =
-            half.q_q * a.coordinates + half.q_v * a.velocities +
-            half.q_f0 * modal(a.forces) + half.q_f1 * modal(lambda);
-          const Eigen::VectorXd u = model.participation * q +
-                                    model.load_motion -
-                                    model.flexibility * lambda;
-          for (unsigned int j = 0; j < model.n_nodes(); ++j)
-            result = std::max(result, u[3 * j] - model.initial_gap[j]);
-        }
-      return result;
-    }
   } // namespace
-
-
-
-  double
-  CycleFigures::beyond(const unsigned int n) const
-  {
-    double sum = 0.;
-    for (std::size_t k = n; k < normal_harmonics.size(); ++k)
-      sum += .5 * normal_harmonics[k] * normal_harmonics[k];
-    return std::sqrt(sum) / rms_normal;
-  }
-
-  CycleFigures
-  cycle_figures(const PeriodMap &map, const PeriodicMotion &motion)
-  {
-    const ReducedContactModel &model = map.reduced_model();
-    const Orbit               &orbit = motion.orbit;
-    const unsigned int         n     = orbit.n_steps();
-    CycleFigures               f;
-    f.frequency  = 1. / motion.period;
-    f.resultants = resultants_of(orbit);
-    std::vector<bool> opens(model.n_nodes()), sticks(model.n_nodes());
-    Eigen::VectorXd   lowest = orbit.motions[1], highest = lowest;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        for (unsigned int j = 0; j < model.n_nodes(); ++j)
-          {
-            opens[j]  = opens[j] || orbit.status[i][j] == ContactStatus::open;
-            sticks[j] = sticks[j] || orbit.status[i][j] == ContactStatus::stick;
-          }
-        lowest  = lowest.cwiseMin(orbit.motions[i + 1]);
-        highest = highest.cwiseMax(orbit.motions[i + 1]);
-      }
-    for (unsigned int j = 0; j < model.n_nodes(); ++j)
-      f.gap_range = std::max(f.gap_range, highest[3 * j] - lowest[3 * j]);
-    const auto rms = [](const Eigen::VectorXd &x) {
-      return std::sqrt((x.array() - x.mean()).square().mean());
-    };
-    const Eigen::VectorXd normal = f.resultants.row(0),
-                          along  = f.resultants.row(1);
-    f.mean_normal                = normal.mean();
-    f.rms_normal                 = rms(normal);
-    f.min_normal                 = normal.minCoeff();
-    f.max_normal                 = normal.maxCoeff();
-    f.mean_tangential            = along.mean();
-    f.rms_tangential             = rms(along);
-    f.normal_harmonics           = amplitudes_of(normal);
-    f.tangential_harmonics       = amplitudes_of(along);
-    f.largest_harmonic =
-      1 + std::distance(f.normal_harmonics.begin(),
-                        std::max_element(f.normal_harmonics.begin(),
-                                         f.normal_harmonics.end()));
-    f.penetration = penetration_of(model, orbit);
-    f.n_opening   = std::count(opens.begin(), opens.end(), true);
-    f.n_sticking  = std::count(sticks.begin(), sticks.end(), true);
-    return f;
-  }
-
-
-
-  unsigned int
-  CycleFigures::repetitions() const
-  {
-    const auto is_repeated = [](const std::vector<double> &harmonics,
-                                const double               rms,
-                                const unsigned int         times) {
-      double sum = 0.;
-      for (std::size_t k = 1; k <= harmonics.size(); ++k)
-        if (k % times != 0)
-          sum += .5 * harmonics[k - 1] * harmonics[k - 1];
-      return std::sqrt(sum) <= nothing * rms;
-    };
-    for (unsigned int times = most_repetitions; times > 1; --times)
-      if (normal_harmonics.size() >= 2 * times &&
-          is_repeated(normal_harmonics, rms_normal, times) &&
-          is_repeated(tangential_harmonics, rms_tangential, times))
-        return times;
-    return 1;
-  }
 
 
 

@@ -83,7 +83,7 @@ namespace squeal
 
     /** Mean and rms of the normal resultant over the last whole periods. */
     void
-    set_forces(EdgeTrajectory &edge)
+    set_forces(const PeriodMap &map, EdgeTrajectory &edge)
     {
       const Orbit &run = edge.tail;
       const double period =
@@ -92,7 +92,10 @@ namespace squeal
       const auto n = static_cast<unsigned int>(
         std::max(1., std::floor(run.n_steps() / period + 1e-9)) *
         std::min<double>(period, run.n_steps()));
-      const Eigen::VectorXd normal = resultants_of(run).row(0).tail(n);
+      PairForces forces = pair_forces(map, run);
+      for (Eigen::MatrixXd &f : forces)
+        f = Eigen::MatrixXd(f.rightCols(n));
+      const Eigen::VectorXd normal = forces[loudest_pair(forces)].row(0);
       edge.mean_normal             = normal.mean();
       edge.rms_normal =
         std::sqrt((normal.array() - edge.mean_normal).square().mean());
@@ -148,11 +151,11 @@ namespace squeal
       }
     edge.tail = follower.orbit(start, edge.stretches.back().lower.size());
     edge.end  = start.time;
-    const OrbitLine line =
-      line_of(edge.tail, settings.lowest, settings.highest);
+    const OrbitLine line = line_of(
+      follower.period_map(), edge.tail, settings.lowest, settings.highest);
     edge.frequency  = line.frequency;
     edge.repetition = line.repetition;
-    set_forces(edge);
+    set_forces(follower.period_map(), edge);
     return edge;
   }
 } // namespace squeal

@@ -19,15 +19,6 @@ namespace squeal
     constexpr double lasting_forces = 0.1;
     /** Parts that tell what a motion is. */
     constexpr std::size_t n_told = 3;
-
-    std::vector<double>
-    normal_of(const Eigen::MatrixXd &resultants)
-    {
-      std::vector<double> result(resultants.cols());
-      for (Eigen::Index i = 0; i < resultants.cols(); ++i)
-        result[i] = resultants(0, i);
-      return result;
-    }
   } // namespace
 
 
@@ -55,13 +46,10 @@ namespace squeal
     const Orbit run = map.run_plainly(place.state, length, n_steps, place.past);
     place           = {run.end(), run.past_of(n_steps), place.time + length};
     time += length;
-    last_forces.push_back(resultants_of(run));
+    last_forces.push_back(pair_forces(map, run));
     if (last_forces.size() > n_told)
       last_forces.erase(last_forces.begin());
-    const auto            f = last_forces.back().topRows<2>();
-    const Eigen::Vector2d variance =
-      (f.colwise() - f.rowwise().mean()).rowwise().squaredNorm() / n_steps;
-    rms_forces.push_back(std::sqrt(variance.sum()));
+    rms_forces.push_back(rms_forces_of(last_forces.back()));
     last_returns = recurrences(map.reduced_model(), run, shortest, length);
     return time + .5 * length < longest;
   }
@@ -99,12 +87,16 @@ namespace squeal
 
 
 
-  Eigen::MatrixXd
+  PairForces
   LeadingRun::resultants() const
   {
-    Eigen::MatrixXd result(3, n_steps * last_forces.size());
-    for (std::size_t i = 0; i < last_forces.size(); ++i)
-      result.middleCols(i * n_steps, n_steps) = last_forces[i];
+    PairForces result(map.nodes_of_pairs().size());
+    for (std::size_t p = 0; p < result.size(); ++p)
+      {
+        result[p].resize(3, n_steps * last_forces.size());
+        for (std::size_t i = 0; i < last_forces.size(); ++i)
+          result[p].middleCols(i * n_steps, n_steps) = last_forces[i][p];
+      }
     return result;
   }
 
@@ -115,15 +107,18 @@ namespace squeal
     result.time = time;
     if (last_forces.empty())
       return result;
-    const Eigen::VectorXd last   = last_forces.back().row(0);
-    const auto            signal = normal_of(resultants());
-    const double          lowest = 2. / (n_steps * dt), highest = .5 / dt;
-    const Spectrum        spectrum = power_spectrum(signal, dt);
-    result.rms_normal = std::sqrt((last.array() - last.mean()).square().mean());
-    result.line       = spectrum.peak(lowest, highest);
-    result.frequency  = spectrum.fundamental(lowest, highest);
+    const PairForces forces = resultants();
+    const double     lowest = 2. / (n_steps * dt), highest = .5 / dt;
+    const Spectrum   spectrum = spectrum_of(forces, 0, dt);
+    for (const Eigen::MatrixXd &f : last_forces.back())
+      result.rms_of_pairs.push_back(rms_of(f.row(0)));
+    const std::size_t loudest = loudest_pair(last_forces.back());
+    result.rms_normal         = result.rms_of_pairs[loudest];
+    result.line               = spectrum.peak(lowest, highest);
+    result.frequency          = spectrum.fundamental(lowest, highest);
     if (result.frequency > 0.)
-      result.repetition = repetition(signal, dt, result.frequency);
+      result.repetition =
+        repetition(signal_of(forces[loudest], 0), dt, result.frequency);
     result.recurrence = nearest_return();
     result.lasts      = lasts();
     return result;

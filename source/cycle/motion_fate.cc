@@ -111,11 +111,9 @@ namespace squeal
           result.is_as_steady && run.status[i] == steady.status;
       }
     result.amplitude        = std::sqrt(square);
-    const Eigen::MatrixXd f = resultants_of(run).topRows<2>();
-    const Eigen::Vector2d variance =
-      (f.colwise() - f.rowwise().mean()).rowwise().squaredNorm() / n_steps;
-    result.rms_normal = std::sqrt(variance[0]);
-    result.rms_forces = std::sqrt(variance.sum());
+    const PairForces forces = pair_forces(map, run);
+    result.rms_normal = std::sqrt(variance_of(forces[loudest_pair(forces)])[0]);
+    result.rms_forces = rms_forces_of(forces);
     return result;
   }
 

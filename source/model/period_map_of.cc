@@ -14,12 +14,16 @@ namespace squeal
   PeriodMap
   period_map_of(const SteadyModel &about)
   {
-    const PressedModel &pressed = about.pressed;
+    const PressedModel       &pressed = about.pressed;
+    std::vector<unsigned int> nodes_of_pairs;
+    for (const ContactPair &pair : pressed.nodes().pairs())
+      nodes_of_pairs.push_back(pair.n_nodes());
     return {pressed.model(),
             CycleFriction::of_laws(pressed.nodes().laws(),
                                    pressed.model().n_nodes(),
                                    pressed.speed()),
             about.sliding.resultant()[0] / pressed.model().n_nodes(),
-            contact_tolerance};
+            contact_tolerance,
+            nodes_of_pairs};
   }
 } // namespace squeal

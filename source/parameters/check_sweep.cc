@@ -182,19 +182,24 @@ namespace squeal
 
       /** Loads press pairs whose contact is that of steady sliding. */
       void
-      require_effect_of_normal_force(const SceneParameters &scene,
-                                     const std::string     &section,
-                                     const std::string     &name,
-                                     const std::string     &path)
+      require_effect_of_normal_force(const Parameters  &p,
+                                     const std::string &section,
+                                     const std::string &name,
+                                     const std::string &path)
       {
-        for (const ContactParameters &c : scene.contacts)
-          if (c.state == ContactParameters::State::preload &&
+        const bool is_pressed =
+          p.analysis == Parameters::Analysis::limit_cycle ||
+          p.analysis == Parameters::Analysis::triggers;
+        for (const ContactParameters &c : p.scene.contacts)
+          if ((c.state == ContactParameters::State::preload || is_pressed) &&
               path == "Scene/Contact " + c.name + "/Normal force")
             refuse_entry(section,
                          name,
                          "contains " + in_quotes(path) +
-                           ", which has no effect: with 'Contact state = "
-                           "preload' the loads of the scene press the pair");
+                           ", which has no effect: " +
+                           (is_pressed ? "in this analysis"
+                                       : "with 'Contact state = preload'") +
+                           " the loads of the scene press the pair");
       }
 
 
@@ -237,7 +242,7 @@ namespace squeal
           {
             require_number(parameters, section, "Entries", path);
             require_effect_of_normal_force(
-              parameters.scene, section, "Entries", path);
+              parameters, section, "Entries", path);
           }
         require_same_sense(parameters, a, section);
         if (a.scale == Scale::list)
@@ -290,7 +295,11 @@ namespace squeal
       require_saved_name(parameters.sweep.basis_file, "Sweep", "Basis file");
       const SweepParameters &s           = parameters.sweep;
       const bool             is_campaign = is_campaign_of_runs(parameters);
-      if (parameters.analysis != Parameters::Analysis::sweep && !is_campaign)
+      const bool             is_branch =
+        parameters.analysis == Parameters::Analysis::limit_cycle &&
+        !is_campaign && !s.axes.empty();
+      if (parameters.analysis != Parameters::Analysis::sweep && !is_campaign &&
+          !is_branch)
         return;
       if (s.axes.empty())
         refuse_entry("Sweep",
@@ -335,7 +344,7 @@ namespace squeal
         {
           require_number(parameters, "Sweep", "Sensitivities", path);
           require_effect_of_normal_force(
-            parameters.scene, "Sweep", "Sensitivities", path);
+            parameters, "Sweep", "Sensitivities", path);
         }
       if (s.suggestions > 0 && s.sensitivities.empty())
         refuse_entry("Sweep",

@@ -55,7 +55,8 @@ namespace squeal
         l.starts,
         Allowed::integer(0, 100),
         "With 'Campaign': motions from so many starts are followed for "
-        "two 'Run time' at most at every point that has a limit "
+        "two 'Run time' at most, longer where the multiplier may be "
+        "above 1, at every point that has a limit "
         "cycle which can be heard, to see whether they end in it, and "
         "one more from the cycle itself, to see whether it stays: "
         "starts.csv. The first start from the growing pairs, the "

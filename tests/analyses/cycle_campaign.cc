@@ -95,6 +95,19 @@ namespace
     doubled.figures.normal_harmonics[0] = 5.;
     is({once, twice}, "stable limit cycle", 0, 1);
     is({once, doubled}, "several stable limit cycles", 0, 2);
+    // Alike in the louder pad, not in the other one.
+    CycleResult together = stable, alone = stable, halved = twice;
+    together.figures.pairs.resize(2);
+    for (ForceFigures &pair : together.figures.pairs)
+      pair.rms_normal = 50.;
+    alone.figures.pairs               = together.figures.pairs;
+    alone.figures.pairs[1].rms_normal = 20.;
+    together.coarse_figures           = together.figures;
+    alone.coarse_figures              = alone.figures;
+    is({together, alone}, "several stable limit cycles", 0, 2);
+    halved.figures.pairs = {twice.figures, doubled.figures};
+    check(halved.figures.repetitions() == 1,
+          "the period of all pairs is that of the motion");
     check(once.figures.repetitions() == 1 && twice.figures.repetitions() == 2 &&
             doubled.figures.repetitions() == 1,
           "how often a motion repeats itself within its period");
@@ -110,12 +123,28 @@ namespace
           "the last of the motions is that from the cycle itself");
     check(followed.text(0, "outcome") == "stable limit cycle",
           "the multipliers decide where they can");
-    check(
-      outcome_table({unstable}, {0, {there, there}}).text(0, "outcome") ==
-          "limit cycle, stable in time" &&
-        outcome_table({unstable}, {0, {elsewhere, there}}).text(0, "outcome") ==
-          "limit cycles found are unstable",
-      "a cycle that all motions end in is stable in time");
+    const CycleResult nearly = cycle(5000., 90., 1.008);
+    const auto        after  = [&](const CycleResult &c,
+                           const MotionTrial &from_elsewhere) {
+      return outcome_table({c}, {0, {from_elsewhere, there}});
+    };
+    check(after(nearly, there).text(0, "outcome") ==
+              "limit cycle, stable in time" &&
+            !after(nearly, there).is_missing(0, "frequency_hz"),
+          "a cycle that all motions end in is stable in time where its "
+          "multiplier is near to 1");
+    check(after(unstable, there).text(0, "outcome") ==
+              "unstable limit cycle that motions stay near" &&
+            after(unstable, there).is_missing(0, "frequency_hz"),
+          "a multiplier far beyond 1 is not overruled: what is heard is not "
+          "known");
+    check(after(nearly, elsewhere).text(0, "outcome") ==
+            "limit cycles found are unstable",
+          "motions that end elsewhere leave it unstable");
+    check(after(open, elsewhere).is_missing(0, "frequency_hz") &&
+            after(open, elsewhere).text(0, "outcome") ==
+              "limit cycle, stability open",
+          "an open cycle that no motion from elsewhere ends in is not heard");
     check(outcome_table({stable}).is_missing(0, "stays"),
           "nothing is said of motions that were not followed");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");

@@ -37,9 +37,11 @@ namespace
 
   /** Where the largest growth rate is nothing. */
   double
-  critical_friction(const ReducedContactModel &m, const double speed)
+  critical_friction(const ReducedContactModel &m,
+                    const double               speed,
+                    double                     high = .5)
   {
-    double low = .1, high = .5;
+    double low = .1;
     while (high - low > 1e-12)
       {
         const double middle = .5 * (low + high);
@@ -123,7 +125,8 @@ namespace
   Start
   start_of(const ReducedContactModel &m,
            const PeriodMaps          &maps,
-           const double               start_at)
+           const double               start_at,
+           const unsigned int         n = n_steps)
   {
     const auto  map = maps(start_at);
     const Orbit tail =
@@ -137,7 +140,7 @@ namespace
     s.upper              = .7;
     s.n_points           = 400;
     s.largest_step       = .02;
-    s.shooting.n_steps   = n_steps;
+    s.shooting.n_steps   = n;
     s.shooting.tolerance = 1e-8;
     start.motion         = shoot(*map, tail.end(), return_.first, s.shooting);
     check(start.motion.status == CycleStatus::converged,
@@ -231,6 +234,10 @@ namespace
         damaged.set(name, std::vector<double>{7., 7.});
         check_refused([&]() { run(8).restore(damaged); }, name);
       }
+    NamedNumbers moved = memory;
+    moved.set("1/2/period", 1.01 * memory.number("1/2/period"));
+    check_refused([&]() { run(8).restore(moved); },
+                  "what is no periodic motion of the branch");
   }
 
   bool
@@ -479,6 +486,55 @@ namespace
     check_below(frequency.largest(), 1e-3, "frequency of long transients");
     check_below(rms.largest(), 1e-2, "rms of long transients");
   }
+
+  /** A branch that comes back from a fold in long steps goes on to the onset,
+   * once through every motion: a shift along the period, which every step
+   * would hand on to the next, does not turn it round. */
+  void
+  folding()
+  {
+    const double        speed = .15;
+    ReducedContactModel m     = two_modes(.8);
+    // Where nodes give way along the belt, too, forces follow the shift.
+    m.flexibility                   = Eigen::Matrix3d::Identity();
+    const PeriodMaps   maps         = over_friction(m, speed);
+    const double       critical     = critical_friction(m, speed, 1.);
+    const unsigned int n            = 128;
+    const double       start_at     = 1.03 * critical;
+    Start              start        = start_of(m, maps, start_at, n);
+    start.settings                  = {};
+    start.settings.lower            = .5 * critical;
+    start.settings.upper            = 1.06 * critical;
+    start.settings.shooting.n_steps = n;
+    // Wherever in its period the motion starts.
+    for (unsigned int i = 0; i < n; i += n / 8)
+      {
+        const PeriodicMotion later = shoot(*maps(start_at),
+                                           start.motion.orbit.states[i],
+                                           start.motion.period,
+                                           start.settings.shooting);
+        check(later.status == CycleStatus::converged, "the start");
+        const CycleBranch b =
+          follow_branch(maps, later, start_at, start.settings);
+        print(b, "folding");
+        check(b.first_end == BranchEnd::onset,
+              "the branch goes on from its fold to the onset");
+        check_close(
+          b.points.front().parameter, critical, 1e-3, "friction of the onset");
+        bool grows = true, all_folds = true;
+        for (std::size_t k = 0; k < b.points.size(); ++k)
+          {
+            all_folds =
+              all_folds && b.points[k].is_fold == b.points[k].turns_back;
+            grows =
+              grows &&
+              (k == 0 || .99 * figures_of(b.points[k - 1].motion.orbit).rms <
+                           figures_of(b.points[k].motion.orbit).rms);
+          }
+        check(grows, "the amplitude grows all along the branch");
+        check(all_folds, "a multiplier passes 1 where the branch turns back");
+      }
+  }
 } // namespace
 
 int
@@ -493,6 +549,9 @@ main(int argc, char *argv[])
     resume();
   else if (which == "stiffness")
     stiffness();
+  else if (which == "folding")
+    folding();
   else
-    check(false, "an argument: separating, sticking, stiffness or resume");
+    check(false,
+          "an argument: separating, sticking, stiffness, folding or resume");
 }

@@ -10,7 +10,9 @@
 #include <squeal/cycle/cycle_trial.h>
 #include <squeal/transient/linearized_motion.h>
 
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -80,7 +82,7 @@ namespace
          const SteadySliding &steady,
          const CycleResult   &c)
   {
-    const CycleTrials beside(map, c.figures, step, 2000.);
+    const CycleTrials beside(map, c, step, 2000.);
     const MotionTrial from_rest =
       beside.follow("rest", {disturbed(steady), {}, 0.});
     check(from_rest.ends_in, "a motion from steady sliding ends in the cycle");
@@ -91,14 +93,27 @@ namespace
     const MotionTrial stays = beside.follow_cycle(c.motion);
     check(stays.ends_in, "a motion from the cycle stays there");
     check(stays.time < from_rest.time, "which shows earlier");
-    CycleFigures louder = c.figures;
-    louder.rms_normal *= 1.1;
-    check(!CycleTrials(map, louder, step, 600.).follow_cycle(c.motion).ends_in,
-          "a cycle that is a tenth louder is another one");
-    CycleFigures higher = c.figures;
-    higher.frequency *= 1.03;
-    check(!CycleTrials(map, higher, step, 600.).follow_cycle(c.motion).ends_in,
-          "a cycle that is 3 % higher is another one");
+    const auto is_other = [&](double CycleFigures::*number,
+                              const double          factor,
+                              const std::string    &name) {
+      CycleResult other = c;
+      for (CycleFigures *f : {&other.figures, &other.coarse_figures})
+        f->*number *= factor;
+      check(!CycleTrials(map, other, step, 600.).follow_cycle(c.motion).ends_in,
+            "a cycle that is " + name + " is another one");
+    };
+    is_other(&CycleFigures::rms_normal, 1.1, "a tenth louder");
+    is_other(&CycleFigures::rms_normal, 1.03, "3 % louder");
+    is_other(&CycleFigures::frequency, 1.03, "3 % higher");
+    is_other(&CycleFigures::frequency, 1.005, "half a percent higher");
+    CycleResult growing         = c;
+    growing.multipliers.largest = 1.03;
+    growing.multipliers.error   = 1e-4;
+    const MotionTrial longer =
+      CycleTrials(map, growing, step, 600.).follow_cycle(c.motion);
+    check(longer.ends_in && std::pow(1.03, longer.periods) > 100.,
+          "where a disturbance may grow a motion is followed until it has");
+    check_below(stays.periods, 60., "and for some periods elsewhere");
   }
 } // namespace
 

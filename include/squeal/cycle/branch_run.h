@@ -52,6 +52,7 @@ namespace squeal
       std::vector<BranchPoint> points;
       double step    = 0.;    /**< the next one, 0: as long as the one before */
       bool   is_lost = false; /**< the iterations have not converged */
+      bool   turns   = false; /**< the branch turns too sharply */
     };
 
     std::optional<BranchEnd>   end_of(const Side &side) const;
@@ -64,6 +65,9 @@ namespace squeal
     std::optional<BranchPoint> point_at(const BranchPoint &start,
                                         const double       parameter) const;
     BranchPoint                within_range(BranchPoint point) const;
+    /** A step beyond the last point of @p side, whose members say where it
+     * goes no further; sets the length of the next step. */
+    std::optional<BranchPoint> step_along(Side &side) const;
     BranchPoint                point_from(const NamedNumbers &numbers) const;
 
     const PeriodMaps     maps;

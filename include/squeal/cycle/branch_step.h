@@ -8,11 +8,20 @@
 
 namespace squeal
 {
-  /** Of two neighbours on a branch, as BranchSettings measures steps. */
+  /** Of two neighbours on a branch, as BranchSettings measures steps; where in
+   * its period a motion starts has no part in it. */
   double branch_distance(const PeriodMaps     &maps,
                          const BranchPoint    &before,
                          const BranchPoint    &last,
                          const BranchSettings &settings);
+
+  /** The angle in the same measure, rad, between the ways from @p before to @p
+   * last and from there to @p next. */
+  double branch_turn(const PeriodMaps     &maps,
+                     const BranchPoint    &before,
+                     const BranchPoint    &last,
+                     const BranchPoint    &next,
+                     const BranchSettings &settings);
 
   /** The periodic motion a step beyond @p last in the direction from @p before,
    * without its multipliers: Newton's method at right angles to that

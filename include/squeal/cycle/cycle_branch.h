@@ -5,6 +5,7 @@
 #include <squeal/cycle/cycle_search.h>
 #include <squeal/cycle/period_maps.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ namespace squeal
      * the state over the size of the motion, of the relative change of the
      * period and of that of the parameter over its range. */
     double largest_step = 0.2, smallest_step = 1e-4;
+    /** Of the branch from one step to the next, rad, in the same measure. */
+    double largest_turn = M_PI / 3.;
     /** Of the largest multiplier, as half the steps tell it at the start. */
     double multiplier_error = 0.;
   };
@@ -32,6 +35,7 @@ namespace squeal
     points, /**< there are as many as were asked for */
     onset,  /**< no node changes its status any more: beyond, the motion is the
                linear one, of any smaller size at one parameter */
+    turn,   /**< it turns too sharply, however short the steps */
     not_found /**< the iterations do not converge */
   };
 
@@ -43,8 +47,9 @@ namespace squeal
      * by. */
     FloquetMultipliers multipliers;
     CycleFigures       figures;
-    /** The parameter turns back here: it is an extremum of the points. */
-    bool is_fold = false;
+    /** The parameter turns back here: it is an extremum of the points. At a
+     * fold a multiplier passes 1 as well. */
+    bool turns_back = false, is_fold = false;
     /** Changes of status of all nodes in a period. */
     unsigned int n_changes = 0;
   };

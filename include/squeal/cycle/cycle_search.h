@@ -2,6 +2,7 @@
 #ifndef squeal_cycle_cycle_search_h
 #define squeal_cycle_cycle_search_h
 
+#include <squeal/cycle/cycle_figures.h>
 #include <squeal/cycle/leading_run.h>
 #include <squeal/cycle/shooting.h>
 #include <squeal/parameters/limit_cycle_parameters.h>
@@ -11,34 +12,6 @@
 
 namespace squeal
 {
-  /** Resultants of a periodic motion and what they are worth. */
-  struct CycleFigures
-  {
-    double          frequency = 0.; /**< Hz */
-    Eigen::MatrixXd resultants; /**< sums of the nodal forces, N: normal, along
-                                   and across the sliding, x steps */
-    double mean_normal = 0., rms_normal = 0., min_normal = 0., max_normal = 0.;
-    double mean_tangential = 0., rms_tangential = 0.;
-    /** Of the normal and the tangential resultant, N: x = Re sum a_k e^{i k
-     * omega t}, k from 1 to half the steps. */
-    std::vector<double> normal_harmonics, tangential_harmonics;
-    unsigned int        largest_harmonic = 0; /**< of the normal resultant */
-    /** Depth, m, that a node reaches in the middle of a step, and the largest
-     * change of a gap over the period. */
-    double       penetration = 0., gap_range = 0.;
-    unsigned int n_opening = 0, n_sticking = 0; /**< nodes that do so */
-    /** Root of the power of the normal resultant beyond @p n harmonics, over
-     * its rms. */
-    double beyond(const unsigned int n) const;
-    /** How many times the shortest period of the resultants the period is: no
-     * other harmonics but multiples of that have more than a thousandth of the
-     * rms. */
-    unsigned int repetitions() const;
-  };
-
-  CycleFigures cycle_figures(const PeriodMap      &map,
-                             const PeriodicMotion &motion);
-
   /** Of one growing pair: the periodic motion that it leads to. */
   struct CycleResult
   {

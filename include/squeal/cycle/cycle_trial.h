@@ -17,25 +17,30 @@ namespace squeal
     double      time       = 0.;    /**< s, that it was followed for */
     /** Hz: its largest line over the harmonic of the cycle that is nearest. */
     double     frequency = 0.;
-    RunFigures figures; /**< of its last parts */
+    RunFigures figures;      /**< of its last parts */
+    double     periods = 0.; /**< of the cycle, that it was there at last */
   };
 
   /**
    * Motions from other starts beside a limit cycle, by the plain steps of
-   * transients: a motion ends in the cycle if in four parts one after the
-   * other, of twelve of the cycle's shortest periods each, the largest line of
-   * its normal force is within 1 % of a harmonic of the cycle and the rms
-   * within 5 % of the cycle's.
+   * transients. In parts of twelve of the cycle's shortest periods the largest
+   * line of its normal force, over the nearest harmonic of the cycle, and its
+   * rms are compared with those of the cycle: they may be off by its errors and
+   * 0.1 % and 1 %, and by 1 % and 5 % at most. A motion ends in the cycle if it
+   * is there in four parts one after the other and, where the largest
+   * multiplier may be above 1, in as many as a disturbance takes to become a
+   * hundred times as large, at most 480 periods.
    */
   class CycleTrials
   {
   public:
     /** References are kept. @p step: s, at most the largest stable one; @p
-     * longest: s, that a motion is followed for at most. */
-    CycleTrials(const PeriodMap    &map,
-                const CycleFigures &cycle,
-                const double        step,
-                const double        longest);
+     * longest: s, that a motion is followed for at most, beside what it has to
+     * stay for beyond four parts. */
+    CycleTrials(const PeriodMap   &map,
+                const CycleResult &cycle,
+                const double       step,
+                const double       longest);
 
     /** A motion that has no solution at some step has failed: where it would
      * have ended is not known. */
@@ -45,9 +50,13 @@ namespace squeal
     MotionTrial follow_cycle(const PeriodicMotion &motion) const;
 
   private:
-    const PeriodMap    &map;
-    const CycleFigures &cycle;
-    const double        step, longest, shortest_period;
+    bool is_there(const MotionTrial &trial) const;
+
+    const PeriodMap   &map;
+    const CycleResult &cycle;
+    const double       step, shortest_period;
+    const unsigned int n_parts; /**< that a motion has to stay for */
+    const double       longest;
   };
 } // namespace squeal
 

@@ -3,6 +3,7 @@
 #define squeal_cycle_leading_run_h
 
 #include <squeal/cycle/motion_fate.h>
+#include <squeal/cycle/orbit_forces.h>
 
 #include <utility>
 #include <vector>
@@ -13,11 +14,13 @@ namespace squeal
   struct RunFigures
   {
     double time       = 0.; /**< s, that it was followed for; 0: not */
-    double rms_normal = 0.; /**< of the normal resultant in the last part, N */
-    double line       = 0.; /**< Hz, largest of its spectrum; 0: none */
-    double frequency  = 0.; /**< Hz, of its period by the spectrum */
-    double repetition = 0.; /**< as repetition() of a signal */
-    double recurrence = 1.; /**< nearest return, over the mean distance */
+    double rms_normal = 0.; /**< of the normal resultant in the last part, N, of
+                               the pair where that is largest */
+    std::vector<double> rms_of_pairs; /**< the same of every pair */
+    double              line = 0.; /**< Hz, largest of their spectra; 0: none */
+    double frequency         = 0.; /**< Hz, of its period by the spectrum */
+    double repetition        = 0.; /**< as repetition() of a signal */
+    double recurrence = 1.;    /**< nearest return, over the mean distance */
     bool   lasts      = false; /**< the forces of the last three parts agree */
   };
 
@@ -69,8 +72,8 @@ namespace squeal
       return place;
     }
 
-    /** Resultants of the last three parts at most, 3 x steps, N. */
-    Eigen::MatrixXd resultants() const;
+    /** Resultants of the last three parts at most, N. */
+    PairForces resultants() const;
 
     RunFigures figures() const;
 
@@ -80,10 +83,10 @@ namespace squeal
     const double       dt;
     const unsigned int n_steps; /**< of a part */
     const double       longest, shortest;
-    /** Root of the mean squares of the normal and the tangential resultant
-     * about their means in each part, N. */
+    /** Root of the mean squares of the normal and the tangential resultants of
+     * all pairs about their means in each part, N. */
     std::vector<double>                    rms_forces;
-    std::vector<Eigen::MatrixXd>           last_forces; /**< of three parts */
+    std::vector<PairForces>                last_forces; /**< of three parts */
     std::vector<std::pair<double, double>> last_returns;
     double                                 time = 0.; /**< of all parts */
   };

@@ -6,6 +6,7 @@
 #include <squeal/transient/transient_integrator.h>
 
 #include <memory>
+#include <vector>
 
 namespace squeal
 {
@@ -19,7 +20,8 @@ namespace squeal
   public:
     /** References are kept. @p friction: mu >= 0 at all nodes. @p speed: that
      * the nodes' are measured by, m/s. @p nodal_force: N, that residuals of the
-     * contact are measured in. */
+     * contact are measured in. @p nodes_of_pairs: how many nodes the first pair
+     * has, the second one and so on; empty: there is one pair. */
     PeriodMap(const ReducedContactModel &model,
               const double               friction,
               const double               speed,
@@ -28,7 +30,8 @@ namespace squeal
     PeriodMap(const ReducedContactModel &model,
               CycleFriction              friction,
               const double               nodal_force,
-              const double               tolerance = 1e-10);
+              const double               tolerance      = 1e-10,
+              std::vector<unsigned int>  nodes_of_pairs = {});
 
     /** @p past: of the start; changes of status in the first steps are located
      * where it is known, or are those of @p held. Throws ComputationError where a step has no solution,
@@ -77,6 +80,11 @@ namespace squeal
     {
       return friction;
     }
+    const std::vector<unsigned int> &
+    nodes_of_pairs() const
+    {
+      return pairs;
+    }
 
   private:
     Orbit run_by(const TransientDrive  &drive,
@@ -90,6 +98,7 @@ namespace squeal
     TransientDrive             drive;
     CycleFriction              friction;
     const double               nodal_force, tolerance;
+    std::vector<unsigned int>  pairs; /**< their numbers of nodes */
   };
 } // namespace squeal
 

@@ -64,7 +64,7 @@ namespace squeal
 
 
   Table
-  branch_table(const CycleBranch &branch)
+  branch_table(const CycleBranch &branch, const std::vector<std::string> &pairs)
   {
     using Column = ColumnOf<BranchPoint>;
     std::vector<Column> columns{
@@ -81,7 +81,10 @@ namespace squeal
                              "trivial_multiplier_error"})
       columns.push_back(common<BranchPoint>(name));
     columns.push_back(
-      {{"is_fold", Type::integer, "", "1 where the parameter turns back"},
+      {{"is_fold",
+        Type::integer,
+        "",
+        "1 where the parameter turns back and a multiplier passes 1"},
        [](const BranchPoint &x) { return Cell(x.is_fold ? 1 : 0); }});
     columns.push_back(
       {{"n_changes", Type::integer, "", "changes of status in a period"},
@@ -89,6 +92,9 @@ namespace squeal
     for (const char *name :
          {"n_opening", "n_sticking", "residual", "n_iterations"})
       columns.push_back(common<BranchPoint>(name));
+    const std::vector<Column> of_pairs = of_each_pair<BranchPoint>(
+      pairs, [](const BranchPoint &x) { return &x.figures; });
+    columns.insert(columns.end(), of_pairs.begin(), of_pairs.end());
     return table_of(columns, branch.points);
   }
 
@@ -109,8 +115,12 @@ namespace squeal
     };
     const auto folds = std::count_if(branch.points.begin(),
                                      branch.points.end(),
-                                     [](const auto &x) { return x.is_fold; });
-    const auto span  = [&](const auto &value) {
+                                     [](const auto &x) { return x.is_fold; }),
+               turns = std::count_if(
+                 branch.points.begin(), branch.points.end(), [](const auto &x) {
+                   return x.turns_back && !x.is_fold;
+                 });
+    const auto span = [&](const auto &value) {
       const auto [least, most] = std::minmax_element(
         branch.points.begin(),
         branch.points.end(),
@@ -126,8 +136,11 @@ namespace squeal
            span([](const BranchPoint &x) { return x.figures.frequency; }) +
            " Hz; " + std::to_string(branch.points.size()) + " points, " +
            count("stable") + " stable, " + count("unstable") + " unstable, " +
-           std::to_string(folds) +
-           " folds; ends: " + branch_end_text(branch.first_end) + ", " +
+           std::to_string(folds) + " folds" +
+           (turns > 0 ? ", and " + std::to_string(turns) +
+                          " turns at which no multiplier passes 1"
+                      : "") +
+           "; ends: " + branch_end_text(branch.first_end) + ", " +
            branch_end_text(branch.last_end);
   }
 

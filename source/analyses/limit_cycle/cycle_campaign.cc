@@ -3,6 +3,7 @@
 // Limit cycles over the axes of `Sweep` and several tops.
 
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 #include <squeal/base/exceptions.h>
@@ -38,10 +39,11 @@ namespace squeal
     };
 
     CampaignTables
-    without_sliding(const unsigned int n_harmonics)
+    without_sliding(const Parameters &p)
     {
-      return {outcome_without_sliding(),
-              cycle_table({}, n_harmonics),
+      const std::vector<std::string> pairs = names_of_pairs(p.scene);
+      return {outcome_without_sliding(pairs),
+              cycle_table({}, p.limit_cycle.harmonics, pairs),
               trial_table_of({}, {})};
     }
 
@@ -64,7 +66,7 @@ namespace squeal
         const auto        about =
           scene.find_steady(p.scene.contacts, context.log, context.timers);
         if (!about)
-          return without_sliding(p.limit_cycle.harmonics);
+          return without_sliding(p);
         const LinearizedMotion linear =
           linearize(about->pressed.model(),
                     about->sliding,
@@ -74,13 +76,14 @@ namespace squeal
         for (const Eigen::Index k : growing_pairs(linear, p.eigen))
           cycles.push_back(cycle_of(*about, linear, k, p.limit_cycle));
         Timers::Section   section(context.timers, "Solve: other starts");
-        const PointTrials trials = trials_of(*about,
+        const PointTrials trials             = trials_of(*about,
                                              period_map_of(*about),
                                              cycles,
                                              p.limit_cycle,
                                              p.transient.time_step);
-        return {outcome_table(cycles, trials),
-                cycle_table(cycles, p.limit_cycle.harmonics),
+        const std::vector<std::string> pairs = names_of_pairs(p.scene);
+        return {outcome_table(cycles, trials, pairs),
+                cycle_table(cycles, p.limit_cycle.harmonics, pairs),
                 trial_table_of(trials, cycles)};
       }
 
@@ -161,7 +164,7 @@ namespace squeal
           std::unique_ptr<PointGroup> group;
           for (const CampaignRun &run : runs)
             {
-              CampaignTables at = without_sliding(p.limit_cycle.harmonics);
+              CampaignTables at = without_sliding(p);
               if (!find_finished(finished, run, at))
                 {
                   if (!group)
@@ -274,7 +277,7 @@ namespace squeal
     const auto                     groups   = campaign_groups(p);
     const std::vector<CampaignRun> runs     = all_runs(groups);
     FinishedRuns                   finished = finished_runs(
-      context, runs, point_record, outcome_without_sliding().columns().size());
+      context, runs, point_record, without_sliding(p).points.columns().size());
     const CampaignTables tables =
       tables_of(context, groups, finished, runs.size());
     context.write_table("campaign.csv", tables.points);

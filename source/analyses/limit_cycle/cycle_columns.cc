@@ -23,9 +23,9 @@ namespace squeal
     }
 
     /** Of its figures. */
-    template <typename Number>
+    template <typename Number, typename Figures>
     std::function<Cell(const CycleRow &)>
-    figure(Number CycleFigures::*number)
+    figure(Number Figures::*number)
     {
       return of_cycle(
         [number](const CycleRow &row) { return row.figures.*number; });
@@ -120,6 +120,50 @@ namespace squeal
   {
     return {
       x.figures, x.multipliers, x.motion.residual, x.motion.iterations, true};
+  }
+
+
+
+  std::vector<std::string>
+  names_of_pairs(const SceneParameters &scene)
+  {
+    std::vector<std::string> result;
+    if (scene.contacts.size() > 1)
+      for (const ContactParameters &contact : scene.contacts)
+        result.push_back(contact.name);
+    return result;
+  }
+
+  const std::vector<PairColumn> &
+  columns_of_pairs()
+  {
+    const auto of_forces = [](double ForceFigures::*number) {
+      return [number](const CycleFigures &, const ForceFigures &pair) {
+        return pair.*number;
+      };
+    };
+    static const std::vector<PairColumn> columns = {
+      {{"dominant_line_hz",
+        Type::real,
+        "Hz",
+        "largest harmonic of the normal force"},
+       [](const CycleFigures &cycle, const ForceFigures &pair) {
+         return pair.largest_harmonic * cycle.frequency;
+       }},
+      {{"mean_normal_n", Type::real, "N", "mean normal force"},
+       of_forces(&ForceFigures::mean_normal)},
+      {{"rms_normal_n", Type::real, "N", "of the normal force about its mean"},
+       of_forces(&ForceFigures::rms_normal)},
+      {{"min_normal_n", Type::real, "N", "least normal force"},
+       of_forces(&ForceFigures::min_normal)},
+      {{"max_normal_n", Type::real, "N", "largest normal force"},
+       of_forces(&ForceFigures::max_normal)},
+      {{"rms_tangential_n",
+        Type::real,
+        "N",
+        "of the tangential force about its mean"},
+       of_forces(&ForceFigures::rms_tangential)}};
+    return columns;
   }
 
 

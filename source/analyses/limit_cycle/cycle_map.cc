@@ -31,6 +31,11 @@ namespace squeal
           "limit cycle, stable in time", Marker::circle, 2., Ink::green, false),
         marked_series(
           "limit cycle, stability open", Marker::circle, 2., Ink::blue, true),
+        marked_series("unstable limit cycle that motions stay near",
+                      Marker::circle,
+                      2.,
+                      Ink::vermillion,
+                      true),
         marked_series("limit cycles found are unstable",
                       Marker::square,
                       2.,

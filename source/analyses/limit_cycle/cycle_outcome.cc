@@ -18,6 +18,10 @@ namespace squeal
     /** Cycles are the same within these shares and their errors. */
     constexpr double same_frequency = 1e-3, same_rms = 1e-2;
 
+    /** Multipliers above this, less their error, are those of an unstable
+     * cycle whatever motions do: below it they can be off by more. */
+    constexpr double largest_of_stable = 1.01;
+
     bool
     agree(const double a,
           const double b,
@@ -28,27 +32,42 @@ namespace squeal
              share * std::max(std::abs(a), std::abs(b)) + error;
     }
 
+    /** Whether the forces of every pair, and of all together, are as large. */
+    bool
+    have_same_forces(const CycleResult &a, const CycleResult &b)
+    {
+      const auto forces = [](const CycleFigures &f) {
+        std::vector<double> result = f.rms_of_pairs();
+        result.push_back(f.rms_together);
+        return result;
+      };
+      const std::vector<double> fine_a   = forces(a.figures),
+                                fine_b   = forces(b.figures),
+                                coarse_a = forces(a.coarse_figures),
+                                coarse_b = forces(b.coarse_figures);
+      const double size = std::max(a.figures.rms_normal, b.figures.rms_normal);
+      for (std::size_t p = 0; p < fine_a.size(); ++p)
+        if (std::abs(fine_a[p] - fine_b[p]) >
+            same_rms * size + std::abs(fine_a[p] - coarse_a[p]) +
+              std::abs(fine_b[p] - coarse_b[p]))
+          return false;
+      return true;
+    }
+
     /** Motions, whichever multiple of their shortest period was found. */
     bool
     are_same(const CycleResult &a, const CycleResult &b)
     {
-      const auto difference_to_coarse = [](const CycleResult &c,
-                                           double CycleFigures::*number) {
-        return std::abs(c.figures.*number - c.coarse_figures.*number);
+      const auto error = [](const CycleResult &c) {
+        return std::abs(c.figures.frequency - c.coarse_figures.frequency);
       };
       const double times_a = a.figures.repetitions(),
                    times_b = b.figures.repetitions();
       return agree(times_a * a.figures.frequency,
                    times_b * b.figures.frequency,
                    same_frequency,
-                   times_a * difference_to_coarse(a, &CycleFigures::frequency) +
-                     times_b *
-                       difference_to_coarse(b, &CycleFigures::frequency)) &&
-             agree(a.figures.rms_normal,
-                   b.figures.rms_normal,
-                   same_rms,
-                   difference_to_coarse(a, &CycleFigures::rms_normal) +
-                     difference_to_coarse(b, &CycleFigures::rms_normal));
+                   times_a * error(a) + times_b * error(b)) &&
+             have_same_forces(a, b);
     }
 
     struct PointRow
@@ -77,6 +96,17 @@ namespace squeal
       return std::all_of(cycles.begin(), cycles.end(), [](const auto &c) {
         return c.coarse.status == CycleStatus::aperiodic;
       });
+    }
+
+    /** Whether some motion from elsewhere ends in the cycle, if any was
+     * followed. */
+    bool
+    is_reached(const std::vector<MotionTrial> &trials)
+    {
+      return trials.size() < 2 ||
+             std::any_of(trials.begin(),
+                         trials.end() - 1,
+                         [](const MotionTrial &x) { return x.ends_in; });
     }
 
     using PointColumn = ColumnOf<PointRow>;
@@ -152,7 +182,7 @@ namespace squeal
     }
 
     std::vector<PointColumn>
-    columns()
+    columns(const std::vector<std::string> &pairs)
     {
       std::vector<PointColumn>       result = count_columns();
       const std::vector<PointColumn> more   = {
@@ -216,6 +246,12 @@ namespace squeal
       result.insert(result.end(), more.begin(), more.end());
       const std::vector<PointColumn> trials = trial_columns();
       result.insert(result.end(), trials.begin(), trials.end());
+      const std::vector<PointColumn> of_pairs =
+        of_each_pair<PointRow>(pairs, [](const PointRow &row) {
+          const CycleResult *c = row.heard();
+          return c ? &c->figures : nullptr;
+        });
+      result.insert(result.end(), of_pairs.begin(), of_pairs.end());
       return result;
     }
   } // namespace
@@ -262,7 +298,8 @@ namespace squeal
 
   Table
   outcome_table(const std::vector<CycleResult> &cycles,
-                const PointTrials              &trials)
+                const PointTrials              &trials,
+                const std::vector<std::string> &pairs)
   {
     CycleOutcome outcome = outcome_of(cycles);
     const bool   all_end_there =
@@ -270,22 +307,31 @@ namespace squeal
       std::all_of(trials.motions.begin(),
                   trials.motions.end(),
                   [](const MotionTrial &x) { return x.ends_in; });
-    if (trials.cycle >= 0 && (all_end_there || !outcome.open.empty()))
-      outcome.heard = trials.cycle;
+    // What is unstable by far is no attractor, however long motions stay near.
+    const bool is_far_from_stable =
+      trials.cycle >= 0 && cycles[trials.cycle].multipliers.largest -
+                               cycles[trials.cycle].multipliers.uncertainty() >
+                             largest_of_stable;
+    if (all_end_there)
+      outcome.heard = is_far_from_stable ? -1 : trials.cycle;
+    else if (trials.cycle >= 0 && !outcome.open.empty())
+      outcome.heard = is_reached(trials.motions) ? trials.cycle : -1;
     if (all_end_there && outcome.n_stable == 0)
-      outcome.text = "limit cycle, stable in time";
-    return table_of(columns(),
+      outcome.text = is_far_from_stable
+                       ? "unstable limit cycle that motions stay near"
+                       : "limit cycle, stable in time";
+    return table_of(columns(pairs),
                     std::vector<PointRow>{{cycles, trials.motions, outcome}});
   }
 
   Table
-  outcome_without_sliding()
+  outcome_without_sliding(const std::vector<std::string> &pairs)
   {
     CycleOutcome outcome;
     outcome.text = "no steady sliding";
     const std::vector<CycleResult> none;
     const std::vector<MotionTrial> not_followed;
-    return table_of(columns(),
+    return table_of(columns(pairs),
                     std::vector<PointRow>{{none, not_followed, outcome}});
   }
 } // namespace squeal

@@ -48,7 +48,7 @@ namespace squeal
         {{"ends_in_cycle",
           Type::text,
           "",
-          "line within 1 % and rms within 5 % of the cycle's in 48 periods"},
+          "line and rms stay those of the cycle"},
          [](const TrialRow &row) {
            return Cell(std::string(row.trial.ends_in      ? "yes"
                                    : row.trial.has_failed ? "no solution"
@@ -56,6 +56,12 @@ namespace squeal
          }},
         {{"time_s", Type::real, "s", "that the motion was followed for"},
          [](const TrialRow &row) { return Cell(row.trial.time); }},
+        {{"periods",
+          Type::real,
+          "",
+          "of the cycle, in which it had its line and rms at the end",
+          3},
+         [](const TrialRow &row) { return Cell(row.trial.periods); }},
         {{"frequency_hz",
           Type::real,
           "Hz",
@@ -146,7 +152,7 @@ namespace squeal
       return result;
     const auto beside = [&](const int cycle) {
       return CycleTrials(map,
-                         cycles[cycle].figures,
+                         cycles[cycle],
                          largest_stable_step(map.reduced_model(), step),
                          longest_over_run * settings.run_time);
     };

@@ -8,17 +8,25 @@
 #include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/cycle/branch_run.h>
+#include <squeal/parameters/number_access.h>
 #include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
 #include <squeal/run/checkpoints.h>
 #include <squeal/run/run_context.h>
 #include <squeal/sweep/sweep_grid.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace squeal
 {
   namespace
   {
+    /** Numbers that differ by less, over their size, are the same. */
+    constexpr double rounding = 1e-12;
+
     BranchSettings
     settings_of(const Parameters &p, const CycleResult &start)
     {
@@ -34,20 +42,21 @@ namespace squeal
     }
 
     Checkpoints
-    branch_file(RunContext           &context,
-                const BranchSettings &settings,
-                const PressedModel   &pressed)
+    branch_file(RunContext &context, const PressedModel &pressed)
     {
       const Parameters &p = context.parameters;
       Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
       // More points are the same branch, another range has other steps.
-      fingerprint.add("range of the branch",
-                      prm::format_number(settings.lower) + " to " +
-                        prm::format_number(settings.upper));
-      std::string entries;
-      for (const std::string &entry : p.sweep.axes.front().entries)
-        entries += (entries.empty() ? "" : ", ") + entry;
+      const SweepAxisParameters &axis = p.sweep.axes.front();
+      std::string                entries;
+      for (std::size_t i = 0; i < axis.entries.size(); ++i)
+        entries += (i == 0 ? "" : ", ") + axis.entries[i] + " from " +
+                   prm::format_number(entry_value(axis, i, 0.)) + " to " +
+                   prm::format_number(entry_value(axis, i, 1.));
       fingerprint.add("axis of the branch", entries);
+      fingerprint.add("scale of the branch",
+                      SweepGrid(p).is_logarithmic(0) ? "logarithmic"
+                                                     : "linear");
       fingerprint.add("modes", std::to_string(pressed.model().n_modes()));
       const std::string name = "branch.h5";
       const auto        path = [&](const std::string &file) {
@@ -77,6 +86,63 @@ namespace squeal
                        std::to_string(run.n_points()) + " points");
     }
 
+    bool
+    is_same(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
+    {
+      return a.rows() == b.rows() && a.cols() == b.cols() &&
+             (a - b).norm() <= rounding * a.norm();
+    }
+
+    /** Whether two models under their laws move alike; steady sliding is that
+     * of the model, whose gaps and loads it has set. */
+    bool
+    move_alike(const PeriodMap &a, const PeriodMap &b)
+    {
+      const ReducedContactModel &x = a.reduced_model(), &y = b.reduced_model();
+      const CycleFriction       &of_x = a.law_of_friction(),
+                          &of_y       = b.law_of_friction();
+      const auto all =
+        [](const std::vector<std::pair<Eigen::MatrixXd, Eigen::MatrixXd>>
+             &pairs) {
+          return std::all_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+            return is_same(pair.first, pair.second);
+          });
+        };
+      return std::abs(of_x.speed - of_y.speed) <=
+               rounding * std::abs(of_x.speed) &&
+             all({{of_x.kinetic, of_y.kinetic},
+                  {of_x.at_rest, of_y.at_rest},
+                  {x.omega_squared, y.omega_squared},
+                  {x.damping, y.damping},
+                  {x.damping_coupling, y.damping_coupling},
+                  {x.participation, y.participation},
+                  {x.flexibility, y.flexibility},
+                  {x.load, y.load},
+                  {x.load_motion, y.load_motion},
+                  {x.initial_gap, y.initial_gap},
+                  {x.speed_ratio, y.speed_ratio}});
+    }
+
+    /** Refuses an axis along which nothing changes. */
+    void
+    require_effect(const PeriodMaps     &maps,
+                   const BranchSettings &settings,
+                   const double          here,
+                   const Parameters     &p)
+    {
+      const auto start = maps(here);
+      for (const double end : {settings.lower, settings.upper})
+        if (const auto there = maps.find(end);
+            !there || !move_alike(*start, *there))
+          return;
+      const SweepAxisParameters &axis = p.sweep.axes.front();
+      throw InputError("Sweep/Axis " + axis.name +
+                       ": neither the model nor its "
+                       "steady sliding nor its friction changes along " +
+                       prm::join(axis.entries, ", ") +
+                       ": every point of the branch would be the same");
+    }
+
     /** The coordinate of the scene's own value. */
     double
     place_on_axis(const Parameters &p)
@@ -97,6 +163,23 @@ namespace squeal
       throw InputError("Sweep/Axis " + axis.name + ": the scene's " +
                        axis.entries.front() + " = " + rounded_text(here, 6) +
                        " is outside: the branch starts there");
+    // At both ends the scene has to be one that could stand in the file.
+    for (const double share : {0., 1.})
+      {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < axis.entries.size(); ++i)
+          values.push_back(entry_value(axis, i, share));
+        try
+          {
+            with_values(p, axis.entries, values);
+          }
+        catch (const InputError &e)
+          {
+            throw InputError("Sweep/Axis " + axis.name + ": at the " +
+                             (share == 0. ? "lower" : "upper") +
+                             " end: " + e.what());
+          }
+      }
     // Other entries go along with the first one, from the scene's value of it.
     const std::vector<double> there =
       SweepGrid(p).values(SweepPoint::Constant(1, place_on_axis(p)));
@@ -118,9 +201,10 @@ namespace squeal
   {
     const Parameters    &p        = context.parameters;
     const BranchSettings settings = settings_of(p, start);
-    BranchRun            run(
-      branch_maps(context, pressed), start.motion, place_on_axis(p), settings);
-    const Checkpoints file = branch_file(context, settings, pressed);
+    const PeriodMaps     maps     = branch_maps(context, pressed);
+    require_effect(maps, settings, place_on_axis(p), p);
+    BranchRun         run(maps, start.motion, place_on_axis(p), settings);
+    const Checkpoints file = branch_file(context, pressed);
     Timers::Section   section(context.timers, "Solve: branch");
     resume(run, file, context);
     StopRequest stop;

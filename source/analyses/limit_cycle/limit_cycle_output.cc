@@ -6,6 +6,7 @@
 #include <squeal/run/run_context.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace squeal
 {
@@ -108,14 +109,15 @@ namespace squeal
         found(
           {"driving_work_j", Type::real, "J", "given by the targets a period"},
           energy(&EnergyLedger::driving)),
-        found({"imbalance",
-               Type::real,
-               "",
-               "of energy over the work of a period",
-               3},
-              [](const CycleResult &c) {
-                return c.motion.orbit.ledger.imbalance();
-              }),
+        found(
+          {"imbalance",
+           Type::real,
+           "",
+           "of energy over the work of a period and the energy at its start",
+           3},
+          [](const CycleResult &c) {
+            return c.motion.orbit.ledger.imbalance();
+          }),
         {{"first_change_sqrt_j",
           Type::real,
           "sqrt(J)",
@@ -184,7 +186,8 @@ namespace squeal
 
   Table
   cycle_table(const std::vector<CycleResult> &cycles,
-              const unsigned int              n_harmonics)
+              const unsigned int              n_harmonics,
+              const std::vector<std::string> &pairs)
   {
     std::vector<CycleColumn> columns = pair_columns();
     const auto               add = [&](const std::vector<CycleColumn> &more) {
@@ -203,14 +206,18 @@ namespace squeal
     add(step_columns(n_harmonics));
     add(energy_columns());
     add(run_columns());
+    add(of_each_pair<CycleResult>(pairs, [](const CycleResult &c) {
+      return c.has_converged() ? &c.figures : nullptr;
+    }));
     return table_of(columns, cycles);
   }
 
 
 
   Table
-  period_table(const CycleResult &cycle)
+  period_table(const CycleResult &cycle, const std::vector<std::string> &pairs)
   {
+    const CycleFigures &figures = cycle.figures;
     Table table({{"time_s", Type::real, "s", "from the start of the period"},
                  {"normal_n", Type::real, "N", "normal force"},
                  {"tangential_n", Type::real, "N", "along the sliding"},
@@ -227,7 +234,11 @@ namespace squeal
             n_open += s == ContactStatus::open;
             n_stick += s == ContactStatus::stick;
           }
-        const auto f = cycle.figures.resultants.col(i);
+        Eigen::Vector3d f = Eigen::Vector3d::Zero();
+        if (figures.pairs.empty())
+          f = figures.resultants.col(i);
+        for (const ForceFigures &pair : figures.pairs)
+          f += pair.resultants.col(i);
         table.add_row({(i + 1) * orbit.step,
                        f[0],
                        f[1],
@@ -236,13 +247,26 @@ namespace squeal
                        n_stick,
                        .5 * orbit.states[i + 1].velocities.squaredNorm()});
       }
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      for (const auto &[name, text, row] :
+           {std::make_tuple("normal_n", "normal force", 0),
+            std::make_tuple("tangential_n", "along the sliding", 1),
+            std::make_tuple("radial_n", "across the sliding", 2)})
+        {
+          const std::string column = pairs[p] + "_" + name;
+          table.add_column({column, Type::real, "N", text});
+          for (unsigned int i = 0; i < orbit.n_steps(); ++i)
+            table.set(i, column, figures.pairs[p].resultants(row, i));
+        }
     return table;
   }
 
 
 
   Table
-  harmonic_table(const CycleResult &cycle, const unsigned int n_harmonics)
+  harmonic_table(const CycleResult              &cycle,
+                 const unsigned int              n_harmonics,
+                 const std::vector<std::string> &pairs)
   {
     Table table({{"harmonic", Type::integer, "", "multiple of the frequency"},
                  {"frequency_hz", Type::real, "Hz", "its frequency"},
@@ -256,6 +280,21 @@ namespace squeal
                      (k + 1) * f.frequency,
                      f.normal_harmonics[k],
                      f.tangential_harmonics[k]});
+    using Harmonics = std::vector<double> ForceFigures::*;
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      for (const auto &[name, text, harmonics] :
+           {std::make_tuple("normal_n",
+                            "amplitude, normal force",
+                            Harmonics(&ForceFigures::normal_harmonics)),
+            std::make_tuple("tangential_n",
+                            "amplitude, along",
+                            Harmonics(&ForceFigures::tangential_harmonics))})
+        {
+          const std::string column = pairs[p] + "_" + name;
+          table.add_column({column, Type::real, "N", text});
+          for (std::size_t k = 0; k < table.n_rows(); ++k)
+            table.set(k, column, (f.pairs[p].*harmonics)[k]);
+        }
     return table;
   }
 
@@ -280,7 +319,7 @@ namespace squeal
 
 
   std::string
-  cycle_sentence(const CycleResult &c)
+  cycle_sentence(const CycleResult &c, const std::vector<std::string> &pairs)
   {
     if (!c.has_converged())
       return "from the pair at " +
@@ -297,8 +336,9 @@ namespace squeal
           : (c.multipliers.stability() == "stable" ? "a stable" : "an unstable") +
             std::string(" limit cycle at ");
     return kind + rounded(f.frequency, df) + " +- " + rounded_text(df, 2) +
-           " Hz, rms of the normal force " + rounded(f.rms_normal, dr) +
-           " +- " + rounded_text(dr, 2) +
+           " Hz, rms of the normal force " +
+           (pairs.empty() ? "" : "of " + pairs[f.loudest] + " ") +
+           rounded(f.rms_normal, dr) + " +- " + rounded_text(dr, 2) +
            " N (errors by half the steps; mesh and cut-off not estimated)";
   }
 
@@ -328,7 +368,9 @@ namespace squeal
     report.section("One period");
     draw("period",
          {forces_over_time(steps(n), "One period")},
-         "Resultants, every step");
+         f.pairs.empty() ? "Resultants, every step"
+                         : "Resultants of the pair whose normal force has the "
+                           "largest rms, every step");
     // The rate at the ends of the period needs the steps around them.
     draw("limit_cycle", portraits(steps(n + 2)), "Every step of the period");
   }

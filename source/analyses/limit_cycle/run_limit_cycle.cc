@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/branch_output.h>
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/cycle_motion.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
@@ -71,14 +72,16 @@ namespace squeal
     }
 
     std::vector<std::pair<std::string, std::string>>
-    figures_of_run(const Table &table, const CycleResult &first)
+    figures_of_run(const Table                    &table,
+                   const CycleResult              &first,
+                   const std::vector<std::string> &pairs)
     {
       const auto shown = [&](const std::string &name) {
         const std::string text = table.display(0, table.column_index(name));
         return text.empty() ? std::string("-") : text;
       };
       return {
-        {"limit cycle", cycle_sentence(first)},
+        {"limit cycle", cycle_sentence(first, pairs)},
         {"from the pair at",
          shown("pair_frequency_hz") + " Hz, sigma " +
            shown("pair_sigma_per_s") + " 1/s"},
@@ -110,15 +113,17 @@ namespace squeal
                   const std::vector<CycleResult>   &cycles,
                   const std::optional<CycleBranch> &branch)
     {
-      const auto        &p     = context.parameters;
-      const CycleResult &first = cycles.front();
-      const Table        table = cycle_table({first}, p.limit_cycle.harmonics);
+      const auto                    &p     = context.parameters;
+      const CycleResult             &first = cycles.front();
+      const std::vector<std::string> pairs = names_of_pairs(p.scene);
+      const unsigned int             n     = p.limit_cycle.harmonics;
+      const Table                    table = cycle_table({first}, n, pairs);
       context.write_table("limit_cycle.csv", table);
-      const Table all = cycle_table(cycles, p.limit_cycle.harmonics);
+      const Table all = cycle_table(cycles, n, pairs);
       if (p.limit_cycle.every_pair)
         context.write_table("competition.csv", all);
       log_cycles(context.log, all);
-      context.record.figures = figures_of_run(table, first);
+      context.record.figures = figures_of_run(table, first, pairs);
       HtmlReport report("Limit cycle of " + p.scene.name,
                         "periodic motion of the reduced model");
       report.set_verdict(first.has_converged() && first.multipliers.is_stable()
@@ -126,14 +131,14 @@ namespace squeal
                            : HtmlReport::Verdict::neutral,
                          branch
                            ? branch_sentence(*branch, p.sweep.axes.front().name)
-                           : cycle_sentence(first),
+                           : cycle_sentence(first, pairs),
                          context.record.figures);
       if (first.has_converged())
         {
-          const Table harmonics =
-            harmonic_table(first, p.limit_cycle.harmonics);
+          const Table harmonics   = harmonic_table(first, n, pairs);
           const Table multipliers = multiplier_table(first);
-          context.write_table("limit_cycle_period.csv", period_table(first));
+          context.write_table("limit_cycle_period.csv",
+                              period_table(first, pairs));
           context.write_table("limit_cycle_harmonics.csv", harmonics);
           context.write_table("limit_cycle_multipliers.csv", multipliers);
           if (p.output.plots && context.is_root)
@@ -156,7 +161,7 @@ namespace squeal
       if (branch)
         {
           const std::string &name  = p.sweep.axes.front().name;
-          const Table        along = branch_table(*branch);
+          const Table        along = branch_table(*branch, pairs);
           context.write_table("branch.csv", along);
           context.log.info(branch_sentence(*branch, name));
           report.section("Branch");

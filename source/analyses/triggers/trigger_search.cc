@@ -103,9 +103,11 @@ namespace squeal
       const auto  n    = static_cast<unsigned int>(
         std::ceil(run_of_cycle / blows.follower.window()));
       const Orbit  run = blows.follower.orbit(last, n);
-      const double f =
-        line_of(run, p.eigen.lowest_frequency, p.eigen.highest_frequency)
-          .frequency;
+      const double f   = line_of(blows.follower.period_map(),
+                               run,
+                               p.eigen.lowest_frequency,
+                               p.eigen.highest_frequency)
+                         .frequency;
       result.stable = cycle_of(blows, run, f, p);
       if (result.has_edge())
         result.unstable =

@@ -14,7 +14,8 @@ namespace squeal
   struct SweepAxisParameters;
 
   /** One row for each point, from one end to the other. */
-  Table branch_table(const CycleBranch &branch);
+  Table branch_table(const CycleBranch              &branch,
+                     const std::vector<std::string> &pairs = {});
 
   /** One sentence: the range, folds and stability. */
   std::string branch_sentence(const CycleBranch &branch,

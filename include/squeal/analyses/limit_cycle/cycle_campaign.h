@@ -77,9 +77,13 @@ namespace squeal
 
   /** Columns of what a point comes to, without those of the axes; one row. A
    * cycle that all motions of @p trials end in is heard, whatever multipliers
-   * near to 1 say. */
+   * within a hundredth of 1 say; one that is unstable by more is not. One whose
+   * stability is left open is not heard where all motions from elsewhere end
+   * elsewhere. @p pairs: the contact pairs where there are several, each with
+   * its own columns. */
   Table outcome_table(const std::vector<CycleResult> &cycles,
-                      const PointTrials              &trials = {});
+                      const PointTrials              &trials = {},
+                      const std::vector<std::string> &pairs  = {});
 
   /** Of the points of two axes, for each top: which outcome, and the kHz of the
    * cycle that is heard. */
@@ -88,7 +92,7 @@ namespace squeal
                       HtmlReport  &report);
 
   /** The row of a point without steady sliding. */
-  Table outcome_without_sliding();
+  Table outcome_without_sliding(const std::vector<std::string> &pairs = {});
 } // namespace squeal
 
 #endif
