@@ -26,7 +26,8 @@ namespace
                 const std::vector<double> &pressures,
                 const bool                 has_slip_rate,
                 const double               friction = .5,
-                const bool                 is_open  = false)
+                const bool                 is_open  = false,
+                const double               slip     = 2.)
   {
     HistoryLayout layout;
     for (const double y : {0., 1e-3})
@@ -46,7 +47,7 @@ namespace
           if (is_open)
             s.status.push_back(std::uint8_t(ContactStatus::open));
           if (has_slip_rate)
-            s.slip_rate.insert(s.slip_rate.end(), {0., 2.});
+            s.slip_rate.insert(s.slip_rate.end(), {0., slip});
         }
     HistoryWriter writer(file, layout);
     writer.append(s);
@@ -201,9 +202,15 @@ namespace
     write_history("open.h5", times, pressures, true, .5, true);
     check(has(run_damage("  set File = open.h5\n"), status),
           "an open contact under pressure");
+    const std::string direction = "the slip rates point along (0, -1.0)";
+    write_history("turned.h5", times, pressures, true, -.5, false, -2.);
+    const std::string turned = run_damage("  set File = turned.h5\n");
+    check(has(turned, direction) && !has(turned, "the friction power is"),
+          "sliding the other way than the history says");
     write_history("usual.h5", times, pressures, true);
     const std::string usual = run_damage("  set File = usual.h5\n");
-    check(!has(usual, "the friction power is") && !has(usual, "the status is"),
+    check(!has(usual, "the friction power is") &&
+            !has(usual, "the status is") && !has(usual, "the slip rates point"),
           "friction that slows and a contact without status have no word");
   }
 

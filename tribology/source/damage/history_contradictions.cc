@@ -12,6 +12,10 @@ namespace squeal::tribology
     // Of the largest value of a history; a contact opens between two samples.
     constexpr double rounding_of_values = 1e-9, worth_a_line = 0.01;
 
+    /** Length of the mean of unit vectors from which they have a direction, and
+     * cosine of the angle from which two directions contradict each other. */
+    constexpr double one_way = 0.5, least_cosine = 0.5;
+
 
 
     /** "" where the friction takes energy. */
@@ -65,7 +69,35 @@ namespace squeal::tribology
             ++n_open;
             highest_open = std::max(highest_open, p);
           }
+        if (layout.has_slip_rate && p > 0.)
+          {
+            const double vx = s.slip_rate[2 * i], vy = s.slip_rate[2 * i + 1];
+            slip_x += p * vx;
+            slip_y += p * vy;
+            slip_size += p * std::hypot(vx, vy);
+          }
       }
+  }
+
+
+
+  std::string
+  HistoryContradictions::note_of_direction() const
+  {
+    const double told = std::hypot(layout.sliding[0], layout.sliding[1]),
+                 slip = std::hypot(slip_x, slip_y);
+    // Neither counts where points slide all round or to and fro.
+    if (!(told > one_way) || !(slip > one_way * slip_size) ||
+        layout.sliding[0] * slip_x + layout.sliding[1] * slip_y >
+          least_cosine * told * slip)
+      return "";
+    return "the slip rates point along (" + rounded_text(slip_x / slip, 2) +
+           ", " + rounded_text(slip_y / slip, 2) +
+           ") on the mean, but the target slides along (" +
+           rounded_text(layout.sliding[0], 2) + ", " +
+           rounded_text(layout.sliding[1], 2) +
+           ") by 'nodes/sliding' (without it along y): leading and trailing "
+           "edge are told by the latter; give the history its 'nodes/sliding'";
   }
 
 
@@ -91,6 +123,8 @@ namespace squeal::tribology
                       "leave it out and it follows from the pressure");
     if (const std::string energy = note_of_energy(sums); !energy.empty())
       lines.push_back(energy);
+    if (const std::string direction = note_of_direction(); !direction.empty())
+      lines.push_back(direction);
     return lines;
   }
 } // namespace squeal::tribology

@@ -10,7 +10,8 @@
 namespace squeal::tribology
 {
   /** What no contact does, in a history that comes in pieces: pulling, carrying
-   * a pressure while it is open, giving energy to the sliding. */
+   * a pressure while it is open, giving energy to the sliding, slipping another
+   * way than the history says that the target slides. */
   class HistoryContradictions
   {
   public:
@@ -23,10 +24,14 @@ namespace squeal::tribology
     std::vector<std::string> notes(const std::vector<SurfaceSums> &sums) const;
 
   private:
+    std::string note_of_direction() const;
+
     HistoryLayout layout;
     std::size_t   n_tension = 0, lowest_node = 0; /**< values; of the lowest */
     std::size_t   n_open = 0, n_values = 0; /**< open under pressure, all */
     double        lowest = 0., highest = 0., highest_open = 0.; /**< Pa */
+    /** Sums of pressure times slip rate: of its components and its size. */
+    double slip_x = 0., slip_y = 0., slip_size = 0.;
   };
 } // namespace squeal::tribology
 
