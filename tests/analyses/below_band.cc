@@ -50,6 +50,25 @@ namespace
     return o;
   }
 
+  /** The mass and a block with table.csv, from 0 Hz on. */
+  Outcome
+  run_with_table(const std::string &friction)
+  {
+    run("cea", friction, "0");
+    write_text("table.prm",
+               "include mass.prm\nsubsection Scene\n  set Bodies = mass, b\n"
+               "  set Supports = plane, side\n  subsection Body b\n    set "
+               "Shape = block\n    set Size = 0.02, 0.02, 0.02\n    set "
+               "Position = 1, 1, 1\n    set Cells = 1, 1, 1\n    set Modulus "
+               "table file = table.csv\n    set Modulus extrapolation = "
+               "constant\n  end\n  subsection Support side\n    set Body = b\n"
+               "    set Face = x_min\n  end\nend\nsubsection "
+               "Discretization\n  set Estimate error = false\nend\n");
+    const Outcome o = run_program({program, "table.prm"});
+    check(o.code == 0, "with a table: " + o.errors);
+    return o;
+  }
+
   bool
   has(const std::string &text, const std::string &part)
   {
@@ -86,6 +105,18 @@ main(int argc, char **argv)
               std::sqrt(std::sqrt(5.) - 2.),
               1e-9,
               "and has it as a row");
+
+  // A block whose modulus follows the frequency leaves the mass as it is; what
+  // is below a thousandth of the highest frequency is looked at, not sought.
+  write_text("table.csv",
+             "frequency_Hz,temperature_C,storage_modulus_Pa,loss_factor\n"
+             "1,20,1e9,0.1\n100,20,3e9,0.5\n30000,20,8e9,0.1\n");
+  check(has(run_with_table("3").output, divergence),
+        "beside a modulus over frequency divergence is named");
+  check(has(run_with_table("3").output, "pairs from 0.0005"),
+        "completeness says from where on");
+  check(has(run_with_table("1.5").output, "nothing grows below 0.0005"),
+        "and that nothing diverges");
 
   const std::string unseen = "not looked at: what grows below 0.1";
   check(has(run("sweep", "1", "0.1").output, unseen),

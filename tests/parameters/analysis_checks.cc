@@ -142,6 +142,57 @@ namespace
                          {"'Transient/Disc frame'", "Rotation speed = 0"});
     check_change_refused(with("Scene/Spring row_exit/Other body = disc"),
                          {"'Transient/Disc frame'", "joins it"});
+    Parameters loaded =
+      read_parameters("example.prm", with("Transient/Integrator = implicit"));
+    LumpedMassParameters mass;
+    mass.name = "weight";
+    mass.body = "disc";
+    loaded.scene.lumped_masses.push_back(mass);
+    check_refused([&]() { prm::check_transient(loaded); },
+                  {"'Transient/Disc frame'", "weight", "Coriolis"},
+                  "a lumped mass on a disc whose mesh turns");
+  }
+
+
+
+  /** Bodies that turn as one have one axis, which is a line. */
+  void
+  turning_lines()
+  {
+    const std::vector<std::string> turning = {"Analysis = angles",
+                                              "Angles/Turning bodies = disc, "
+                                              "pad",
+                                              "Angles/To = 10"};
+    const auto with = [&](const std::vector<std::string> &changes) {
+      std::vector<std::string> result = turning;
+      result.insert(result.end(), changes.begin(), changes.end());
+      return result;
+    };
+    check_change_refused(turning,
+                         {"'Angles/Turning bodies'", "Rotation centre"});
+    check_change_refused(with({"Scene/Body pad/Rotation axis = 1, 0, 0"}),
+                         {"'Angles/Turning bodies'", "Rotation axis"});
+    read_parameters("example.prm",
+                    with({"Scene/Body disc/Rotation centre = 0, 0, 0",
+                          "Scene/Body pad/Rotation centre = 0, 0, 0.02"}))
+      .check();
+  }
+
+
+
+  /** The contact of an updating is that of its start. */
+  void
+  updating_about_preload()
+  {
+    Parameters p = read_parameters("example.prm", {"Analysis = updating"});
+    UpdatedNumberParameters number;
+    number.name               = "modulus";
+    number.entries            = {"Scene/Body pad/Young modulus"};
+    p.updating.numbers        = {number};
+    p.scene.contacts[0].state = ContactParameters::State::preload;
+    check_refused([&]() { prm::check_response(p); },
+                  {"Contact state", "= preload", "start"},
+                  "updating about a contact that the numbers change");
   }
 
 
@@ -419,6 +470,8 @@ main()
   exported_matrices();
   ladders();
   disc_frame();
+  turning_lines();
+  updating_about_preload();
   comparison_with_eigenvalues();
   cut_off_damping();
   damping_in_time();

@@ -170,6 +170,16 @@ namespace
                        {"test.prm:2: ", "'nowhere.prm'", "no such file"},
                        "missing include");
     check_file_refused("include .\n", {"test.prm:1: ", "directory"}, "folder");
+    write_text("shared.prm", "set A = 1\n");
+    write_text("through.prm", "include shared.prm\nset A = 2\n");
+    const std::vector<std::string> again = {
+      "'shared.prm'", "included above already", "not read again"};
+    check_file_refused("include shared.prm\ndrop A\ninclude shared.prm\n",
+                       again,
+                       "a file again, to have back what was dropped");
+    check_file_refused("include through.prm\ninclude shared.prm\n",
+                       again,
+                       "a file again, to undo what another one overrides");
     write_text("broken.prm", "set A = 1\nset A = 2\n");
     check_file_refused(
       "include broken.prm\n", {"broken.prm:2: "}, "fault in an included file");

@@ -108,6 +108,12 @@ namespace
             evaluate("frequency_hz <= 5004.1", "", "count", 4, 0.).passed &&
             evaluate("index != 5", "", "count", 4, 0.).passed,
           "the other comparisons hold");
+    check(
+      evaluate("frequency_hz = 5003.900000000001", "", "index", 3, 0.).passed,
+      "numbers that differ by rounding are equal");
+    check(
+      evaluate("frequency_hz != 5003.900000000001", "", "count", 4, 0.).passed,
+      "and not unequal");
     check(evaluate("name = (0,4)+", "", "frequency_hz", 5004., 1e-4).passed,
           "of several rows all must pass");
     const ResultCheck worst =
@@ -131,6 +137,9 @@ namespace
     fails(evaluate("", "f = 1", "frequency_hz", 1., 1.),
           "no column 'f'",
           "and one to be near to");
+    fails(evaluate("", "frequency_hz = 3520", "count", 1., 1.),
+          "'Nearest' takes one row",
+          "the rows that are nearest are not counted");
     fails(evaluate("", "frequency_hz ~ 1", "frequency_hz", 1., 1.),
           "is no condition",
           "a condition without comparison fails");
