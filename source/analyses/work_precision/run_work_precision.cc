@@ -230,8 +230,9 @@ namespace squeal
           {
             distances.emplace_back();
             for (const auto &v : values)
-              distances.back().push_back(is_given ? size(v - r)
-                                                  : std::abs(v - r));
+              // Squares keep the order where distances to both are as long.
+              distances.back().push_back(is_given ? std::pow(size(v - r), 2)
+                                                  : std::norm(v - r));
           }
         const std::vector<int> partner = smallest_assignment(distances);
         double                 worst   = 0.;
