@@ -230,6 +230,68 @@ end
     check(t.text(0, "outcome") == "squeal by itself",
           "an unstable run squeals by itself: " + t.text(0, "outcome"));
   }
+  /** An abutment that the pin sticks to is no zone of stick-slip. */
+  void
+  check_sticking_nodes()
+  {
+    passes(program,
+           pin_on_beam(folder,
+                       R"(drop Scene/Support back_sides
+subsection Scene
+  set Bodies   = beam, pin, stop
+  set Springs  = hold
+  set Supports = left_end, right_end, back, wall
+  set Contacts = pin_beam, abutment
+  subsection Body stop
+    set Shape         = block
+    set Size          = 0.010, 0.010, 0.010
+    set Position      = 0, 0.010, 0.005
+    set Cells         = 2, 2, 2
+    set Young modulus = 70e9
+    set Density       = 2700
+  end
+  subsection Support wall
+    set Body = stop
+    set Face = y_max
+  end
+  subsection Spring hold
+    set Kind        = area
+    set Body        = pin
+    set Face        = z_max
+    set Stiffnesses = 1e8, 1e8, 0
+  end
+  subsection Contact abutment
+    set Formulation          = mortar
+    set Contact state        = preload
+    set Source body          = stop
+    set Source face          = y_min
+    set Target body          = pin
+    set Target face          = y_max
+    set Friction coefficient = 0.8
+    set Friction direction   = given
+    set Sliding direction    = 0, 0, 1
+    set Sliding speed        = 0
+  end
+end
+)",
+                       "0.002"),
+           {});
+    const Table  zones   = read_csv("out/zones.csv");
+    unsigned int n_stick = 0;
+    for (std::size_t i = 0; i < zones.n_rows(); ++i)
+      {
+        const bool sticks = zones.real(i, "stick_share") > 0. &&
+                            zones.real(i, "slip_share") == 0. &&
+                            zones.real(i, "open_share") == 0.;
+        n_stick += sticks;
+        check(sticks == (zones.text(i, "zone") == "stick"),
+              "what always sticks is a zone of its own: " +
+                zones.text(i, "zone"));
+      }
+    check(n_stick > 0 && read_csv("out/transient.csv").real(0, "n_sticking") ==
+                           double(n_stick),
+          "some nodes of the abutment always stick, and are counted");
+  }
 } // namespace
 
 int
@@ -248,4 +310,5 @@ main(int argc, char **argv)
   check_reversal(forwards);
   check_refusals();
   check_unstable_trigger();
+  check_sticking_nodes();
 }
