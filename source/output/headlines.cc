@@ -156,6 +156,15 @@ namespace squeal
         if (runs.size() <= most_named)
           text += " (" + prm::join(runs, "; ") + ")";
       }
+    std::size_t n_short = 0;
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      n_short += table.text(i, "outcome") == "run too short";
+    n_told += n_short;
+    if (n_short > 0)
+      text += (text.empty() ? "of " + counted(table.n_rows(), "run") + " "
+                            : std::string("; ")) +
+              std::to_string(n_short) + (n_short == 1 ? " ends" : " end") +
+              " too soon after the trigger to tell";
     if (text.empty())
       text = "none of " + counted(table.n_rows(), "run") + " squeals";
     else if (n_told < table.n_rows())

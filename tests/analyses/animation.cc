@@ -297,6 +297,7 @@ namespace
     all.insert(all.end(),
                {"Transient/Sample interval = 2e-6",
                 "Transient/End time = 4e-4",
+                "Transient/Hammer/Time = 1e-4",
                 "Transient/Animation frames = 120",
                 "Scene/Contact pad_disc/Contact state = full"});
     const Runs   runs(folder, all);

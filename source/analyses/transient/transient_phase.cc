@@ -170,9 +170,10 @@ namespace squeal
     // A squeal that grows is not there to its full size at the trigger.
     r.text = r.before > least || (lasts && grows_by_itself(f))
                ? "squeal by itself"
-             : lasts           ? "squeal after the trigger"
-             : r.after > least ? "temporary after the trigger"
-                               : "none";
+             : end > 0.9 * last ? "run too short"
+             : lasts            ? "squeal after the trigger"
+             : r.after > least  ? "temporary after the trigger"
+                                : "none";
     return r;
   }
 

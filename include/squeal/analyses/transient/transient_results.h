@@ -139,7 +139,8 @@ namespace squeal
      * mean normal force, or lasts to the end where steady sliding is unstable,
      * so that it would have come without the trigger; `squeal after the
      * trigger`: it lasts to the end; `temporary after the trigger`: it decays;
-     * `none`: no vibration above 1 % follows; empty: no trigger. */
+     * `none`: no vibration above 1 % follows; `run too short`: less than a
+     * tenth of the run follows; empty: no trigger. */
     std::string text;
   };
 
