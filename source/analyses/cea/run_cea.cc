@@ -181,7 +181,8 @@ namespace squeal
                       const CeaSolution     &solution,
                       const ModeSolution    &modes)
     {
-      if (p.solver == EigenParameters::Solver::direct)
+      // Moduli over frequency take the basis whatever solver is asked for.
+      if (solution.basis_size == 0)
         return "none: the direct solver has the pairs nearest to its shift";
       return "inertia, all " + std::to_string(modes.modes.n_certified) +
              " undamped modes below " +
@@ -198,10 +199,11 @@ namespace squeal
     /** Iterations of the direct solver end without a word. */
     void
     warn_of_residuals(const EigenParameters &p,
-                      const ComplexPairs    &pairs,
+                      const CeaSolution     &solution,
                       RunLog                &log)
     {
-      if (p.solver != EigenParameters::Solver::direct || pairs.size() == 0)
+      const ComplexPairs &pairs = solution.pairs;
+      if (solution.basis_size > 0 || pairs.size() == 0)
         return;
       if (const double worst = worst_of(pairs.residual);
           !(worst <= p.residual_tolerance))
@@ -281,7 +283,7 @@ namespace squeal
     const bool          grows_below =
       solution.growth_below.real() > 0. && solution.lowest_frequency > 0.;
     warn_of_growth_below(solution, p.eigen, "", context.log);
-    warn_of_residuals(p.eigen, pairs, context.log);
+    warn_of_residuals(p.eigen, solution, context.log);
     context.record.n_dofs  = model.n_unknowns();
     context.record.figures = {
       {"unstable pairs", std::to_string(unstable.number)},
