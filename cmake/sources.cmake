@@ -54,6 +54,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_sweep.cc
     source/parameters/check_transient.cc
     source/parameters/check_triggers.cc
+    source/parameters/check_work_precision.cc
     source/parameters/choices.cc
     source/parameters/declare_analysis.cc
     source/parameters/declare_body.cc
@@ -355,6 +356,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/operating_matrix/operating_chart.cc
     source/analyses/operating_matrix/operating_condition.cc
     source/analyses/operating_matrix/run_operating_matrix.cc
+    source/analyses/preload/loaded_scene.cc
     source/analyses/preload/preload_mesh_error.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
@@ -399,6 +401,9 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/updating/run_updating.cc
     source/analyses/updating/updating_fit.cc
     source/analyses/updating/updating_model.cc
+    source/analyses/work_precision/figure_ladders.cc
+    source/analyses/work_precision/ladder.cc
+    source/analyses/work_precision/rung_figures.cc
     source/analyses/work_precision/run_work_precision.cc)
 
 set(SQUEAL_SOURCES

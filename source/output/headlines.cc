@@ -319,6 +319,44 @@ namespace squeal
 
 
   std::string
+  figure_headline(const Table &t)
+  {
+    if (t.n_rows() == 0)
+      return "no figure is there on two rungs of a ladder";
+    std::size_t worst = 0, n_found = 0;
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      {
+        if (t.real(i, "largest_error_rel") > t.real(worst, "largest_error_rel"))
+          worst = i;
+        n_found += t.text(i, "found") != "not found" &&
+                   t.text(i, "found") != "extrapolated";
+      }
+    const auto named = [&](const std::size_t i) {
+      return t.text(i, "figure") + " by the ladder '" + t.text(i, "ladder") +
+             "'";
+    };
+    std::string text =
+      "an error of " + percent(t.real(0, "error_rel")) + " % is reached by " +
+      std::to_string(n_found) + " of " + std::to_string(t.n_rows()) +
+      " figures of the ladders; largest error: " +
+      percent(t.real(worst, "largest_error_rel")) + " % of " + named(worst) +
+      ", " + percent(t.real(worst, "least_error_rel")) + " % on its best rung";
+    std::size_t dearest = t.n_rows();
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (!t.is_missing(i, "seconds") &&
+          (dearest == t.n_rows() ||
+           t.real(i, "seconds") > t.real(dearest, "seconds")))
+        dearest = i;
+    if (dearest < t.n_rows())
+      text += "; the dearest is " + named(dearest) + " with " +
+              rounded_text(t.real(dearest, "seconds"), 3) + " s (" +
+              t.text(dearest, "found") + ")";
+    return text + "; errors are those against each ladder's finest rung";
+  }
+
+
+
+  std::string
   resonance_headline(const Table &t, const std::string &unit)
   {
     constexpr std::size_t    most_named = 3;

@@ -18,7 +18,6 @@ namespace squeal
     namespace
     {
       using Refinement = DiscretizationParameters::Refinement;
-      using Ladder     = WorkPrecisionParameters::Ladder;
 
       void
       check_refinement(const DiscretizationParameters &d)
@@ -76,36 +75,6 @@ namespace squeal
                        "= " + format_number(e.lowest_frequency) +
                          " Hz must be below 'Highest frequency' = " +
                          format_number(e.highest_frequency) + " Hz");
-      }
-
-
-
-      /** What a rung of @p ladder must be; empty if @p value is that. */
-      std::string
-      fault_of_rung(const Ladder ladder, const double value)
-      {
-        const bool is_whole = value == std::floor(value);
-        switch (ladder)
-          {
-          case Ladder::degree:
-            return is_whole && value >= 1. && value <= 8.
-                     ? ""
-                     : "a whole number from 1 to 8";
-          case Ladder::refinement:
-            return is_whole && value >= 0. && value <= 10.
-                     ? ""
-                     : "a whole number from 0 to 10";
-          case Ladder::cells:
-            return value > 0. && value <= 100.
-                     ? ""
-                     : "a number greater than 0 and at most 100";
-          case Ladder::adaptive:
-          case Ladder::basis:
-            return value > 0. && value <= 1.
-                     ? ""
-                     : "a number greater than 0 and at most 1";
-          }
-        unknown_choice("ladder");
       }
 
 
@@ -253,55 +222,6 @@ namespace squeal
 
 
 
-      void
-      check_ladders(const Parameters &parameters)
-      {
-        const WorkPrecisionParameters &w       = parameters.work_precision;
-        const std::string              section = "Work precision";
-        if (parameters.analysis != Parameters::Analysis::work_precision)
-          return;
-        if (w.ladders.empty())
-          refuse_entry(section,
-                       "Ladders",
-                       "is empty: list at least one of degree, refinement, "
-                       "cells, adaptive, basis");
-        if (w.rungs(w.ladders[0]).empty())
-          refuse_entry(section,
-                       "Values",
-                       "is empty: the ladder '" + choice_name(w.ladders[0]) +
-                         "' needs its rungs");
-        for (const Ladder ladder : w.ladders)
-          {
-            if (parameters.scene.kind == SceneParameters::Kind::matrices &&
-                ladder != Ladder::basis)
-              refuse_entry(section,
-                           "Ladders",
-                           "contains '" + choice_name(ladder) +
-                             "', but imported matrices have no mesh; use "
-                             "basis");
-            if (ladder == Ladder::cells)
-              for (const BodyParameters &body : parameters.scene.bodies)
-                if (body.has_mesh_file())
-                  refuse_entry(section,
-                               "Ladders",
-                               "contains 'cells', but body " +
-                                 in_quotes(body.name) +
-                                 " has the cells of a file; use refinement");
-            for (const double value : w.rungs(ladder))
-              {
-                const std::string fault = fault_of_rung(ladder, value);
-                if (!fault.empty())
-                  refuse_entry(section,
-                               "Values",
-                               "contains " + format_number(value) +
-                                 ": a rung of the ladder '" +
-                                 choice_name(ladder) + "' is " + fault);
-              }
-          }
-      }
-
-
-
       /** Whether an analysis writes its matrices; one of several runs has no
        * folder for each. */
       bool
@@ -313,8 +233,10 @@ namespace squeal
           case Analysis::modes:
           case Analysis::cea:
           case Analysis::preload:
-          case Analysis::work_precision:
             return true;
+          case Analysis::work_precision:
+            return parameters.work_precision.problem ==
+                   WorkPrecisionParameters::Problem::eigenvalues;
           case Analysis::transient:
             return parameters.sweep.axes.empty() &&
                    parameters.transient.tops.empty() &&
@@ -374,15 +296,22 @@ namespace squeal
       if (!parameters.output.export_matrices || writes_matrices(parameters))
         return;
       const bool is_campaign =
-        parameters.analysis == Parameters::Analysis::transient;
-      refuse_entry("Output",
-                   "Export matrices",
-                   "= true would be ignored by 'Analysis = " +
-                     choice_name(parameters.analysis) + "'" +
-                     (is_campaign ? " over several runs" : "") +
-                     ": 'modes', 'cea', 'preload', 'work precision' and a "
-                     "single 'transient' write them; take one of these, or "
-                     "remove it");
+                   parameters.analysis == Parameters::Analysis::transient,
+                 is_ladder =
+                   parameters.analysis == Parameters::Analysis::work_precision;
+      refuse_entry(
+        "Output",
+        "Export matrices",
+        "= true would be ignored by 'Analysis = " +
+          choice_name(parameters.analysis) + "'" +
+          (is_campaign ? " over several runs" : "") +
+          (is_ladder
+             ? " of '" + choice_name(parameters.work_precision.problem) + "'"
+             : "") +
+          ": 'modes', 'cea', 'preload', 'work precision' of "
+          "eigenvalues and a "
+          "single 'transient' write them; take one of these, or "
+          "remove it");
     }
 
 
@@ -394,7 +323,7 @@ namespace squeal
         refuse_entry("", "Output directory", "is empty: name a folder");
       check_refinement(parameters.discretization);
       check_band(parameters.eigen);
-      check_ladders(parameters);
+      check_work_precision(parameters);
       check_angles(parameters);
       check_operating_matrix(parameters);
       check_modulus_tables(parameters);

@@ -427,7 +427,9 @@ namespace squeal
         if (c.state == State::preload)
           {
             has_preload_state = true;
-            if (p.analysis == Analysis::work_precision)
+            if (p.analysis == Analysis::work_precision &&
+                p.work_precision.problem ==
+                  WorkPrecisionParameters::Problem::eigenvalues)
               refuse_entry("Scene/Contact " + c.name,
                            "Contact state",
                            "= preload holds for one mesh: it is not available "

@@ -267,7 +267,20 @@ namespace squeal
             {"refinement", L::refinement},
             {"cells", L::cells},
             {"adaptive", L::adaptive},
-            {"basis", L::basis}};
+            {"basis", L::basis},
+            {"cut-off", L::cut_off},
+            {"time step", L::time_step}};
+  }
+
+
+
+  Choices<WorkPrecisionParameters::Problem>
+  choices(const WorkPrecisionParameters::Problem)
+  {
+    using P = WorkPrecisionParameters::Problem;
+    return {{"eigenvalues", P::eigenvalues},
+            {"steady sliding", P::steady_sliding},
+            {"transient", P::transient}};
   }
 
 

@@ -207,15 +207,22 @@ namespace squeal
         schema.enter_section("Work precision",
                              "Ladder of settings of 'Analysis = work "
                              "precision'.");
-        schema.add("Ladders",
-                   w.ladders,
-                   Allowed::list(Schema::allowed_choices(
-                     WorkPrecisionParameters::Ladder::degree)),
-                   "Settings that are varied, one after the other: element "
-                   "degree, uniform refinements, factor on the numbers of "
-                   "cells of all bodies (a direction with one cell keeps it), "
-                   "tolerance of the adaptive refinement, residual tolerance "
-                   "of the reduced basis.");
+        schema.add("Problem",
+                   w.problem,
+                   "What is solved on every rung: the eigenvalues of the "
+                   "band, steady sliding under the full load as 'Analysis = "
+                   "preload', or one run of 'Analysis = transient'.");
+        schema.add(
+          "Ladders",
+          w.ladders,
+          Allowed::list(
+            Schema::allowed_choices(WorkPrecisionParameters::Ladder::degree)),
+          "Settings that are varied, one after the other: element "
+          "degree, uniform refinements, factor on the numbers of "
+          "cells of all bodies (a direction with one cell keeps it), "
+          "tolerance of the adaptive refinement and residual tolerance "
+          "of the reduced basis (both of eigenvalues), cut-off of the "
+          "modes and time step (both of a transient).");
         schema.add("Values",
                    w.values,
                    Allowed::list(Allowed::number(0.)),
@@ -226,6 +233,17 @@ namespace squeal
                    Allowed::list(Allowed::number(0.)),
                    "Tolerances of the ladder 'adaptive', beside ladders with "
                    "other rungs; empty: 'Values'.");
+        schema.add("Cut-offs",
+                   w.cut_offs,
+                   Allowed::list(Allowed::positive()),
+                   "Rungs of the ladder 'cut-off', for 'Transient/Cut-off'.",
+                   "Hz");
+        schema.add("Time steps",
+                   w.time_steps,
+                   Allowed::list(Allowed::positive()),
+                   "Rungs of the ladder 'time step', for 'Transient/Time step' "
+                   "or, where that is set, 'Transient/Explicit time step'.",
+                   "s");
         schema.add("Refinement degree",
                    w.refinement_degree,
                    Allowed::integer(0, 8),
@@ -234,7 +252,8 @@ namespace squeal
         schema.add("Quantity",
                    w.quantity,
                    Allowed::one_of({"frequency", "sigma", "eigenvalue"}),
-                   "What is compared with the reference: the frequencies, each "
+                   "What is compared with the reference, of eigenvalues: the "
+                   "frequencies, each "
                    "relative to its own; the real parts of the eigenvalues, "
                    "relative to the largest one in size; or the eigenvalues, "
                    "each relative to its own.");
@@ -243,7 +262,8 @@ namespace squeal
                    Allowed::list(Allowed::number()),
                    "Exact frequencies or real parts of all pairs of the band; "
                    "empty: the finest rung, the one with most unknowns, is the "
-                   "reference.",
+                   "reference. Of other problems each ladder has its own "
+                   "finest rung as reference.",
                    "Hz or 1/s");
         schema.leave_section();
       }

@@ -2,7 +2,8 @@
 
 // Errors of a ladder are those of the quantity that it names: real parts in
 // 1/s, frequencies in Hz, and the finest rung is the one with most unknowns,
-// however long another one takes. Argument: the program.
+// however long another one takes. Rungs of steady sliding and of transients are
+// the runs with these settings. Arguments: the program, the folder prm.
 
 #include <squeal/results/table.h>
 
@@ -15,7 +16,7 @@ using namespace squeal::testing;
 
 namespace
 {
-  std::string program;
+  std::string program, folder;
 
   void
   run(const std::vector<std::string> &settings)
@@ -54,13 +55,148 @@ namespace
       text << (i == 0 ? "" : ", ") << factor * values[i];
     return text.str();
   }
+
+  /** The pressed brake on a coarse mesh, for 1 ms. */
+  Outcome
+  pressed(std::vector<std::string> settings)
+  {
+    std::filesystem::remove_all("out");
+    std::vector<std::string> words = {program, "--quiet"};
+    for (const std::string setting :
+         {"Output directory = out",
+          "Output/Plots = false",
+          "Scene/Body disc/Cells = 12, 2, 1",
+          "Scene/Body pad/Cells = 1, 1, 1",
+          "Scene/Body support/Cells = 1, 1, 4",
+          "Scene/Support top/Kind = guided",
+          "Discretization/Degree = 1",
+          "Transient/Disturbance = 1e-8",
+          "Transient/End time = 0.002"})
+      words.insert(words.end(), {"--set", setting});
+    for (const std::string &setting : settings)
+      words.insert(words.end(), {"--set", setting});
+    words.push_back(folder + "/tribobrake/pressed.prm");
+    return run_program(words);
+  }
+
+  /** The value of @p figure on the rung @p setting. */
+  double
+  figure(const Table       &table,
+         const std::string &setting,
+         const std::string &name,
+         const std::string &column = "figure_value")
+  {
+    for (std::size_t i = 0; i < table.n_rows(); ++i)
+      if (table.text(i, "setting") == setting &&
+          table.text(i, "figure") == name)
+        return table.is_missing(i, column) ? std::nan("missing")
+                                           : table.real(i, column);
+    check(false, "there is a rung " + setting + " with " + name);
+    return 0.;
+  }
+
+  /** The rungs are the single runs with their settings, and errors those
+   * against the finest one. */
+  void
+  check_transient_ladders()
+  {
+    const Outcome o = pressed({"Analysis = work precision",
+                               "Work precision/Problem = transient",
+                               "Work precision/Ladders = time step, cut-off",
+                               "Work precision/Time steps = 1e-6, 4e-6, 2e-6",
+                               "Work precision/Cut-offs = 10e3, 20e3"});
+    check(o.code == 0, "transients are climbed: " + o.errors);
+    const Table t = read_csv("out/figure_errors.csv");
+    const auto  leading = [&](const std::string &setting) {
+      return figure(t, setting, "leading_edge_factor");
+    };
+    const double coarse = leading("time step = 4e-06"),
+                 fine   = leading("time step = 1e-06");
+    check(coarse != fine && fine > 0., "the step changes the result");
+    check(std::abs(figure(t,
+                          "time step = 4e-06",
+                          "leading_edge_factor",
+                          "error_rel") -
+                   std::abs(coarse - fine) / fine) < 1e-9,
+          "the smallest step is the reference, wherever it stands");
+    check(figure(t, "cut-off = 20000", "leading_edge_factor", "error_rel") ==
+              0. &&
+            figure(t, "cut-off = 10000", "leading_edge_factor", "error_rel") >
+              0.,
+          "the highest cut-off is the reference");
+    check(figure(t, "time step = 1e-06", "worst_imbalance", "error_rel") ==
+            figure(t, "time step = 1e-06", "worst_imbalance"),
+          "the energy ledger is an error by itself");
+    const Outcome single =
+      pressed({"Analysis = transient", "Transient/Time step = 4e-6"});
+    check(single.code == 0, "a single run: " + single.errors);
+    const Table one = read_csv("out/transient.csv");
+    for (const char *name : {"leading_edge_factor", "worst_imbalance"})
+      check(std::abs(one.real(0, name) -
+                     figure(t, "time step = 4e-06", name)) <=
+              1e-12 * std::abs(one.real(0, name)),
+            "a rung is the run with its settings");
+  }
+
+  void
+  check_preload_ladders()
+  {
+    const Outcome o = pressed({"Analysis = work precision",
+                               "Work precision/Problem = steady sliding",
+                               "Work precision/Ladders = degree",
+                               "Work precision/Values = 2, 1"});
+    check(o.code == 0, "steady sliding is climbed: " + o.errors);
+    const Table t = read_csv("out/figure_errors.csv");
+    check(std::abs(figure(t, "degree = 1", "tangential_n") - 50.) < 1e-6 &&
+            figure(t, "degree = 1", "tangential_n", "error_rel") < 1e-9,
+          "friction is that of the load on any mesh");
+    check(figure(t, "degree = 1", "secant_stiffness_n_per_m", "error_rel") >
+            1e-3,
+          "elements of first degree are stiffer");
+    check(pressed({"Analysis = preload", "Discretization/Degree = 1"}).code ==
+            0,
+          "a single run");
+    const Table one = read_csv("out/preload.csv");
+    check(std::abs(one.real(one.n_rows() - 1, "secant_stiffness_n_per_m") /
+                     figure(t, "degree = 1", "secant_stiffness_n_per_m") -
+                   1.) < 1e-9,
+          "a rung is the run with its settings");
+  }
+
+  void
+  check_refused(const std::vector<std::string> &settings,
+                const std::string              &expected)
+  {
+    std::vector<std::string> all = {"Analysis = work precision",
+                                    "Work precision/Problem = transient",
+                                    "Work precision/Values = 1, 2"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    const Outcome o = pressed(all);
+    check(o.code != 0 && o.errors.find(expected) != std::string::npos,
+          "is refused with '" + expected + "': " + o.errors);
+  }
 } // namespace
 
 int
 main(int argc, char **argv)
 {
-  check(argc == 2, "usage: test_analyses_work_precision PROGRAM");
+  check(argc == 3, "usage: test_analyses_work_precision PROGRAM PRM_FOLDER");
   program = argv[1];
+  folder  = argv[2];
+  check_transient_ladders();
+  check_preload_ladders();
+  check_refused({"Work precision/Ladders = basis"}, "does not have");
+  check_refused({"Work precision/Ladders = time step"},
+                "'Work precision/Time steps' is empty");
+  check_refused({"Work precision/Ladders = cut-off",
+                 "Work precision/Cut-offs = 2e4"},
+                "at least two");
+  check_refused({"Work precision/Ladders = degree",
+                 "Work precision/Reference = 1"},
+                "its own finest rung");
+  check_refused({"Work precision/Ladders = degree",
+                 "Transient/Integrators = reduced"},
+                "several runs");
   run({"Discretization/Degree = 1", "Discretization/Estimate error = false"});
   const Table               pairs = read_csv("out/eigenvalues.csv");
   const std::vector<double> sigma = pairs.reals("sigma_per_s");

@@ -396,9 +396,12 @@ namespace squeal
       SQUEAL_DESCRIBE(p, operating_matrix.temperatures);
       SQUEAL_DESCRIBE(p, operating_matrix.speeds);
       SQUEAL_DESCRIBE(p, operating_matrix.both_directions);
+      SQUEAL_DESCRIBE(p, work_precision.problem);
       SQUEAL_DESCRIBE(p, work_precision.ladders);
       SQUEAL_DESCRIBE(p, work_precision.values);
       SQUEAL_DESCRIBE(p, work_precision.adaptive_values);
+      SQUEAL_DESCRIBE(p, work_precision.cut_offs);
+      SQUEAL_DESCRIBE(p, work_precision.time_steps);
       SQUEAL_DESCRIBE(p, work_precision.refinement_degree);
       SQUEAL_DESCRIBE(p, work_precision.quantity);
       SQUEAL_DESCRIBE(p, work_precision.reference);

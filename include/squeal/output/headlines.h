@@ -50,6 +50,10 @@ namespace squeal
    * it: of cost_at_error.csv. */
   std::string work_headline(const Table &costs);
 
+  /** Which figure of which ladder is worst, and what the asked error takes: of
+   * figure_costs.csv. */
+  std::string figure_headline(const Table &costs);
+
   /** The three largest resonances of mode_participation.csv, whose peaks are in
    * @p unit. */
   std::string resonance_headline(const Table       &participation,

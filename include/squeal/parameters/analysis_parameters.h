@@ -87,30 +87,51 @@ namespace squeal
   /** Ladder of "Analysis = work precision", section "Work precision". */
   struct WorkPrecisionParameters
   {
+    /** What is solved on every rung. */
+    enum class Problem
+    {
+      eigenvalues,    /**< undamped modes or pairs of the band */
+      steady_sliding, /**< as "Analysis = preload" under the full load */
+      transient       /**< one run of "Analysis = transient" */
+    };
     enum class Ladder
     {
       degree,     /**< FE degree */
       refinement, /**< uniform refinement */
       cells,      /**< numbers of cells of the bodies, by a factor */
       adaptive,   /**< tolerance of the adaptive refinement */
-      basis       /**< residual tolerance of the certified basis */
+      basis,      /**< residual tolerance of the certified basis */
+      cut_off,    /**< of the modes of a transient */
+      time_step   /**< of a transient */
     };
+    Problem             problem = Problem::eigenvalues;
     std::vector<Ladder> ladders;
     std::vector<double> values; /**< settings of the ladder */
     /** Settings of the ladder `adaptive`; empty: `values`. */
     std::vector<double> adaptive_values;
+    std::vector<double> cut_offs;   /**< of the ladder `cut_off`, Hz */
+    std::vector<double> time_steps; /**< of the ladder `time_step`, s */
     /** Degree of the ladder `refinement`; 0: that of the discretization. */
-    unsigned int        refinement_degree = 0;
-    std::string         quantity = "frequency"; /**< frequency | sigma */
+    unsigned int refinement_degree = 0;
+    /** frequency | sigma | eigenvalue; of `eigenvalues` */
+    std::string         quantity = "frequency";
     std::vector<double> reference; /**< exact values; empty: finest rung */
 
     /** The settings that @p ladder climbs. */
     const std::vector<double> &
     rungs(const Ladder ladder) const
     {
-      return ladder == Ladder::adaptive && !adaptive_values.empty()
-               ? adaptive_values
-               : values;
+      switch (ladder)
+        {
+        case Ladder::adaptive:
+          return adaptive_values.empty() ? values : adaptive_values;
+        case Ladder::cut_off:
+          return cut_offs;
+        case Ladder::time_step:
+          return time_steps;
+        default:
+          return values;
+        }
     }
   };
 

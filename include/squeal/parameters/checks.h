@@ -55,6 +55,9 @@ namespace squeal
      * do not know their forces. */
     void check_turning_in_time(const SceneParameters &scene);
 
+    /** Ladders, their rungs, and what is solved on them. */
+    void check_work_precision(const Parameters &parameters);
+
     /** Blows of 'Analysis = triggers' and how motions are judged. */
     void check_triggers(const Parameters &parameters);
 

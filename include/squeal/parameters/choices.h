@@ -50,6 +50,8 @@ namespace squeal
     SweepAxisParameters::Distribution);
   Choices<WorkPrecisionParameters::Ladder> choices(
     WorkPrecisionParameters::Ladder);
+  Choices<WorkPrecisionParameters::Problem> choices(
+    WorkPrecisionParameters::Problem);
   Choices<TransientParameters::Start>      choices(TransientParameters::Start);
   Choices<TransientParameters::Integrator> choices(
     TransientParameters::Integrator);

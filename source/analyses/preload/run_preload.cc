@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/analyses.h>
+#include <squeal/analyses/preload/loaded_scene.h>
 #include <squeal/analyses/preload/preload_mesh_error.h>
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/base/exceptions.h>
@@ -41,20 +42,6 @@ namespace squeal
       return states;
     }
 
-    /** The scene of the loads: a held support is kept where they have moved it,
-     * so that the state is that of the guided one. */
-    Parameters
-    moving(const Parameters &parameters)
-    {
-      Parameters p = without_damping(parameters);
-      for (auto &contact : p.scene.contacts)
-        contact.state = ContactParameters::State::full;
-      for (auto &support : p.scene.supports)
-        if (support.kind == SupportParameters::Kind::held)
-          support.kind = SupportParameters::Kind::guided;
-      return p;
-    }
-
     /** preload_stiffness.csv: the load steps at other values of a number. */
     Table
     stiffness_table(RunContext &context)
@@ -67,7 +54,7 @@ namespace squeal
       for (const double value : p.preload.stiffness_values)
         {
           const Parameters q =
-            moving(with_value(p, p.preload.stiffness_entry, value));
+            loaded_scene(with_value(p, p.preload.stiffness_entry, value));
           Model             model(q, context.timers, {}, Model::Contacts::open);
           const SteadyModel full =
             pressed_model(q, model, q.eigen.highest_frequency, context.timers)
@@ -315,7 +302,7 @@ namespace squeal
   void
   run_preload(RunContext &context)
   {
-    const Parameters p = moving(context.parameters);
+    const Parameters p = loaded_scene(context.parameters);
     Model            model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);

@@ -2,13 +2,15 @@
 #include <squeal/output/matrix_output.h>
 
 #include <squeal/analyses/analyses.h>
+#include <squeal/analyses/work_precision/figure_ladders.h>
+#include <squeal/analyses/work_precision/ladder.h>
 #include <squeal/base/assignment.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
+#include <squeal/parameters/choices.h>
 #include <squeal/results/cost_at_error.h>
 #include <squeal/results/plots.h>
 
@@ -62,71 +64,6 @@ namespace squeal
       return stages;
     }
 
-    std::string
-    ladder_name(const Ladder ladder)
-    {
-      switch (ladder)
-        {
-        case Ladder::degree:
-          return "degree";
-        case Ladder::refinement:
-          return "refinement";
-        case Ladder::cells:
-          return "cells";
-        case Ladder::adaptive:
-          return "adaptive";
-        case Ladder::basis:
-          return "basis";
-        }
-      unknown_choice("ladder");
-    }
-
-    /** Thin bodies keep one cell through their thickness. */
-    void
-    scale_cells(std::vector<BodyParameters> &bodies, const double factor)
-    {
-      for (BodyParameters &body : bodies)
-        for (unsigned int &n : body.cells)
-          if (n > 1)
-            n = static_cast<unsigned int>(std::max(1., std::round(factor * n)));
-    }
-
-    /** Throws InputError where the setting makes a mesh that is none. */
-    Parameters
-    parameters_of(const Parameters &all,
-                  const Ladder      ladder,
-                  const double      value)
-    {
-      Parameters p                    = all;
-      p.discretization.estimate_error = false;
-      switch (ladder)
-        {
-        case Ladder::degree:
-          p.discretization.degree = static_cast<unsigned int>(value);
-          break;
-        case Ladder::refinement:
-          p.discretization.refinements = static_cast<unsigned int>(value);
-          p.discretization.refinement =
-            DiscretizationParameters::Refinement::uniform;
-          if (p.work_precision.refinement_degree > 0)
-            p.discretization.degree = p.work_precision.refinement_degree;
-          break;
-        case Ladder::cells:
-          scale_cells(p.scene.bodies, value);
-          break;
-        case Ladder::adaptive:
-          p.discretization.refinement =
-            DiscretizationParameters::Refinement::eigenvalue_error;
-          p.discretization.tolerance = value;
-          break;
-        case Ladder::basis:
-          p.eigen.residual_tolerance = p.eigen.error_tolerance = value;
-          break;
-        }
-      p.check();
-      return p;
-    }
-
     /** Matrices and pairs of a mesh that no earlier rung had. */
     void
     write_problem(RunContext              &context,
@@ -150,10 +87,11 @@ namespace squeal
           const double             value,
           const std::vector<Rung> &earlier)
     {
-      const Parameters p = parameters_of(context.parameters, ladder, value);
-      const Stages     before = stages_so_far(context.timers);
-      const double     start  = cpu_seconds();
-      context.log.info(ladder_name(ladder) + " = " + rounded_text(value, 6));
+      const Parameters p =
+        parameters_of_rung(context.parameters, ladder, value);
+      const Stages before = stages_so_far(context.timers);
+      const double start  = cpu_seconds();
+      context.log.info(setting_text(ladder, value));
       Model        model(p, context.timers);
       ModeSolution modes =
         solve_modes_adaptively(model, context.log, context.timers);
@@ -359,7 +297,7 @@ namespace squeal
            const std::string &quantity,
            const std::string &reference)
     {
-      return {ladder_name(rung.ladder) + " = " + rounded_text(rung.setting, 6),
+      return {setting_text(rung.ladder, rung.setting),
               rung.dofs,
               rung.seconds,
               rung.memory,
@@ -384,10 +322,12 @@ namespace squeal
   run_work_precision(RunContext &context)
   {
     const auto &p = context.parameters.work_precision;
+    if (p.problem != WorkPrecisionParameters::Problem::eigenvalues)
+      return run_figure_ladders(context);
     // A rung that cannot be is told before the first one is climbed.
     for (const Ladder ladder : p.ladders)
       for (const double value : p.rungs(ladder))
-        parameters_of(context.parameters, ladder, value);
+        parameters_of_rung(context.parameters, ladder, value);
     std::vector<Rung> rungs;
     for (const Ladder ladder : p.ladders)
       for (const double value : p.rungs(ladder))
@@ -407,7 +347,7 @@ namespace squeal
     std::vector<WorkPrecisionSeries> series;
     for (const Rung &rung : rungs)
       {
-        const std::string name  = ladder_name(rung.ladder);
+        const std::string name  = choice_name(rung.ladder);
         const double      error = measure.worst_error(rung.values);
         table.add_row(row_of(
           rung, error, p.quantity, finest ? "finest rung" : "given values"));

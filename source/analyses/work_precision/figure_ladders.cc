@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/work_precision/figure_ladders.h>
+#include <squeal/analyses/work_precision/ladder.h>
+#include <squeal/analyses/work_precision/rung_figures.h>
+
+#include <squeal/base/exceptions.h>
+#include <squeal/output/headlines.h>
+#include <squeal/parameters/choices.h>
+#include <squeal/results/cost_at_error.h>
+#include <squeal/results/plots.h>
+#include <squeal/run/run_context.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace squeal
+{
+  namespace
+  {
+    using FigureLadder = WorkPrecisionParameters::Ladder;
+    using Type         = Table::Type;
+
+    struct FigureRung
+    {
+      double      setting;
+      RungFigures solution;
+    };
+
+    /** One ladder, all of its rungs. */
+    struct ClimbedLadder
+    {
+      FigureLadder            ladder;
+      std::vector<FigureRung> rungs;
+      std::size_t             finest = 0;
+
+      /** How far a figure of a rung is from that of the finest one, relative;
+       * of an error, that itself. NaN where one of them is not there. */
+      double
+      error_of(const FigureRung &rung, const RungFigure &figure) const
+      {
+        if (figure.is_error)
+          return std::abs(figure.value);
+        const double reference = reference_of(figure);
+        return std::abs(figure.value - reference) / std::abs(reference);
+      }
+
+      double
+      reference_of(const RungFigure &figure) const
+      {
+        return rungs[finest].solution.value_of(figure.name);
+      }
+
+      /** Whether @p rung tells an error of @p figure: not the reference. */
+      bool
+      counts(const std::size_t rung, const RungFigure &figure) const
+      {
+        return figure.is_error || rung != finest;
+      }
+    };
+
+    /** The rung that stands for the truth of its ladder: of meshes the one with
+     * most unknowns. */
+    std::size_t
+    finest_of(const FigureLadder ladder, const std::vector<FigureRung> &rungs)
+    {
+      const auto fineness = [&](const FigureRung &rung) {
+        switch (ladder)
+          {
+          case FigureLadder::time_step:
+            return -rung.setting;
+          case FigureLadder::cut_off:
+            return rung.setting;
+          default:
+            return static_cast<double>(rung.solution.n_unknowns);
+          }
+      };
+      return std::max_element(rungs.begin(),
+                              rungs.end(),
+                              [&](const FigureRung &a, const FigureRung &b) {
+                                return fineness(a) < fineness(b);
+                              }) -
+             rungs.begin();
+    }
+
+    ClimbedLadder
+    climb_ladder(RunContext &context, const FigureLadder ladder)
+    {
+      ClimbedLadder climbed{ladder, {}};
+      for (const double value : context.parameters.work_precision.rungs(ladder))
+        {
+          context.log.info(setting_text(ladder, value));
+          climbed.rungs.push_back(
+            {value,
+             solve_rung(parameters_of_rung(context.parameters, ladder, value),
+                        context.log,
+                        context.timers)});
+        }
+      climbed.finest = finest_of(ladder, climbed.rungs);
+      return climbed;
+    }
+
+    Table
+    figure_table(const std::vector<ClimbedLadder> &ladders)
+    {
+      Table table(
+        {{"setting", Type::text, "", "ladder and value"},
+         {"dofs", Type::integer, "", "unknowns"},
+         {"modes", Type::integer, "", "up to the cut-off of a transient"},
+         {"steps", Type::integer, "", "of a transient"},
+         {"seconds", Type::real, "s", "CPU time", 3},
+         {"peak_memory_mb", Type::real, "MB", "of the process so far", 4},
+         {"verdict", Type::text, "", "what the run says"},
+         {"figure", Type::text, "", "column of preload.csv or transient.csv"},
+         {"figure_value", Type::real, "", "in the unit of its name", 7},
+         {"error_rel", Type::real, "", "against the reference", 3},
+         {"stated_rel", Type::real, "", "error that the run states", 3},
+         {"reference", Type::text, "", "what it is measured against"}});
+      for (const ClimbedLadder &climbed : ladders)
+        for (std::size_t k = 0; k < climbed.rungs.size(); ++k)
+          for (const RungFigure &figure : climbed.rungs[k].solution.figures)
+            {
+              const RungFigures &s = climbed.rungs[k].solution;
+              const double error   = climbed.error_of(climbed.rungs[k], figure);
+              table.add_row(
+                {setting_text(climbed.ladder, climbed.rungs[k].setting),
+                 s.n_unknowns,
+                 s.n_modes > 0 ? Cell(s.n_modes) : Cell(),
+                 s.n_steps > 0 ? Cell(s.n_steps) : Cell(),
+                 s.seconds,
+                 s.memory_mb,
+                 s.verdict,
+                 figure.name,
+                 or_missing(figure.value),
+                 std::isfinite(error) ? Cell(error) : Cell(),
+                 or_missing(std::abs(figure.stated / figure.value)),
+                 figure.is_error
+                   ? "exact"
+                   : setting_text(climbed.ladder,
+                                  climbed.rungs[climbed.finest].setting)});
+            }
+      return table;
+    }
+
+    /** The points of one figure on one ladder. */
+    WorkPrecisionSeries
+    series_of(const ClimbedLadder &climbed, const std::string &name)
+    {
+      WorkPrecisionSeries series{choice_name(climbed.ladder), {}, {}, {}, {}};
+      for (std::size_t k = 0; k < climbed.rungs.size(); ++k)
+        for (const RungFigure &figure : climbed.rungs[k].solution.figures)
+          if (const double error = climbed.error_of(climbed.rungs[k], figure);
+              figure.name == name && climbed.counts(k, figure) && error > 0. &&
+              std::isfinite(error))
+            {
+              const RungFigures &s = climbed.rungs[k].solution;
+              series.seconds.push_back(s.seconds);
+              series.dofs.push_back(s.n_unknowns);
+              series.errors.push_back(error);
+              series.settings.push_back(
+                rounded_text(climbed.rungs[k].setting, 3));
+            }
+      return series;
+    }
+
+    /** What each ladder takes until a figure is within @p goal. */
+    Table
+    figure_costs(const std::vector<ClimbedLadder> &ladders,
+                 const std::vector<std::string>   &names,
+                 const double                      goal)
+    {
+      Table table(
+        {{"ladder", Type::text, "", "ladder"},
+         {"figure", Type::text, "", "column of preload.csv or transient.csv"},
+         {"error_rel", Type::real, "", "error to be reached", 3},
+         {"seconds", Type::real, "s", "CPU time it takes", 3},
+         {"found", Type::text, "", "between rungs or beyond the finest"},
+         {"largest_error_rel", Type::real, "", "of all rungs", 3},
+         {"least_error_rel", Type::real, "", "of all rungs", 3}});
+      for (const std::string &name : names)
+        for (const ClimbedLadder &climbed : ladders)
+          {
+            const WorkPrecisionSeries s = series_of(climbed, name);
+            if (s.errors.empty())
+              continue;
+            const auto cost = cost_at_error(s.seconds, s.errors, goal);
+            const auto [least, largest] =
+              std::minmax_element(s.errors.begin(), s.errors.end());
+            table.add_row({s.label,
+                           name,
+                           goal,
+                           cost ? Cell(cost->cost) : Cell(),
+                           cost && cost->extrapolated ? "extrapolated"
+                           : cost                     ? "interpolated"
+                           : *largest <= goal         ? "by every rung"
+                                                      : "not found",
+                           *largest,
+                           *least});
+          }
+      return table;
+    }
+
+    std::vector<std::string>
+    names_of(const std::vector<ClimbedLadder> &ladders)
+    {
+      std::vector<std::string> names;
+      for (const ClimbedLadder &climbed : ladders)
+        for (const FigureRung &rung : climbed.rungs)
+          for (const RungFigure &figure : rung.solution.figures)
+            if (std::find(names.begin(), names.end(), figure.name) ==
+                names.end())
+              names.push_back(figure.name);
+      return names;
+    }
+
+    /** Warns where rungs of one ladder do not say the same. */
+    void
+    warn_of_verdicts(const ClimbedLadder &climbed, RunLog &log)
+    {
+      const FigureRung &finest = climbed.rungs[climbed.finest];
+      for (const FigureRung &rung : climbed.rungs)
+        if (rung.solution.verdict != finest.solution.verdict)
+          log.warning(setting_text(climbed.ladder, rung.setting) + " says \"" +
+                      rung.solution.verdict + "\", and " +
+                      setting_text(climbed.ladder, finest.setting) +
+                      " says \"" + finest.solution.verdict + "\"");
+    }
+
+    void
+    draw_figures(RunContext                       &context,
+                 const std::vector<ClimbedLadder> &ladders,
+                 const std::vector<std::string>   &names,
+                 HtmlReport                       &report)
+    {
+      for (const std::string &name : names)
+        {
+          std::vector<WorkPrecisionSeries> series;
+          for (const ClimbedLadder &climbed : ladders)
+            if (WorkPrecisionSeries s = series_of(climbed, name);
+                !s.errors.empty())
+              series.push_back(s);
+          if (series.empty())
+            continue;
+          const std::string file = "plots/work_precision_" + name;
+          context.output.file(file + ".png");
+          const std::string path = context.output.path() + "/" + file;
+          plot_work_precision(context.plotter,
+                              series,
+                              context.parameters.discretization.tolerance,
+                              path,
+                              "Error of " + name);
+          report.figure(path + ".png", "Error of " + name + " against work");
+        }
+    }
+
+    /** The same file's own check of every rung, before the first is climbed. */
+    void
+    check_rungs(const Parameters &parameters)
+    {
+      const auto &w = parameters.work_precision;
+      for (const FigureLadder ladder : w.ladders)
+        for (const double value : w.rungs(ladder))
+          parameters_of_rung(parameters, ladder, value);
+    }
+  } // namespace
+
+
+
+  void
+  run_figure_ladders(RunContext &context)
+  {
+    const Parameters &p = context.parameters;
+    check_rungs(p);
+    std::vector<ClimbedLadder> ladders;
+    for (const FigureLadder ladder : p.work_precision.ladders)
+      ladders.push_back(climb_ladder(context, ladder));
+    const std::vector<std::string> names = names_of(ladders);
+    const Table                    table = figure_table(ladders);
+    context.write_table("figure_errors.csv", table);
+    std::ostringstream text;
+    table.print(text,
+                {"setting", "seconds", "figure", "figure_value", "error_rel"});
+    context.log.info(text.str());
+    for (const ClimbedLadder &climbed : ladders)
+      warn_of_verdicts(climbed, context.log);
+    const Table costs =
+      figure_costs(ladders, names, p.discretization.tolerance);
+    context.write_table("figure_costs.csv", costs);
+
+    HtmlReport report("Work and precision of " + p.scene.name,
+                      choice_name(p.work_precision.problem) +
+                        ": error against cost");
+    report.set_verdict(HtmlReport::Verdict::neutral,
+                       figure_headline(costs),
+                       {{"ladders", std::to_string(ladders.size())},
+                        {"figures", std::to_string(names.size())}});
+    report.section("Ladders");
+    report.paragraph(
+      "Each ladder varies one setting of the file and is compared with its own "
+      "finest rung, whose error is not seen: where the finest two are close "
+      "together, errors are too small.");
+    report.table(costs, "Cost of an error");
+    if (context.is_root && p.output.plots)
+      draw_figures(context, ladders, names, report);
+    report.table(table, "Figures of all rungs");
+    context.finish(p.output.report ? &report : nullptr, "");
+  }
+} // namespace squeal
