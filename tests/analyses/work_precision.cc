@@ -62,16 +62,15 @@ namespace
   {
     std::filesystem::remove_all("out");
     std::vector<std::string> words = {program, "--quiet"};
-    for (const std::string setting :
-         {"Output directory = out",
-          "Output/Plots = false",
-          "Scene/Body disc/Cells = 12, 2, 1",
-          "Scene/Body pad/Cells = 1, 1, 1",
-          "Scene/Body support/Cells = 1, 1, 4",
-          "Scene/Support top/Kind = guided",
-          "Discretization/Degree = 1",
-          "Transient/Disturbance = 1e-8",
-          "Transient/End time = 0.002"})
+    for (const std::string setting : {"Output directory = out",
+                                      "Output/Plots = false",
+                                      "Scene/Body disc/Cells = 12, 2, 1",
+                                      "Scene/Body pad/Cells = 1, 1, 1",
+                                      "Scene/Body support/Cells = 1, 1, 4",
+                                      "Scene/Support top/Kind = guided",
+                                      "Discretization/Degree = 1",
+                                      "Transient/Disturbance = 1e-8",
+                                      "Transient/End time = 0.002"})
       words.insert(words.end(), {"--set", setting});
     for (const std::string &setting : settings)
       words.insert(words.end(), {"--set", setting});
@@ -106,36 +105,33 @@ namespace
                                "Work precision/Time steps = 1e-6, 4e-6, 2e-6",
                                "Work precision/Cut-offs = 10e3, 20e3"});
     check(o.code == 0, "transients are climbed: " + o.errors);
-    const Table t = read_csv("out/figure_errors.csv");
+    const Table t       = read_csv("out/figure_errors.csv");
     const auto  leading = [&](const std::string &setting) {
       return figure(t, setting, "leading_edge_factor");
     };
-    const double coarse = leading("time step = 4e-06"),
-                 fine   = leading("time step = 1e-06");
+    const double coarse = leading("time step = 4e-6"),
+                 fine   = leading("time step = 1e-6");
     check(coarse != fine && fine > 0., "the step changes the result");
-    check(std::abs(figure(t,
-                          "time step = 4e-06",
-                          "leading_edge_factor",
-                          "error_rel") -
-                   std::abs(coarse - fine) / fine) < 1e-9,
+    check(std::abs(
+            figure(t, "time step = 4e-6", "leading_edge_factor", "error_rel") -
+            std::abs(coarse - fine) / fine) < 1e-9,
           "the smallest step is the reference, wherever it stands");
-    check(figure(t, "cut-off = 20000", "leading_edge_factor", "error_rel") ==
-              0. &&
-            figure(t, "cut-off = 10000", "leading_edge_factor", "error_rel") >
-              0.,
-          "the highest cut-off is the reference");
-    check(figure(t, "time step = 1e-06", "worst_imbalance", "error_rel") ==
-            figure(t, "time step = 1e-06", "worst_imbalance"),
+    check(
+      figure(t, "cut-off = 20000", "leading_edge_factor", "error_rel") == 0. &&
+        figure(t, "cut-off = 10000", "leading_edge_factor", "error_rel") > 0.,
+      "the highest cut-off is the reference");
+    check(figure(t, "time step = 1e-6", "worst_imbalance", "error_rel") ==
+            figure(t, "time step = 1e-6", "worst_imbalance"),
           "the energy ledger is an error by itself");
     const Outcome single =
       pressed({"Analysis = transient", "Transient/Time step = 4e-6"});
     check(single.code == 0, "a single run: " + single.errors);
     const Table one = read_csv("out/transient.csv");
     for (const char *name : {"leading_edge_factor", "worst_imbalance"})
-      check(std::abs(one.real(0, name) -
-                     figure(t, "time step = 4e-06", name)) <=
-              1e-12 * std::abs(one.real(0, name)),
-            "a rung is the run with its settings");
+      check(
+        std::abs(one.real(0, name) - figure(t, "time step = 4e-6", name)) <=
+          1e-12 * std::abs(one.real(0, name)),
+        "a rung is the run with its settings");
   }
 
   void
@@ -188,15 +184,15 @@ main(int argc, char **argv)
   check_refused({"Work precision/Ladders = basis"}, "does not have");
   check_refused({"Work precision/Ladders = time step"},
                 "'Work precision/Time steps' is empty");
-  check_refused({"Work precision/Ladders = cut-off",
-                 "Work precision/Cut-offs = 2e4"},
-                "at least two");
-  check_refused({"Work precision/Ladders = degree",
-                 "Work precision/Reference = 1"},
-                "its own finest rung");
-  check_refused({"Work precision/Ladders = degree",
-                 "Transient/Integrators = reduced"},
-                "several runs");
+  check_refused(
+    {"Work precision/Ladders = cut-off", "Work precision/Cut-offs = 2e4"},
+    "at least two");
+  check_refused(
+    {"Work precision/Ladders = degree", "Work precision/Reference = 1"},
+    "its own finest rung");
+  check_refused(
+    {"Work precision/Ladders = degree", "Transient/Integrators = reduced"},
+    "several runs");
   run({"Discretization/Degree = 1", "Discretization/Estimate error = false"});
   const Table               pairs = read_csv("out/eigenvalues.csv");
   const std::vector<double> sigma = pairs.reals("sigma_per_s");

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -66,6 +67,8 @@ namespace squeal
     finest_of(const FigureLadder ladder, const std::vector<FigureRung> &rungs)
     {
       const auto fineness = [&](const FigureRung &rung) {
+        if (!rung.solution.is_solved())
+          return -std::numeric_limits<double>::infinity();
         switch (ladder)
           {
           case FigureLadder::time_step:
@@ -84,21 +87,86 @@ namespace squeal
              rungs.begin();
     }
 
+    /** A rung that cannot be solved, as one whose time step is not stable, has
+     * no figures and says why. */
+    RungFigures
+    solve_or_tell(RunContext        &context,
+                  const FigureLadder ladder,
+                  const double       value)
+    {
+      const Parameters p =
+        parameters_of_rung(context.parameters, ladder, value);
+      const auto unsolved = [&](const std::string &reason) {
+        context.log.warning(setting_text(ladder, value) +
+                            " is not solved: " + reason);
+        RungFigures rung;
+        rung.verdict = "not solved: " + reason;
+        return rung;
+      };
+      try
+        {
+          return solve_rung(p, context.log, context.timers);
+        }
+      catch (const InputError &e)
+        {
+          return unsolved(e.what());
+        }
+      catch (const ComputationError &e)
+        {
+          return unsolved(e.what());
+        }
+    }
+
     ClimbedLadder
     climb_ladder(RunContext &context, const FigureLadder ladder)
     {
       ClimbedLadder climbed{ladder, {}};
+      unsigned int  n_solved = 0;
       for (const double value : context.parameters.work_precision.rungs(ladder))
         {
           context.log.info(setting_text(ladder, value));
           climbed.rungs.push_back(
-            {value,
-             solve_rung(parameters_of_rung(context.parameters, ladder, value),
-                        context.log,
-                        context.timers)});
+            {value, solve_or_tell(context, ladder, value)});
+          n_solved += climbed.rungs.back().solution.is_solved();
         }
+      if (n_solved < 2)
+        throw ComputationError("the ladder '" + choice_name(ladder) +
+                               "' has no two rungs that can be solved");
       climbed.finest = finest_of(ladder, climbed.rungs);
       return climbed;
+    }
+
+    std::vector<Cell>
+    row_of_figure(const ClimbedLadder &climbed,
+                  const FigureRung    &rung,
+                  const RungFigure    &figure)
+    {
+      const RungFigures &s     = rung.solution;
+      const double       error = climbed.error_of(rung, figure);
+      return {setting_text(climbed.ladder, rung.setting),
+              s.n_unknowns,
+              s.n_modes > 0 ? Cell(s.n_modes) : Cell(),
+              s.n_steps > 0 ? Cell(s.n_steps) : Cell(),
+              s.seconds,
+              s.memory_mb,
+              s.verdict,
+              figure.name,
+              or_missing(figure.value),
+              std::isfinite(error) ? Cell(error) : Cell(),
+              or_missing(std::abs(figure.stated / figure.value)),
+              figure.is_error
+                ? "exact"
+                : setting_text(climbed.ladder,
+                               climbed.rungs[climbed.finest].setting)};
+    }
+
+    std::vector<Cell>
+    unsolved_row(const FigureLadder ladder, const FigureRung &rung)
+    {
+      std::vector<Cell> row(12);
+      row[0] = setting_text(ladder, rung.setting);
+      row[6] = rung.solution.verdict;
+      return row;
     }
 
     Table
@@ -118,28 +186,13 @@ namespace squeal
          {"stated_rel", Type::real, "", "error that the run states", 3},
          {"reference", Type::text, "", "what it is measured against"}});
       for (const ClimbedLadder &climbed : ladders)
-        for (std::size_t k = 0; k < climbed.rungs.size(); ++k)
-          for (const RungFigure &figure : climbed.rungs[k].solution.figures)
-            {
-              const RungFigures &s = climbed.rungs[k].solution;
-              const double error   = climbed.error_of(climbed.rungs[k], figure);
-              table.add_row(
-                {setting_text(climbed.ladder, climbed.rungs[k].setting),
-                 s.n_unknowns,
-                 s.n_modes > 0 ? Cell(s.n_modes) : Cell(),
-                 s.n_steps > 0 ? Cell(s.n_steps) : Cell(),
-                 s.seconds,
-                 s.memory_mb,
-                 s.verdict,
-                 figure.name,
-                 or_missing(figure.value),
-                 std::isfinite(error) ? Cell(error) : Cell(),
-                 or_missing(std::abs(figure.stated / figure.value)),
-                 figure.is_error
-                   ? "exact"
-                   : setting_text(climbed.ladder,
-                                  climbed.rungs[climbed.finest].setting)});
-            }
+        for (const FigureRung &rung : climbed.rungs)
+          {
+            if (!rung.solution.is_solved())
+              table.add_row(unsolved_row(climbed.ladder, rung));
+            for (const RungFigure &figure : rung.solution.figures)
+              table.add_row(row_of_figure(climbed, rung, figure));
+          }
       return table;
     }
 
@@ -220,7 +273,8 @@ namespace squeal
     {
       const FigureRung &finest = climbed.rungs[climbed.finest];
       for (const FigureRung &rung : climbed.rungs)
-        if (rung.solution.verdict != finest.solution.verdict)
+        if (rung.solution.is_solved() &&
+            rung.solution.verdict != finest.solution.verdict)
           log.warning(setting_text(climbed.ladder, rung.setting) + " says \"" +
                       rung.solution.verdict + "\", and " +
                       setting_text(climbed.ladder, finest.setting) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/work_precision/ladder.h>
-#include <squeal/base/number_text.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +96,6 @@ namespace squeal
   std::string
   setting_text(const Ladder ladder, const double value)
   {
-    return choice_name(ladder) + " = " + rounded_text(value, 6);
+    return choice_name(ladder) + " = " + prm::format_number(value);
   }
 } // namespace squeal

@@ -3,9 +3,7 @@
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/work_precision/rung_figures.h>
-#include <squeal/base/exceptions.h>
 #include <squeal/base/run_log.h>
-#include <squeal/base/stop_request.h>
 #include <squeal/base/timers.h>
 #include <squeal/model/pressed_model.h>
 
@@ -39,7 +37,8 @@ namespace squeal
       steps.add(full.pressed, full.sliding, 1.);
       const Table &t  = steps.table();
       rung.n_unknowns = model.n_unknowns();
-      rung.verdict    = steps.at_full_load("n_open") + " nodes open";
+      rung.verdict    = last_of(t, "n_open") > 0. ? "part of the face is open"
+                                                  : "the whole face is closed";
       rung.figures.push_back({"tangential_n", last_of(t, "tangential_n")});
       for (unsigned int i = 0; i < contacts.size(); ++i)
         for (const char *name : {"secant_stiffness_n_per_m",
@@ -53,33 +52,24 @@ namespace squeal
           }
     }
 
-    /** Goes to the end; a signal ends the program. */
+    /** Goes to the end, without checkpoints. */
     void
     run_to_end(TransientRun &run, RunLog &log, Timers &timers)
     {
-      StopRequest stop;
-      bool        finished;
-      {
-        Timers::Section section(timers, "Solve: time steps");
-        Progress        progress(log, "time steps", run.n_steps_left());
-        finished = run.advance([&](const unsigned int n) {
-          progress.advance(n);
-          return stop.is_there();
-        });
-      }
-      if (finished)
-        return;
-      stop.repeat();
-      throw ComputationError("stopped by a signal");
+      Timers::Section section(timers, "Solve: time steps");
+      Progress        progress(log, "time steps", run.n_steps_left());
+      run.advance([&](const unsigned int n) {
+        progress.advance(n);
+        return false;
+      });
     }
 
     /** Growth where there is a fit, the limit cycle where there is one. */
     std::vector<RungFigure>
     figures_of_transient(const Table &t)
     {
-      const bool has_cycle =
-        t.text(0, "limit_cycle") == "yes";
-      const auto of_cycle = [&](const std::string &name) {
+      const bool has_cycle = t.text(0, "limit_cycle") == "yes";
+      const auto of_cycle  = [&](const std::string &name) {
         return has_cycle ? last_of(t, name) : std::nan("no limit cycle");
       };
       return {{"growth_rate_per_s",
@@ -129,6 +119,12 @@ namespace squeal
   } // namespace
 
 
+
+  bool
+  RungFigures::is_solved() const
+  {
+    return !figures.empty();
+  }
 
   double
   RungFigures::value_of(const std::string &name) const

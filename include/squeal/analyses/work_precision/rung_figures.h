@@ -36,6 +36,8 @@ namespace squeal
     double                  seconds   = 0.; /**< CPU time of the process */
     double                  memory_mb = 0.; /**< its peak so far */
 
+    /** Whether there are figures; if not the verdict says why. */
+    bool is_solved() const;
     /** The figure called @p name; NaN in place of one that is not there. */
     double value_of(const std::string &name) const;
   };
