@@ -336,6 +336,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/shape_output.cc)
 
 set(SQUEAL_SOURCES_ANALYSES
+    source/analyses/run_figures.cc
     source/analyses/angles/run_angles.cc
     source/analyses/cea/run_cea.cc
     source/analyses/frequency_response/response_solution.cc
@@ -357,6 +358,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/operating_matrix/operating_condition.cc
     source/analyses/operating_matrix/run_operating_matrix.cc
     source/analyses/preload/loaded_scene.cc
+    source/analyses/preload/preload_figures.cc
     source/analyses/preload/preload_mesh_error.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
@@ -382,6 +384,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/force_statistics.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
+    source/analyses/transient/transient_run_figures.cc
     source/analyses/transient/run_transient.cc
     source/analyses/transient/saved_transient.cc
     source/analyses/transient/transient_campaign.cc
@@ -403,7 +406,6 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/updating/updating_model.cc
     source/analyses/work_precision/figure_ladders.cc
     source/analyses/work_precision/ladder.cc
-    source/analyses/work_precision/rung_figures.cc
     source/analyses/work_precision/run_work_precision.cc)
 
 set(SQUEAL_SOURCES

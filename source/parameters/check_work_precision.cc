@@ -63,9 +63,13 @@ namespace squeal
             return "Time steps";
           case Ladder::adaptive:
             return w.adaptive_values.empty() ? "Values" : "Adaptive values";
-          default:
+          case Ladder::degree:
+          case Ladder::refinement:
+          case Ladder::cells:
+          case Ladder::basis:
             return "Values";
           }
+        unknown_choice("ladder");
       }
 
       /** The ladders that a problem has. */

@@ -128,10 +128,9 @@ namespace
     check(single.code == 0, "a single run: " + single.errors);
     const Table one = read_csv("out/transient.csv");
     for (const char *name : {"leading_edge_factor", "worst_imbalance"})
-      check(
-        std::abs(one.real(0, name) - figure(t, "time step = 4e-6", name)) <=
-          1e-12 * std::abs(one.real(0, name)),
-        "a rung is the run with its settings");
+      check(std::abs(one.real(0, name) - figure(t, "time step = 4e-6", name)) <=
+              1e-12 * std::abs(one.real(0, name)),
+            "a rung is the run with its settings");
   }
 
   void

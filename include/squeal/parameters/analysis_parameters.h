@@ -129,9 +129,13 @@ namespace squeal
           return cut_offs;
         case Ladder::time_step:
           return time_steps;
-        default:
-          return values;
+        case Ladder::degree:
+        case Ladder::refinement:
+        case Ladder::cells:
+        case Ladder::basis:
+          break;
         }
+      return values;
     }
   };
 

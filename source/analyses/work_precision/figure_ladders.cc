@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/run_figures.h>
 #include <squeal/analyses/work_precision/figure_ladders.h>
 #include <squeal/analyses/work_precision/ladder.h>
-#include <squeal/analyses/work_precision/rung_figures.h>
 
 #include <squeal/base/exceptions.h>
+#include <squeal/base/timers.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/results/cost_at_error.h>
@@ -25,8 +27,8 @@ namespace squeal
 
     struct FigureRung
     {
-      double      setting;
-      RungFigures solution;
+      double     setting;
+      RunFigures solution;
     };
 
     /** One ladder, all of its rungs. */
@@ -39,7 +41,7 @@ namespace squeal
       /** How far a figure of a rung is from that of the finest one, relative;
        * of an error, that itself. NaN where one of them is not there. */
       double
-      error_of(const FigureRung &rung, const RungFigure &figure) const
+      error_of(const FigureRung &rung, const RunFigure &figure) const
       {
         if (figure.is_error)
           return std::abs(figure.value);
@@ -48,14 +50,14 @@ namespace squeal
       }
 
       double
-      reference_of(const RungFigure &figure) const
+      reference_of(const RunFigure &figure) const
       {
         return rungs[finest].solution.value_of(figure.name);
       }
 
       /** Whether @p rung tells an error of @p figure: not the reference. */
       bool
-      counts(const std::size_t rung, const RungFigure &figure) const
+      counts(const std::size_t rung, const RunFigure &figure) const
       {
         return figure.is_error || rung != finest;
       }
@@ -75,9 +77,14 @@ namespace squeal
             return -rung.setting;
           case FigureLadder::cut_off:
             return rung.setting;
-          default:
+          case FigureLadder::degree:
+          case FigureLadder::refinement:
+          case FigureLadder::cells:
+          case FigureLadder::adaptive:
+          case FigureLadder::basis:
             return static_cast<double>(rung.solution.n_unknowns);
           }
+        unknown_choice("ladder");
       };
       return std::max_element(rungs.begin(),
                               rungs.end(),
@@ -87,9 +94,22 @@ namespace squeal
              rungs.begin();
     }
 
+    /** Solves @p p, made by parameters_of_rung(). */
+    RunFigures
+    solve_rung(const Parameters &p, RunContext &context)
+    {
+      const double start = cpu_seconds();
+      RunFigures   rung  = p.analysis == Parameters::Analysis::transient
+                             ? figures_of_transient(p, context.log, context.timers)
+                             : figures_of_preload(p, context.timers);
+      rung.seconds       = cpu_seconds() - start;
+      rung.memory_mb     = peak_memory_mb();
+      return rung;
+    }
+
     /** A rung that cannot be solved, as one whose time step is not stable, has
      * no figures and says why. */
-    RungFigures
+    RunFigures
     solve_or_tell(RunContext        &context,
                   const FigureLadder ladder,
                   const double       value)
@@ -99,13 +119,13 @@ namespace squeal
       const auto unsolved = [&](const std::string &reason) {
         context.log.warning(setting_text(ladder, value) +
                             " is not solved: " + reason);
-        RungFigures rung;
+        RunFigures rung;
         rung.verdict = "not solved: " + reason;
         return rung;
       };
       try
         {
-          return solve_rung(p, context.log, context.timers);
+          return solve_rung(p, context);
         }
       catch (const InputError &e)
         {
@@ -139,10 +159,10 @@ namespace squeal
     std::vector<Cell>
     row_of_figure(const ClimbedLadder &climbed,
                   const FigureRung    &rung,
-                  const RungFigure    &figure)
+                  const RunFigure     &figure)
     {
-      const RungFigures &s     = rung.solution;
-      const double       error = climbed.error_of(rung, figure);
+      const RunFigures &s     = rung.solution;
+      const double      error = climbed.error_of(rung, figure);
       return {setting_text(climbed.ladder, rung.setting),
               s.n_unknowns,
               s.n_modes > 0 ? Cell(s.n_modes) : Cell(),
@@ -190,7 +210,7 @@ namespace squeal
           {
             if (!rung.solution.is_solved())
               table.add_row(unsolved_row(climbed.ladder, rung));
-            for (const RungFigure &figure : rung.solution.figures)
+            for (const RunFigure &figure : rung.solution.figures)
               table.add_row(row_of_figure(climbed, rung, figure));
           }
       return table;
@@ -202,12 +222,12 @@ namespace squeal
     {
       WorkPrecisionSeries series{choice_name(climbed.ladder), {}, {}, {}, {}};
       for (std::size_t k = 0; k < climbed.rungs.size(); ++k)
-        for (const RungFigure &figure : climbed.rungs[k].solution.figures)
+        for (const RunFigure &figure : climbed.rungs[k].solution.figures)
           if (const double error = climbed.error_of(climbed.rungs[k], figure);
               figure.name == name && climbed.counts(k, figure) && error > 0. &&
               std::isfinite(error))
             {
-              const RungFigures &s = climbed.rungs[k].solution;
+              const RunFigures &s = climbed.rungs[k].solution;
               series.seconds.push_back(s.seconds);
               series.dofs.push_back(s.n_unknowns);
               series.errors.push_back(error);
@@ -260,7 +280,7 @@ namespace squeal
       std::vector<std::string> names;
       for (const ClimbedLadder &climbed : ladders)
         for (const FigureRung &rung : climbed.rungs)
-          for (const RungFigure &figure : rung.solution.figures)
+          for (const RunFigure &figure : rung.solution.figures)
             if (std::find(names.begin(), names.end(), figure.name) ==
                 names.end())
               names.push_back(figure.name);
