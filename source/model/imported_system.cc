@@ -4,15 +4,20 @@
 #include <squeal/contact/imported_geometry.h>
 #include <squeal/model/imported_system.h>
 
+#include <cmath>
+
 namespace squeal
 {
   namespace
   {
     using Role = MatrixPartParameters::Role;
 
-    /** What part @p i counts in M, C and K. */
+    /** What part @p i, read as @p matrix, counts in M, C and K. */
     TermCoefficients
-    coefficients_of(const SceneParameters &s, const unsigned int i)
+    coefficients_of(const SceneParameters         &s,
+                    const unsigned int             i,
+                    const bool                     is_damping,
+                    const ImportedMatrix::Symmetry symmetry)
     {
       const double f = s.matrix_parts[i].factor;
       const bool   whole =
@@ -27,6 +32,15 @@ namespace squeal
         case Role::normal_contact:
           return elastic_coefficients(s, f, 0., 0.);
         case Role::friction:
+          // Where the target turns backwards, what friction adds to the damping
+          // of the sliding is the same: |mu|. What couples it to the normal
+          // motion changes its sign.
+          if (is_damping)
+            return {0.,
+                    f * (symmetry == ImportedMatrix::Symmetry::symmetric
+                           ? std::abs(s.friction_coefficient)
+                           : s.friction_coefficient),
+                    0.};
           return elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
         }
       unknown_choice("role");
@@ -38,12 +52,17 @@ namespace squeal
     {
       const auto symmetric =
         std::make_shared<const SparseMatrix>(rows, lower_symmetric_part(part));
-      if (part.symmetry == ImportedMatrix::Symmetry::symmetric)
+      const bool is_symmetric =
+        part.symmetry == ImportedMatrix::Symmetry::symmetric;
+      if (is_symmetric && part.role != Role::friction)
         return symmetric;
       // One non-symmetric operator: the undamped, frictionless problem must
-      // not take in its symmetric half.
+      // not take in its symmetric half. Friction that is given as K(mu) - K(0)
+      // has a part, K(0), that is nothing else.
       const auto skew = std::make_shared<const SparseMatrix>(
-        rows, lower_skew_part(part), SparseMatrix::Symmetry::skew);
+        rows,
+        is_symmetric ? Triplets() : lower_skew_part(part),
+        SparseMatrix::Symmetry::skew);
       return std::make_shared<SumOperator>(
         std::vector<SumOperator::Part>{{1., symmetric}, {1., skew}});
     }
@@ -86,15 +105,16 @@ namespace squeal
     result.restrict_forces = result.expand;
     for (unsigned int i = 0; i < model.parts.size(); ++i)
       {
-        const auto matrix = operator_of(model.parts[i], result.system.space);
-        // A stiffness that is not symmetric holds friction too.
-        const Role role = model.parts[i].role;
+        const auto  matrix = operator_of(model.parts[i], result.system.space);
+        const auto &part   = model.parts[i];
         result.system.terms.push_back(
-          {model.parts[i].name,
+          {part.name,
            matrix,
-           [i](const SceneParameters &s) { return coefficients_of(s, i); },
-           role == Role::friction ||
-             (role == Role::stiffness && !matrix->is_symmetric())});
+           [i, is_damping = part.is_damping, symmetry = part.symmetry](
+             const SceneParameters &s) {
+             return coefficients_of(s, i, is_damping, symmetry);
+           },
+           part.role == Role::friction});
       }
     return result;
   }

@@ -285,6 +285,12 @@ namespace squeal
     if (!space)
       {
         log.key_values({{"unknowns", std::to_string(n_unknowns())}});
+        for (const ImportedMatrix &part : import_of->parts)
+          if (part.storage != ImportedMatrix::Storage::stated)
+            log.info("  " + part.file + " does not say what it leaves out; " +
+                     (part.storage == ImportedMatrix::Storage::assumed_full
+                        ? "taken as a full matrix"
+                        : "taken as one half of a symmetric matrix"));
         return;
       }
     const auto &scene = all_parameters.scene;

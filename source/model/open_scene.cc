@@ -102,9 +102,10 @@ namespace squeal
       return motion;
     }
 
-    /** Mean motion along @p normal of the nodes of a body that are furthest
-     * along it, the face away from the contact; of the centre where these are
-     * fewer than three. */
+    /** Mean motion along @p normal, weighted with the mass among them, of the
+     * nodes of a body that are furthest along it, the face away from the
+     * contact: with cells of one height that is the mean over the area. Of the
+     * centre where the nodes are fewer than three or have no mass. */
     Eigen::VectorXd
     far_motion(const ImportedModel        &model,
                const std::string          &body,
@@ -132,9 +133,14 @@ namespace squeal
             motion[i] = normal[c - 1];
             nodes.insert(model.labels[i].node);
           }
-      if (nodes.size() < 3)
+      const Eigen::VectorXd on_face =
+        (motion.array() != 0.)
+          .select(
+            Eigen::VectorXd(imported_mass(model)->multiply(Block(motion))), 0.);
+      const double mass = motion.dot(on_face);
+      if (nodes.size() < 3 || !(mass > 0.))
         return centre * Eigen::Vector3d(normal[0], normal[1], normal[2]);
-      return motion / nodes.size();
+      return on_face / mass;
     }
 
     /** The load whose resultant presses most against the mean normal. */
@@ -184,8 +190,12 @@ namespace squeal
           const Block centre =
             centre_motion(model, pair.parameters.source_body);
           own.middleCols(PressedModel::centre_x, 3) = centre;
-          own.col(PressedModel::far_face) =
-            far_motion(model, pair.parameters.source_body, normal, centre);
+          if (const auto &far = model.far_faces[p]; !far.empty())
+            own.col(PressedModel::far_face) =
+              Eigen::Map<const Eigen::VectorXd>(far.data(), far.size());
+          else
+            own.col(PressedModel::far_face) =
+              far_motion(model, pair.parameters.source_body, normal, centre);
           own.col(PressedModel::loaded_face) = pressing_motion(model, normal);
         }
       return l;

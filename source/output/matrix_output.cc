@@ -2,11 +2,13 @@
 #include <squeal/output/matrix_output.h>
 
 #include <squeal/results/matrix_market.h>
+#include <squeal/scene/matrix_import.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <ostream>
+#include <cmath>
+#include <sstream>
 
 namespace squeal
 {
@@ -21,7 +23,59 @@ namespace squeal
       std::string      name, label;
       TermCoefficients coefficients;
       bool             symmetric;
+      /** What it counts in C beside the damping of the whole model: whatever
+       * the friction is, and by friction. */
+      double fixed_damping, friction_damping;
+
+      std::string
+      damping_label() const
+      {
+        return label + "_friction_damping";
+      }
     };
+
+    /** The coefficient in C less alpha M + beta K of the whole model. */
+    double
+    own_damping(const AffineTerm &term, const SceneParameters &scene)
+    {
+      const TermCoefficients   c = term.coefficients(scene);
+      const DampingParameters &d = scene.damping;
+      if (d.model != DampingParameters::Model::whole_model)
+        return c.damping;
+      const double whole =
+        d.mass_damping * c.mass + d.stiffness_damping * c.stiffness.real();
+      const double rest = c.damping - whole;
+      return std::abs(rest) <= 1e-13 * std::abs(whole) ? 0. : rest;
+    }
+
+    SceneParameters
+    with_half_friction(SceneParameters scene)
+    {
+      scene.friction_coefficient *= .5;
+      for (ContactParameters &contact : scene.contacts)
+        {
+          contact.friction_coefficient *= .5;
+          contact.static_friction_coefficient *= .5;
+          for (double &coefficient : contact.friction_coefficients)
+            coefficient *= .5;
+        }
+      return scene;
+    }
+
+    /** Splits the damping, which goes with friction or does not, into both. */
+    void
+    split_damping(const AffineTerm      &term,
+                  const SceneParameters &scene,
+                  NamedPart             &part)
+    {
+      const double whole = own_damping(term, scene),
+                   half  = own_damping(term, with_half_friction(scene));
+      const auto or_zero = [whole](const double x) {
+        return std::abs(x) <= 1e-12 * std::abs(whole) ? 0. : x;
+      };
+      part.friction_damping = or_zero(2. * (whole - half));
+      part.fixed_damping    = or_zero(whole - part.friction_damping);
+    }
 
     /** A name for files and sections: "part_01_mass_of_disc". */
     std::string
@@ -67,40 +121,117 @@ namespace squeal
 
     void
     write_section(std::ostream      &out,
-                  const std::string &label,
+                  const std::string &name,
+                  const std::string &file,
                   const std::string &role,
                   const double       factor)
     {
-      out << "\n  subsection Matrix part " << label
-          << "\n    set File   = " << label << ".mtx\n    set Role   = " << role
+      out << "\n  subsection Matrix part " << name
+          << "\n    set File   = " << file << ".mtx\n    set Role   = " << role
           << "\n    set Factor = " << shortest_text(factor) << "\n  end\n";
     }
 
-    /** M and C as a whole, K by its parts: what the undamped, frictionless
-     * problem leaves out must stay apart. */
+    void
+    write_whole_model_damping(std::ostream            &out,
+                              const DampingParameters &damping)
+    {
+      if (damping.model == DampingParameters::Model::whole_model)
+        out << "\n  subsection Damping\n    set Model             = whole model"
+            << "\n    set Mass damping      = "
+            << shortest_text(damping.mass_damping)
+            << "\n    set Stiffness damping = "
+            << shortest_text(damping.stiffness_damping) << "\n  end\n";
+    }
+
+    bool
+    has_fixed_damping(const std::vector<NamedPart> &parts)
+    {
+      return std::any_of(parts.begin(), parts.end(), [](const auto &part) {
+        return part.fixed_damping != 0.;
+      });
+    }
+
+    /** M as a whole, and C but for what comes of M, K and friction; K and
+     * friction by their parts: what the undamped, frictionless problem leaves
+     * out must stay apart. */
     void
     write_scene(std::ostream                 &out,
-                const std::string            &name,
+                const SceneParameters        &scene,
                 const std::vector<NamedPart> &parts)
     {
-      out << "# Matrices of the scene " << name
+      std::ostringstream sections;
+      std::string        names = "mass";
+      const auto         add   = [&](const std::string &name,
+                           const std::string &file,
+                           const std::string &role,
+                           const double       factor) {
+        if (name != "mass")
+          names += ", " + name;
+        write_section(sections, name, file, role, factor);
+      };
+      add("mass", "mass", "mass", 1.);
+      if (has_fixed_damping(parts))
+        add("damping", "fixed_damping", "damping", 1.);
+      bool has_friction = false;
+      for (const NamedPart &part : parts)
+        {
+          const double k = part.coefficients.stiffness.real();
+          if (k != 0.)
+            add(part.label,
+                part.label,
+                part.symmetric ? "stiffness" : "friction",
+                k);
+          if (part.friction_damping != 0.)
+            add(part.damping_label(),
+                part.damping_label(),
+                "friction",
+                part.friction_damping);
+          has_friction = has_friction || (k != 0. && !part.symmetric) ||
+                         part.friction_damping != 0.;
+        }
+      out << "# Matrices of the scene " << scene.name
           << " as a scene of their own, to be included.\n"
-          << "# The friction coefficient is relative to that of the run.\n"
-          << "subsection Scene\n  set Name = " << name << "\n"
-          << "  set Kind = matrices\n  set Matrix parts = mass, damping";
-      for (const NamedPart &part : parts)
-        if (part.coefficients.stiffness != 0.)
-          out << ", " << part.label;
-      out << "\n  set Friction coefficient = 1\n";
-      write_section(out, "mass", "mass", 1.);
-      write_section(out, "damping", "damping", 1.);
-      for (const NamedPart &part : parts)
-        if (part.coefficients.stiffness != 0.)
-          write_section(out,
-                        part.label,
-                        part.symmetric ? "stiffness" : "friction",
-                        part.coefficients.stiffness.real());
+          << "subsection Scene\n  set Name = " << scene.name << "\n"
+          << "  set Kind = matrices\n  set Matrix parts = " << names << '\n';
+      if (has_friction)
+        out << "  # Relative to that of the run, whose contact state stays.\n"
+            << "  set Friction coefficient = 1\n";
+      out << sections.str();
+      write_whole_model_damping(out, scene.damping);
       out << "end\n";
+    }
+
+    /** The files of the damping, which the scene of kind `matrices` has beside
+     * those of the operators. Collective. */
+    void
+    write_damping(RunContext                   &context,
+                  const AffineSystem           &system,
+                  const std::vector<NamedPart> &parts,
+                  const std::string            &folder)
+    {
+      const auto write = [&](const std::string             &name,
+                             const std::vector<MatrixTerm> &terms,
+                             const std::string             &comment) {
+        write_matrix_market(context.output.file(folder + "/" + name + ".mtx"),
+                            context.is_root,
+                            *system.space,
+                            terms,
+                            comment);
+      };
+      std::vector<MatrixTerm> fixed;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        {
+          fixed.push_back({parts[i].fixed_damping, system.terms[i].matrix});
+          if (parts[i].friction_damping != 0.)
+            write(parts[i].damping_label(),
+                  {{1., system.terms[i].matrix}},
+                  parts[i].name + "\n% " + damping_mark);
+        }
+      if (has_fixed_damping(parts))
+        write("fixed_damping",
+              fixed,
+              "C of " + equation +
+                " without alpha M + beta K of the whole model and friction");
     }
   } // namespace
 
@@ -146,7 +277,10 @@ namespace squeal
         parts.push_back({term.name,
                          label_of(parts.size() + 1, term.name),
                          term.coefficients(context.parameters.scene),
-                         term.matrix->is_symmetric()});
+                         term.matrix->is_symmetric(),
+                         0.,
+                         0.});
+        split_damping(term, context.parameters.scene, parts.back());
         write_matrix_market(
           context.output.file(folder + "/" + parts.back().label + ".mtx"),
           context.is_root,
@@ -154,6 +288,8 @@ namespace squeal
           {{1., term.matrix}},
           term.name);
       }
+    if (can_be_imported(parts))
+      write_damping(context, system, parts, folder);
     if (!context.is_root)
       return;
     write_atomically(context.output.file(folder + "/index.json"),
@@ -170,7 +306,7 @@ namespace squeal
       }
     write_atomically(context.output.file(folder + "/scene.prm"),
                      [&](std::ostream &out) {
-                       write_scene(out, context.parameters.scene.name, parts);
+                       write_scene(out, context.parameters.scene, parts);
                      });
   }
 

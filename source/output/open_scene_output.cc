@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/discretization/load_vector.h>
+#include <squeal/model/open_scene.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/output/matrix_output.h>
 #include <squeal/output/open_scene_output.h>
@@ -31,7 +32,7 @@ namespace squeal
                              const Vector3     &position,
                              const std::string &body) {
         if (result[row].label.node == 0)
-          result[row] = {0, {node, component}, position, body, {}, 0};
+          result[row] = {0, {node, component}, position, body, {}, {}, 0};
       };
       const auto                   &dofs = d.dof_handler();
       const auto                   &fe   = dofs.get_fe();
@@ -97,14 +98,30 @@ namespace squeal
       return result;
     }
 
+    /** Weights of the mean motion of every far face into @p unknowns. */
     void
-    write_nodes(std::ostream                      &out,
-                const std::vector<NodeTableRow>   &rows,
-                const std::vector<LoadParameters> &loads)
+    enter_far_faces(const Model               &model,
+                    const SceneParameters     &scene,
+                    std::vector<NodeTableRow> &unknowns)
+    {
+      const OpenScene open =
+        open_scene(scene, *model.discretization(), model.body_matrices());
+      for (unsigned int c = 0; c < scene.contacts.size(); ++c)
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+          unknowns[i].far_weights.push_back(open.observed(
+            i, PressedModel::observer(c, PressedModel::far_face)));
+    }
+
+    void
+    write_nodes(std::ostream                    &out,
+                const std::vector<NodeTableRow> &rows,
+                const SceneParameters           &scene)
     {
       out << "dof,node,component,x,y,z,body";
-      for (const LoadParameters &load : loads)
+      for (const LoadParameters &load : scene.loads)
         out << ",load_" << load.name;
+      for (const ContactParameters &contact : scene.contacts)
+        out << ",far_" << contact.name;
       out << '\n';
       for (const NodeTableRow &row : rows)
         {
@@ -112,8 +129,9 @@ namespace squeal
           for (const double x : row.position)
             out << ',' << shortest_text(x);
           out << ',' << row.body;
-          for (const double force : row.forces)
-            out << ',' << shortest_text(force);
+          for (const auto &values : {row.forces, row.far_weights})
+            for (const double value : values)
+              out << ',' << shortest_text(value);
           out << '\n';
         }
     }
@@ -295,9 +313,10 @@ namespace squeal
         for (std::size_t i = 0; i < unknowns.size(); ++i)
           unknowns[i].forces.push_back(force(i, 0));
       }
+    enter_far_faces(model, scene, unknowns);
     write_atomically(
       context.output.file(folder + "/nodes.csv"),
-      [&](std::ostream &out) { write_nodes(out, unknowns, scene.loads); });
+      [&](std::ostream &out) { write_nodes(out, unknowns, scene); });
     write_atomically(
       context.output.file(folder + "/contact.csv"), [&](std::ostream &out) {
         out

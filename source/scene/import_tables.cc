@@ -5,6 +5,7 @@
 #include <squeal/scene/import_text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -164,13 +165,17 @@ namespace squeal
 
   std::vector<NodeTableRow>
   read_node_table(const std::string              &name,
-                  const std::vector<std::string> &loads)
+                  const std::vector<std::string> &loads,
+                  const std::vector<std::string> &contacts)
   {
     std::vector<std::string> required = {
       "node", "component", "x", "y", "z", "body"};
     for (const std::string &load : loads)
       required.push_back("load_" + load);
-    Table                     table(name, required, {"dof"});
+    std::vector<std::string> optional = {"dof"};
+    for (const std::string &contact : contacts)
+      optional.push_back("far_" + contact);
+    Table                     table(name, required, optional);
     std::vector<NodeTableRow> rows;
     std::set<long>            dofs;
     std::set<DofLabel>        labels;
@@ -183,6 +188,10 @@ namespace squeal
         row.line     = table.file.line_number();
         for (const std::string &load : loads)
           row.forces.push_back(table.real("load_" + load));
+        for (const std::string &contact : contacts)
+          row.far_weights.push_back(table.has("far_" + contact)
+                                      ? table.real("far_" + contact)
+                                      : std::nan(""));
         if (row.body.empty())
           table.file.fail("the body has no name");
         if (!labels.insert(row.label).second)

@@ -129,6 +129,30 @@ namespace squeal
       return result;
     }
 
+    /** Loads and far faces of the node table. */
+    void
+    take_columns(const std::vector<NodeTableRow> &table,
+                 const Numbering                 &numbering,
+                 const SceneParameters           &scene,
+                 ImportedModel                   &model)
+    {
+      model.loads.assign(scene.loads.size(),
+                         std::vector<double>(model.n_dofs, 0.));
+      model.far_faces.assign(scene.contacts.size(),
+                             std::vector<double>(model.n_dofs, 0.));
+      for (const NodeTableRow &row : table)
+        {
+          const unsigned int dof = numbering.find(row.label).value();
+          for (std::size_t l = 0; l < row.forces.size(); ++l)
+            model.loads[l][dof] = row.forces[l];
+          for (std::size_t c = 0; c < row.far_weights.size(); ++c)
+            model.far_faces[c][dof] = row.far_weights[c];
+        }
+      for (std::size_t c = 0; c < model.far_faces.size(); ++c)
+        if (table.empty() || std::isnan(table.front().far_weights[c]))
+          model.far_faces[c].clear();
+    }
+
     template <typename Rows>
     void
     remove_from_rows(Rows                            &rows,
@@ -194,8 +218,9 @@ namespace squeal
       remove_from_contact(new_numbers, model.n_dofs, model.contact);
       for (ImportedContact &contact : model.contacts)
         remove_from_contact(new_numbers, model.n_dofs, contact);
-      for (auto &load : model.loads)
-        keep(load, model.original_numbers);
+      for (auto *columns : {&model.loads, &model.far_faces})
+        for (auto &column : *columns)
+          keep(column, model.original_numbers);
       keep(model.labels, model.original_numbers);
       keep(model.positions, model.original_numbers);
       keep(model.body_of, model.original_numbers);
@@ -235,20 +260,15 @@ namespace squeal
 
     std::vector<NodeTableRow> table;
     if (!scene.node_table_file.empty())
-      table = read_node_table(scene.node_table_file, names_of(scene.loads));
+      table = read_node_table(
+        scene.node_table_file, names_of(scene.loads), names_of(scene.contacts));
     const Numbering numbering(model.parts, table, scene.node_table_file);
     for (ImportedMatrix &part : model.parts)
       numbering.renumber(part);
     model.n_dofs = numbering.n_dofs();
     model.labels = numbering.labels();
     place_unknowns(table, numbering, model);
-    for (std::size_t l = 0; l < scene.loads.size(); ++l)
-      {
-        model.loads.emplace_back(model.n_dofs, 0.);
-        for (const NodeTableRow &row : table)
-          model.loads.back()[numbering.find(row.label).value()] = row.forces[l];
-      }
-
+    take_columns(table, numbering, scene, model);
     if (!scene.contacts.empty())
       model.contacts = import::assemble_contacts(
         read_contact_pattern(scene.contact_pattern_file, true),

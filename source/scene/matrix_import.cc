@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 
+#include <squeal/scene/imported_model.h>
 #include <squeal/scene/matrix_formats.h>
 #include <squeal/scene/matrix_import.h>
 
@@ -102,17 +103,19 @@ namespace squeal
                        std::to_string(twice->line));
     }
 
-    /** Whether every row and every column that occurs has a diagonal entry. */
+    /** Whether every row and every column of a nonzero entry has a diagonal
+     * one. */
     bool
     has_all_diagonals(const RawMatrix &raw)
     {
       std::vector<bool> occurs(raw.n, false), has_diagonal(raw.n, false);
       for (const Entry &entry : raw.entries)
-        {
-          occurs[entry.row] = occurs[entry.column] = true;
-          if (entry.row == entry.column)
-            has_diagonal[entry.row] = true;
-        }
+        if (entry.value != 0.)
+          {
+            occurs[entry.row] = occurs[entry.column] = true;
+            if (entry.row == entry.column)
+              has_diagonal[entry.row] = true;
+          }
       return occurs == has_diagonal;
     }
 
@@ -183,13 +186,83 @@ namespace squeal
       refuse_duplicates(file, raw);
     }
 
+    /** Sizes of diagonal entries, which say how far apart rounding leaves a
+     * pair of mirror images. The huge ones that hold unknowns say nothing of
+     * the entries of others. */
+    class DiagonalSizes
+    {
+    public:
+      explicit DiagonalSizes(const RawMatrix &raw)
+      {
+        std::vector<double> free;
+        for (const Entry &entry : raw.entries)
+          if (entry.row == entry.column && entry.value != 0.)
+            {
+              sizes.emplace_back(entry.row, std::abs(entry.value));
+              if (!is_huge(sizes.back().second))
+                free.push_back(sizes.back().second);
+            }
+        if (free.empty())
+          return;
+        const auto middle = free.begin() + free.size() / 2;
+        std::nth_element(free.begin(), middle, free.end());
+        median = *middle;
+      }
+
+      bool
+      hold(const Entry &entry) const
+      {
+        return is_huge(size_of(entry.row)) || is_huge(size_of(entry.column));
+      }
+
+      /** Of a stiffness whose parts cancel in the entry. Positive ones have
+       * k_ij^2 <= k_ii k_jj; what was condensed may have less left on the
+       * diagonal than was there. */
+      double
+      at(const Entry &entry) const
+      {
+        return hold(entry) ? median
+                           : std::max(std::sqrt(size_of(entry.row)) *
+                                        std::sqrt(size_of(entry.column)),
+                                      median);
+      }
+
+    private:
+      /** By rows, ascending. */
+      std::vector<std::pair<unsigned int, double>> sizes;
+      double                                       median = 0.;
+
+      static bool
+      is_huge(const double size)
+      {
+        return size >= held_stiffness;
+      }
+
+      double
+      size_of(const unsigned int row) const
+      {
+        const auto place =
+          std::lower_bound(sizes.begin(), sizes.end(), std::make_pair(row, 0.));
+        return place != sizes.end() && place->first == row ? place->second : 0.;
+      }
+    };
+
     /** How far entries may be from symmetric: what printing with nine digits
-     * leaves, and cancellation against the largest entry. */
+     * leaves, and cancellation in entries of the size @p scale. */
     bool
-    nearly_equal(const double a, const double b, const double largest)
+    nearly_equal(const double a, const double b, const double scale)
     {
       return std::abs(a - b) <=
-             1e-8 * std::max(std::abs(a), std::abs(b)) + 1e-14 * largest;
+             1e-8 * std::max(std::abs(a), std::abs(b)) + 1e-14 * scale;
+    }
+
+    /** Roles whose matrices are symmetric, and whose held unknowns are taken
+     * out of the model. */
+    bool
+    needs_symmetry(const Role role)
+    {
+      return role == Role::mass || role == Role::stiffness ||
+             role == Role::normal_contact;
     }
 
     /** Finds the symmetry of expanded, sorted entries, makes it exact, and
@@ -197,14 +270,13 @@ namespace squeal
     ImportedMatrix::Symmetry
     find_symmetry(const TextFile &file, RawMatrix &raw, const Role role)
     {
-      double largest = 0.;
-      for (const Entry &entry : raw.entries)
-        largest = std::max(largest, std::abs(entry.value));
-
-      const auto fits = [&](const Entry &entry, const double sign) {
+      const DiagonalSizes diagonal(raw);
+      const auto          fits = [&](const Entry &entry, const double sign) {
         const Entry *mirror = mirror_of(raw.entries, entry);
-        return nearly_equal(
-          entry.value, mirror ? sign * mirror->value : 0., largest);
+        return (needs_symmetry(role) && diagonal.hold(entry)) ||
+               nearly_equal(entry.value,
+                            mirror ? sign * mirror->value : 0.,
+                            diagonal.at(entry));
       };
       const auto unsymmetric =
         std::find_if_not(raw.entries.begin(),
@@ -213,8 +285,7 @@ namespace squeal
       if (unsymmetric != raw.entries.end())
         {
           const Entry *mirror = mirror_of(raw.entries, *unsymmetric);
-          if (role == Role::mass || role == Role::stiffness ||
-              role == Role::normal_contact)
+          if (needs_symmetry(role))
             file.fail_at(unsymmetric->line,
                          describe_place(raw, *unsymmetric) + " is " +
                            text_of(unsymmetric->value) + ", its mirror image " +
@@ -262,10 +333,20 @@ namespace squeal
       sort_labels(raw);
       std::sort(raw.entries.begin(), raw.entries.end(), comes_before);
       refuse_duplicates(file, raw);
-      raw.storage = decide_storage(file, raw, part.role);
-      expand(file, raw);
+      if (raw.is_damping && part.role != Role::friction &&
+          part.role != Role::damping)
+        file.fail(std::string("the file is marked as '") + damping_mark +
+                  "': its role is friction");
 
       ImportedMatrix matrix;
+      const bool     is_stated = raw.storage != Storage::unknown;
+      raw.storage              = decide_storage(file, raw, part.role);
+      matrix.storage           = is_stated ? ImportedMatrix::Storage::stated
+                                 : raw.storage == Storage::general
+                                   ? ImportedMatrix::Storage::assumed_full
+                                   : ImportedMatrix::Storage::assumed_half;
+      expand(file, raw);
+      matrix.is_damping    = raw.is_damping;
       matrix.name          = part.name;
       matrix.file          = part.file;
       matrix.role          = part.role;

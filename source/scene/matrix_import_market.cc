@@ -37,15 +37,20 @@ namespace squeal
                   " is not known; write general, symmetric or skew-symmetric");
       }
 
-      /** Moves to the next line that is neither blank nor a comment. */
+      /** Moves to the next line that is neither blank nor a comment; sees the
+       * mark of damping on the way. */
       bool
-      next_data_line(TextFile &file)
+      next_data_line(TextFile &file, RawMatrix &matrix)
       {
         while (file.next())
           {
             const std::string_view line = trimmed(file.line());
-            if (!line.empty() && line[0] != '%')
+            if (line.empty())
+              continue;
+            if (line[0] != '%')
               return true;
+            if (trimmed(line.substr(1)) == damping_mark)
+              matrix.is_damping = true;
           }
         return false;
       }
@@ -73,7 +78,7 @@ namespace squeal
       matrix.storage       = read_banner(file);
       matrix.size_is_given = true;
 
-      if (!next_data_line(file))
+      if (!next_data_line(file, matrix))
         file.fail("the line with the numbers of rows, columns and entries is "
                   "missing");
       const Fields size = split_at_blanks_and_commas(file.line());
@@ -91,7 +96,7 @@ namespace squeal
                   std::to_string(n_columns) + " columns; it must be square");
 
       const unsigned int n = static_cast<unsigned int>(n_rows);
-      while (next_data_line(file))
+      while (next_data_line(file, matrix))
         {
           if (static_cast<long>(matrix.entries.size()) == n_entries)
             file.fail("more entries than the " + std::to_string(n_entries) +

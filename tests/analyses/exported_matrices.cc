@@ -314,6 +314,37 @@ namespace
                 directory + " imported again: undamped modes");
   }
 
+  /** The exported scene at half the coefficient is the scene at half the
+   * coefficient: damping by friction follows. */
+  void
+  test_half_friction(const std::string              &directory,
+                     const std::vector<std::string> &damping)
+  {
+    const std::string file = SQUEAL_SOURCE_DIR "/prm/minimal/hoffmann.prm";
+    const auto        run_hoffmann = [&](const std::string &own,
+                                  const std::string &change) {
+      std::vector<std::string> overrides = damping;
+      overrides.push_back(change);
+      run(file, overrides, directory + own);
+    };
+    run_hoffmann("", "Output/Export matrices = true");
+    run_hoffmann("_half", "Scene/Contact belt/Friction coefficient = 0.5");
+    if (is_root)
+      std::ofstream(directory + "_again.prm")
+        << "include " << directory << "/matrices/scene.prm\n"
+        << "set Analysis = cea\nsubsection Eigenvalues\n"
+        << "  set Highest frequency = 0.5\nend\n";
+    MPI_Barrier(MPI_COMM_WORLD);
+    run(directory + "_again.prm",
+        {"Scene/Friction coefficient = 0.5"},
+        directory + "_half_again");
+    if (is_root)
+      check_equal(eigenvalues(directory + "_half_again"),
+                  eigenvalues(directory + "_half"),
+                  1e-9,
+                  directory + " with half of the friction");
+  }
+
   /** Each mesh of a ladder has its stages timed and its matrices written;
    * tolerances on one mesh share them. */
   void
@@ -391,6 +422,23 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   is_root = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   test_two_unknowns();
+  test_half_friction("whole",
+                     {"Scene/Damping/Model = whole model",
+                      "Scene/Damping/Mass damping = 0.01",
+                      "Scene/Damping/Stiffness damping = 0.02",
+                      "Scene/Spring horizontal/Dashpot = 0.03"});
+  // Sliding at 45 degrees to the plane y, z of the motion has a part across.
+  test_half_friction("parts",
+                     {"Scene/Damping/Model = per part",
+                      "Scene/Body mass/Mass damping = 0.01",
+                      "Scene/Spring horizontal/Stiffness damping = 0.02",
+                      "Scene/Contact belt/Stiffness damping = 0.05",
+                      "Scene/Contact belt/Friction direction = given",
+                      "Scene/Contact belt/Sliding direction = 1, 1, 0",
+                      "Scene/Contact belt/Transverse slip term = true",
+                      "Scene/Contact belt/Sliding speed = 1",
+                      "Scene/Contact belt/Normal force = 0.1",
+                      "Scene/Contact belt/Friction slope = -0.02"});
   test_brake("brake", {});
   // A turning disc: C has a skew part; dampers only at single parts.
   test_brake("turning",

@@ -172,6 +172,62 @@ namespace
     check(symmetry_of("1 1 1.\n1 2 3.\n2 1 -3.\n", Role::damping) ==
             Symmetry::general,
           "other damping is general");
+    // Friction of 4/3 of a stiffness of 1e8, beside a held unknown.
+    const std::string held = "2,1, 2,1, 1.0e36\n",
+                      mirrored =
+                        "1,2, 1,2, 2e8\n1,2, 1,3, -.3333e8\n1,3, 1,2, 1e8\n"
+                        "1,3, 1,3, 2e8\n",
+                      one_way = "1,2, 1,2, 2e8\n1,3, 1,3, 2e8\n1,3, 1,4, 3e8\n"
+                                "1,4, 1,4, 2e8\n1,2, 1,3, 1e8\n1,3, 1,2, 1e8\n";
+    for (const Role role : {Role::friction, Role::damping})
+      for (const std::string &text : {mirrored, one_way})
+        {
+          const ImportedMatrix matrix =
+            read_matrix(part_of(write_text("matrix.txt", text + held), role));
+          const ImportedMatrix free =
+            read_matrix(part_of(write_text("matrix.txt", text), role));
+          check(matrix.symmetry == Symmetry::general &&
+                  matrix.values.size() == free.values.size() + 1 &&
+                  std::equal(free.values.begin(),
+                             free.values.end(),
+                             matrix.values.begin()),
+                "a held unknown does not make the others symmetric");
+        }
+    check(symmetry_of("1,2, 1,2, 2e8\n1,2, 1,3, 1e8\n1,3, 1,2, 1e8\n"
+                      "1,3, 1,3, 2e8\n2,1, 1,2, 7.\n1,2, 2,1, 5.\n" +
+                        held,
+                      Role::stiffness) == Symmetry::symmetric,
+          "what couples to a held unknown is taken out and may be anything");
+    check(symmetry_of("1 1 2e8\n2 2 2e8\n3 3 1e-5\n1 2 1e8\n2 1 1e8\n"
+                      "1 3 1e-8\n3 1 -1e-8\n",
+                      Role::stiffness) == Symmetry::symmetric,
+          "what cancellation leaves is symmetric");
+  }
+
+  void
+  test_storage()
+  {
+    using Storage = ImportedMatrix::Storage;
+    // A dashpot between the nodes 1 and 3, as one half; 2 has a zero only.
+    const std::string half =
+      "1,3, 1,3, 500.\n2,3, 1,3, 0.\n3,3, 1,3, -500.\n3,3, 3,3, 500.\n";
+    check_text(
+      "Abaqus, one half of a damping matrix with a zero entry",
+      half,
+      {{{0, 0}, 500.}, {{0, 2}, -500.}, {{2, 0}, -500.}, {{2, 2}, 500.}},
+      Role::damping);
+    const auto storage_of = [](const std::string &text) {
+      return read_matrix(
+               part_of(write_text("matrix.txt", text), Role::friction))
+        .storage;
+    };
+    check(storage_of(half) == Storage::assumed_half, "one half is assumed");
+    check(storage_of("1,1, 1,1, 0.\n1,2, 1,1, 5.\n1,2, 1,2, 0.\n") ==
+            Storage::assumed_full,
+          "zeros on the diagonal are no half of a symmetric matrix");
+    check(storage_of("*MATRIX INPUT, NAME=K, TYPE=SYMMETRIC\n" + half) ==
+            Storage::stated,
+          "what a file states is not assumed");
   }
 } // namespace
 
@@ -182,4 +238,5 @@ main()
   test_abaqus();
   test_nastran();
   test_symmetry();
+  test_storage();
 }

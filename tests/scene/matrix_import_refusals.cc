@@ -154,11 +154,18 @@ namespace
              unsymmetric,
              "bad.txt:5: entry (1, 2) is 1.01, its mirror image 1",
              role);
+    refuse("a part of C as stiffness",
+           banner + "symmetric\n% " + damping_mark + "\n1 1 1\n1 1 1\n",
+           "its role is friction");
   }
 
   void
   test_abaqus()
   {
+    refuse("unsymmetric beside a held unknown",
+           "1,1, 1,1, 2e8\n1,1, 1,2, -1e8\n1,2, 1,1, 1e8\n1,2, 1,2, 2e8\n"
+           "2,1, 2,1, 1e36\n",
+           "this role needs a symmetric matrix");
     refuse("last line cut",
            "1 1 1.\n2 2 1.",
            "bad.txt: its last line has no line end");

@@ -37,7 +37,7 @@ namespace squeal
 
   /** Of an imported model. The loads are those of its node table; the motion of
    * a body's centre is that of its centre of mass; the far face of a source is
-   * its nodes furthest along the normal. */
+   * that of the node table, or else its nodes furthest along the normal. */
   OpenScene open_scene(const SceneParameters &scene,
                        const ImportedModel   &model);
 } // namespace squeal

@@ -26,6 +26,10 @@ namespace squeal
     /** Ties, springs, supports, masses, loads and damping. */
     void check_scene(const SceneParameters &scene);
 
+    /** Scenes of kind matrices: parts, tables and contacts, and that nothing is
+     * set that has nothing to act on. */
+    void check_matrices(const SceneParameters &scene);
+
     /** Contact pairs: bodies, faces, and that they meet. */
     void check_contacts(const SceneParameters &scene);
     /** The friction law and the springs of one of them. */

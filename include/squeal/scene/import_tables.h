@@ -17,6 +17,9 @@ namespace squeal
     std::string body;
     /** Force on it of every load that was asked for, N (N m for rotations). */
     std::vector<double> forces;
+    /** Its weight in the mean motion of the far face of every contact that was
+     * asked for; NaN where the table has no such column. */
+    std::vector<double> far_weights;
     /** Line of the file, for error texts. */
     unsigned int line = 0;
   };
@@ -25,7 +28,10 @@ namespace squeal
    * Reads a node table: comma-separated lines below a header line with the
    * columns node, component, x, y, z, body and, unless all matrices name their
    * rows, dof, in any order. Coordinates in m. For each of @p loads there must
-   * be a column load_<name>, the force on the unknown in N.
+   * be a column load_<name>, the force on the unknown in N. For each of
+   * @p contacts there may be a column far_<name>, the weight of the unknown in
+   * the mean motion of the source's face away from the contact along the
+   * normal.
    *
    * Throws InputError with file and line: a missing or doubled column, a line
    * with too few or too many values, a value that is no finite number, a
@@ -34,7 +40,8 @@ namespace squeal
    */
   std::vector<NodeTableRow> read_node_table(
     const std::string              &file,
-    const std::vector<std::string> &loads = {});
+    const std::vector<std::string> &loads    = {},
+    const std::vector<std::string> &contacts = {});
 
 
 

@@ -86,6 +86,9 @@ namespace squeal
     std::vector<ImportedContact> contacts;
     /** Forces of the scene's loads, N, one a load and unknown. */
     std::vector<std::vector<double>> loads;
+    /** Weights of the mean motion of the source's face away from each contact
+     * along the normal, one an unknown; empty where the node table has none. */
+    std::vector<std::vector<double>> far_faces;
   };
 
   /** Magnitude from which on a diagonal stiffness counts as a held unknown. */

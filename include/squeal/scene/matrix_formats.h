@@ -35,6 +35,8 @@ namespace squeal
       std::vector<Entry> entries;
       unsigned int       n             = 0;
       bool               size_is_given = false;
+      /** Whether damping_mark is among the comments. */
+      bool is_damping = false;
 
       /** Names of the rows in the order in which they were met; empty in a
        * file of numbers. */

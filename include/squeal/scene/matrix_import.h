@@ -52,6 +52,13 @@ namespace squeal
       skew,
       general
     };
+    /** What is taken for left out of a file. */
+    enum class Storage
+    {
+      stated,       /**< what the file says */
+      assumed_full, /**< nothing */
+      assumed_half  /**< the mirror images of a symmetric matrix */
+    };
 
     std::string                name;
     std::string                file;
@@ -64,6 +71,10 @@ namespace squeal
      * the highest number met. */
     bool     size_is_given = false;
     Symmetry symmetry      = Symmetry::symmetric;
+    Storage  storage       = Storage::stated;
+    /** Of role friction: whether it is a part of C, as damping_mark in its
+     * file says, and not of K. */
+    bool is_damping = false;
 
     std::vector<unsigned int> rows, columns;
     std::vector<double>       values;
@@ -73,6 +84,11 @@ namespace squeal
   };
 
 
+
+  /** Comment of a MatrixMarket file whose matrix is a part of C in the role
+   * friction. */
+  inline constexpr const char *damping_mark =
+    "part of C, times the coefficient of friction";
 
   /**
    * Reads the matrix of one part. Understood are
@@ -86,15 +102,18 @@ namespace squeal
    *
    * Where a file does not say whether it holds one half of a symmetric matrix,
    * it does if no off-diagonal entry has its mirror image and, for the roles
-   * damping and friction, every row and column met has a diagonal entry.
-   * Matrices of the roles mass, stiffness and normal contact must be symmetric:
-   * mirror images may differ by 1e-8 relative (printed digits) and are replaced
-   * by their mean.
+   * damping and friction, every row and column of a nonzero entry has a
+   * diagonal entry. Matrices of the roles mass, stiffness and normal contact
+   * must be symmetric, but for the unknowns that these hold (held_stiffness):
+   * mirror images may differ by 1e-8 relative (printed digits) and by 1e-14 of
+   * the geometric mean of their diagonal entries or of the median of all, that
+   * of held ones left out (cancellation), and are replaced by their mean.
    *
    * Throws InputError, one line that names part, file and line, for anything
    * else: a missing, empty, truncated or binary file, complex, dense, pattern
    * and rectangular matrices, an entry that is given twice, out of range or not
-   * finite, the wrong number of entries, an unsymmetric stiffness.
+   * finite, the wrong number of entries, an unsymmetric stiffness, a part of C
+   * in a role that is none.
    *
    * Sources: the Matrix Market exchange formats (NIST), the keyword reference
    * of Abaqus (*MATRIX INPUT, *MATRIX OUTPUT), the bulk data entry DMIG of the
