@@ -381,7 +381,12 @@ subsection Frequency response
            {"shape,frequency_hz,point,real,imag\na,1,below,nan,0\n",
             "bad.uff:2"},
            {"shape,frequency_hz,point,real,imag\na,1,elsewhere,1,0\n",
-            "shape 'a' has 0 of the points"},
+            "has point 'elsewhere', which is not in Measurement/Points"},
+           {"shape,frequency_hz,point,real,imag\na,1,below,1,0\na,1,far,1,0\n"
+            "a,1,Side,1,0\n",
+            "did you mean 'side'?"},
+           {"shape,frequency_hz,point,real,imag\na,1,below,1,0\na,2,far,1,0\n",
+            "bad.uff:3: shape 'a' has another frequency above"},
            {"    -1\n    55\na\nb\nc\nd\ne\n         1         2         2  "
             "       8         x         3\n",
             "bad.uff:8"}})
