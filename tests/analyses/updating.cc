@@ -242,6 +242,39 @@ subsection Updating
           "and the run says so");
   }
 
+  /** Alone, such a number has an interval that ends nowhere. */
+  void
+  test_lone_number_without_influence()
+  {
+    measure_twin(0.);
+    const Outcome outcome =
+      run(replaced_in(brake(2.2e11, 2.7e10, 5e8), "= cea", "= updating") + R"(
+subsection Scene
+  subsection Damping
+    set Model             = whole model
+    set Stiffness damping = 1e-8
+  end
+end
+subsection Measurement
+  set Frequencies file = measured.csv
+end
+subsection Updating
+  set Numbers = damping
+  subsection Number damping
+    set Entries = Scene/Damping/Stiffness damping
+    set Lower   = 1e-9
+    set Upper   = 1e-7
+  end
+end
+)");
+    check(outcome.code == 0, "the fit ends well " + outcome.errors);
+    const Table table = read_csv("out/updated_numbers.csv");
+    check(value(table, "damping", "identified") == 0. &&
+            std::isnan(value(table, "damping", "interval_lower")) &&
+            std::isnan(value(table, "damping", "interval_upper")),
+          "a lone number without influence is not identified");
+  }
+
   void
   refused(const Outcome &outcome, const std::string &part)
   {
@@ -327,5 +360,6 @@ main(int argc, char **argv)
   test_twin();
   test_confidence_intervals();
   test_identification();
+  test_lone_number_without_influence();
   test_refusals();
 }
