@@ -401,6 +401,32 @@ subsection Frequency response
       }
   }
 
+  /** Directions at one node that are not at right angles to each other: the
+   * motion of the node is one whose signals are those of the modes. */
+  void
+  test_oblique_directions()
+  {
+    const std::string far =
+      "    set Body = disc\n    set Position = 0, 0.1, 0\n"
+      "    set Node = 7\n    set Direction = ";
+    const std::string text =
+      replaced_in(
+        brake(), "Points = below, far", "Points = below, p, q, r, far") +
+      "subsection Measurement\n  subsection Point far\n    set Node = 7\n"
+      "  end\n  subsection Point p\n" +
+      far + "1, 0, 1\n  end\n  subsection Point q\n" + far +
+      "1, 2, 0\n  end\n  subsection Point r\n" + far + "0, 1, 1\n  end\nend\n";
+    run_well(text);
+    std::filesystem::copy_file(
+      "out/frequency_response_scene.uff",
+      "own.uff",
+      std::filesystem::copy_options::overwrite_existing);
+    run_well(text, {"Measurement/Shapes file = own.uff"});
+    for (const double mac : best_mac(read_csv("out/mac.csv")))
+      check(mac > 1. - 1e-9,
+            "a shape seen along oblique directions is like itself");
+  }
+
   void
   test_refusals()
   {
@@ -422,6 +448,10 @@ subsection Frequency response
             {"Measurement/Point far/Node = 1",
              "Measurement/Point far/Direction = 0, 0, 1"},
             "Node");
+    refused(brake(),
+            {"Measurement/Point below/Node = 2"},
+            "'Measurement/Point far/Node' = 2 is also the number of point "
+            "'below'");
     refused(
       brake(), {"Frequency response/Scale = logarithmic"}, "Lowest frequency");
   }
@@ -440,5 +470,6 @@ main(int argc, char **argv)
   test_reciprocity();
   test_superposition();
   test_mac();
+  test_oblique_directions();
   test_refusals();
 }
