@@ -374,7 +374,8 @@ namespace squeal
       if (!names.empty())
         mesh.remarks.push_back(
           "mesh file '" + body.mesh_file + "': not followed are " + names +
-          ": what they hold, tie or damp is for the scene");
+          ": what they hold, tie, load or add to mass, stiffness and damping "
+          "is for the scene");
       if (const auto remark = material_remark(body, file); !remark.empty())
         mesh.remarks.push_back(remark);
     }
