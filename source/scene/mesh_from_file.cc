@@ -243,11 +243,19 @@ namespace squeal
               for (const int tag : file.groups[element.group])
                 quads_of_tag[tag].push_back(key);
           }
+      std::set<int> tags;
+      for (const auto &[tag, quads] : quads_of_tag)
+        tags.insert(tag);
       for (const auto &[tag, quads] : quads_of_tag)
         {
           const std::string name = name_of_group(file.surface_names, tag);
           if (!is_wanted(name))
             continue;
+          if (is_ambiguous(file.surface_names, tags, name))
+            selection.fail("has on the body a physical surface of the name '" +
+                           name +
+                           "' and another of this number without a name: name "
+                           "it, too");
           const auto it = std::find(face_names.begin(), face_names.end(), name);
           const int  number = it - face_names.begin();
           if (it == face_names.end())
