@@ -6,6 +6,7 @@
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace squeal
@@ -30,11 +31,24 @@ namespace squeal
                        "need 'Scene/Node table file': without it imported "
                        "matrices have no places");
         std::set<std::pair<unsigned int, Vector3>> seen;
+        std::map<unsigned int, unsigned int>       first_at_node;
         for (unsigned int i = 0; i < m.points.size(); ++i)
           {
             const std::string section = "Measurement/Point " + m.points[i].name;
             if (has_bodies)
               require_body(parameters.scene, m.points[i].body, section, "Body");
+            const auto &first =
+              m.points[first_at_node.emplace(m.node(i), i).first->second];
+            if (first.body != m.points[i].body ||
+                first.position != m.points[i].position)
+              refuse_entry(section,
+                           "Node",
+                           "= " + std::to_string(m.node(i)) +
+                             " is also the number of point " +
+                             in_quotes(first.name) +
+                             ", which has another body or position: a number "
+                             "stands for one place (0: the place in the list "
+                             "of points)");
             if (!seen.insert({m.node(i), m.points[i].direction}).second)
               refuse_entry(section,
                            "Node",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/inputs_read.h>
+#include <squeal/parameters/names.h>
+#include <squeal/parameters/response_parameters.h>
 #include <squeal/parameters/text.h>
 #include <squeal/results/measured_shapes.h>
 #include <squeal/results/table.h>
@@ -150,10 +152,14 @@ namespace squeal
                                             "a displacement");
           if (node < 1)
             lines.fail("node " + std::to_string(node) + " is below 1");
-          auto &place = shape.nodes[node];
+          const auto [place, is_new] = shape.nodes.try_emplace(node);
+          if (!is_new)
+            lines.fail("node " + std::to_string(node) +
+                       " is there twice in one shape");
           for (unsigned int c = 0; c < 3; ++c)
-            place[c] = is_complex ? Complex(values[2 * c], values[2 * c + 1])
-                                  : Complex(values[c]);
+            place->second[c] = is_complex
+                                 ? Complex(values[2 * c], values[2 * c + 1])
+                                 : Complex(values[c]);
         }
       lines.take("the end of the dataset");
       if (shape.nodes.empty())
@@ -221,6 +227,10 @@ namespace squeal
               shape->name      = name;
               shape->frequency = table.real(r, "frequency_hz");
             }
+          else if (shape->frequency != table.real(r, "frequency_hz"))
+            throw InputError(place + "shape '" + name +
+                             "' has another frequency above: give each shape "
+                             "a name of its own");
           if (!shape->points
                  .insert({table.text(r, "point"),
                           {table.real(r, "real"), table.real(r, "imag")}})
@@ -248,4 +258,20 @@ namespace squeal
     return shapes;
   }
 
+  std::vector<MeasuredShape>
+  read_measured_shapes(const MeasurementParameters &measurement)
+  {
+    std::vector<std::string> names;
+    for (const auto &point : measurement.points)
+      names.push_back(point.name);
+    const auto shapes = read_measured_shapes(measurement.shapes_file);
+    for (const auto &shape : shapes)
+      for (const auto &[name, value] : shape.points)
+        if (measurement.find(name) < 0)
+          throw InputError(measurement.shapes_file + ": shape '" + shape.name +
+                           "' has point '" + name +
+                           "', which is not in Measurement/Points" +
+                           prm::did_you_mean(name, names));
+    return shapes;
+  }
 } // namespace squeal

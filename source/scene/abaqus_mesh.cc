@@ -36,30 +36,46 @@ namespace squeal
       return it == ways.end() ? nullptr : it->second;
     }
 
-    /** Keywords that hold or tie parts of the model. */
+    /** Keywords that hold, tie, load or damp parts of the model or add mass or
+     * stiffness to them. */
     bool
-    couples(const std::string &keyword)
+    keyword_changes_model(const std::string &keyword)
     {
       static const std::set<std::string> names{"BOUNDARY",
+                                               "COMPOSITE MODAL DAMPING",
                                                "CONNECTOR SECTION",
                                                "CONTACT",
                                                "CONTACT PAIR",
                                                "COUPLING",
                                                "CYCLIC SYMMETRY MODEL",
+                                               "DAMPING",
                                                "DASHPOT",
                                                "DISTRIBUTING COUPLING",
                                                "EMBEDDED ELEMENT",
                                                "EQUATION",
+                                               "EXPANSION",
                                                "FASTENER",
+                                               "FOUNDATION",
+                                               "GLOBAL DAMPING",
+                                               "INITIAL CONDITIONS",
+                                               "JOINT",
                                                "KINEMATIC COUPLING",
                                                "MASS",
+                                               "MASS ADJUST",
+                                               "MATRIX ASSEMBLE",
+                                               "MATRIX INPUT",
+                                               "MODAL DAMPING",
                                                "MPC",
+                                               "NONSTRUCTURAL MASS",
                                                "PRE-TENSION SECTION",
                                                "RIGID BODY",
                                                "ROTARY INERTIA",
                                                "SHELL TO SOLID COUPLING",
                                                "SPRING",
-                                               "SURFACE INTERACTION"};
+                                               "SUBSTRUCTURE PROPERTY",
+                                               "SURFACE INTERACTION",
+                                               "TEMPERATURE",
+                                               "USER ELEMENT"};
       return names.count(keyword) > 0;
     }
   } // namespace
@@ -141,9 +157,9 @@ namespace squeal
       read_tie();
     else if (name == "STEP")
       read_step();
-    else if (name == "DAMPING")
-      file.passed_over.insert("*DAMPING");
-    else if (couples(name))
+    else if (name == "VISCOELASTIC")
+      read_viscoelastic();
+    else if (keyword_changes_model(name))
       file.passed_over.insert("*" + name);
   }
 
@@ -282,7 +298,17 @@ namespace squeal
       }
   }
 
-  /** Steps say what is analysed; only their end is looked for. */
+  void
+  AbaqusReader::read_viscoelastic()
+  {
+    if (file.materials.empty())
+      text.fail_at(keyword.line, "*VISCOELASTIC without *MATERIAL");
+    if (auto &fault = file.materials.back().fault; fault.empty())
+      fault = "depends on frequency (*VISCOELASTIC)";
+  }
+
+  /** Steps say what is analysed; their end is looked for, and what of the model
+   * stands in them. */
   void
   AbaqusReader::read_step()
   {
@@ -290,6 +316,8 @@ namespace squeal
     while (next_keyword())
       if (keyword.name == "END STEP")
         return;
+      else if (keyword_changes_model(keyword.name))
+        file.passed_over.insert("*" + keyword.name);
     throw InputError(text.name() +
                      " is truncated: it ends inside the *STEP of line " +
                      std::to_string(line));

@@ -69,6 +69,7 @@ namespace squeal
     void                      read_section();
     void                      read_elastic();
     void                      read_density();
+    void                      read_viscoelastic();
     void                      read_tie();
     void                      read_step();
     void                      finish();

@@ -354,6 +354,8 @@ namespace squeal
         mesh.tie_is_conforming.push_back(join_it);
       }
     refuse_loose_parts(scene, mesh);
+    for (const auto &remark : remarks_on_slits(scene, mesh))
+      mesh.remarks.push_back(remark);
     check_supports_on_ties(scene, mesh);
     compress(mesh);
     return mesh;

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
@@ -186,6 +188,96 @@ namespace squeal
         ") m: name its face in a tie, a contact or a support, or merge "
         "coincident nodes (Coherence Mesh)");
     }
+
+
+    /** A face of the surface of a body. */
+    struct SurfaceFace
+    {
+      unsigned int                    id;
+      std::array<dealii::Point<3>, 4> corners;
+      dealii::Point<3>                centre;
+      double place; /**< of the centre along a skew line, m */
+    };
+
+    /** The faces of a body, sorted along a line that is skew to the planes of
+     * most meshes, so that few are at one place of it. */
+    std::vector<SurfaceFace>
+    sorted_surface(const CoarseMesh &mesh, const unsigned int body)
+    {
+      const dealii::Tensor<1, 3> line(dealii::Point<3>(.5377, .6180, .5733));
+      std::vector<SurfaceFace>   faces;
+      for (const auto &quad : mesh.boundary.boundary_quads)
+        if (quad.boundary_id / max_faces_per_body == body)
+          {
+            SurfaceFace face{quad.boundary_id, {}, {}, 0.};
+            for (unsigned int v = 0; v < 4; ++v)
+              {
+                face.corners[v] = mesh.vertices[quad.vertices[v]];
+                face.centre += .25 * face.corners[v];
+              }
+            face.place = face.centre * line;
+            faces.push_back(face);
+          }
+      std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
+        return a.place < b.place;
+      });
+      return faces;
+    }
+
+    bool
+    lies_on(const SurfaceFace &a, const SurfaceFace &b, const double tolerance)
+    {
+      return std::all_of(
+        a.corners.begin(), a.corners.end(), [&](const auto &x) {
+          return std::any_of(
+            b.corners.begin(), b.corners.end(), [&](const auto &y) {
+              return x.distance(y) <= tolerance;
+            });
+        });
+    }
+
+    /** Pairs of faces of the body that a tie or a contact puts together. */
+    std::set<std::pair<unsigned int, unsigned int>>
+    paired_faces(const SceneParameters &scene,
+                 const CoarseMesh      &mesh,
+                 const std::string     &body)
+    {
+      std::set<std::pair<unsigned int, unsigned int>> result;
+      const auto add = [&](const auto &pair) {
+        if (pair.source_body != body || pair.target_body != body)
+          return;
+        const unsigned int a = face_id(mesh, scene, body, pair.source_face),
+                           b = face_id(mesh, scene, body, pair.target_face);
+        result.insert({{a, b}, {b, a}});
+      };
+      for (const auto &tie : scene.ties)
+        add(tie);
+      for (const auto &contact : scene.contacts)
+        add(contact);
+      return result;
+    }
+
+    /** Centres of the faces that lie on another one and are not paired. m */
+    std::vector<dealii::Point<3>>
+    centres_of_slits(
+      const std::vector<SurfaceFace>                        &faces,
+      const std::set<std::pair<unsigned int, unsigned int>> &paired)
+    {
+      std::vector<dealii::Point<3>> centres;
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        {
+          const auto  &face = faces[i];
+          const double tolerance =
+            1e-5 * face.corners[0].distance(face.corners[3]);
+          for (std::size_t j = i + 1;
+               j < faces.size() && faces[j].place - face.place <= tolerance;
+               ++j)
+            if (lies_on(face, faces[j], tolerance) &&
+                paired.count({face.id, faces[j].id}) == 0)
+              centres.push_back(face.centre);
+        }
+      return centres;
+    }
   } // namespace
 
 
@@ -194,5 +286,33 @@ namespace squeal
   refuse_loose_parts(const SceneParameters &scene, const CoarseMesh &mesh)
   {
     Parts(scene, mesh).check();
+  }
+
+  std::vector<std::string>
+  remarks_on_slits(const SceneParameters &scene, const CoarseMesh &mesh)
+  {
+    std::vector<std::string> remarks;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const auto &body = scene.bodies[b];
+        if (body.mesh_file.empty())
+          continue;
+        const auto centres = centres_of_slits(
+          sorted_surface(mesh, b), paired_faces(scene, mesh, body.name));
+        if (centres.empty())
+          continue;
+        const auto &x = centres.front();
+        remarks.push_back(
+          "body '" + body.name + "': mesh file '" + body.mesh_file + "' has " +
+          std::to_string(centres.size()) +
+          (centres.size() == 1 ? " pair" : " pairs") +
+          " of faces that lie on each other with nodes of their own, the first "
+          "at (" +
+          rounded_text(x[0], 6) + ", " + rounded_text(x[1], 6) + ", " +
+          rounded_text(x[2], 6) +
+          ") m: the body is slit open there; merge coincident nodes (Coherence "
+          "Mesh) unless that is meant");
+      }
+    return remarks;
   }
 } // namespace squeal

@@ -243,11 +243,19 @@ namespace squeal
               for (const int tag : file.groups[element.group])
                 quads_of_tag[tag].push_back(key);
           }
+      std::set<int> tags;
+      for (const auto &[tag, quads] : quads_of_tag)
+        tags.insert(tag);
       for (const auto &[tag, quads] : quads_of_tag)
         {
           const std::string name = name_of_group(file.surface_names, tag);
           if (!is_wanted(name))
             continue;
+          if (is_ambiguous(file.surface_names, tags, name))
+            selection.fail("has on the body a physical surface of the name '" +
+                           name +
+                           "' and another of this number without a name: name "
+                           "it, too");
           const auto it = std::find(face_names.begin(), face_names.end(), name);
           const int  number = it - face_names.begin();
           if (it == face_names.end())
@@ -374,7 +382,8 @@ namespace squeal
       if (!names.empty())
         mesh.remarks.push_back(
           "mesh file '" + body.mesh_file + "': not followed are " + names +
-          ": what they hold, tie or damp is for the scene");
+          ": what they hold, tie, load or add to mass, stiffness and damping "
+          "is for the scene");
       if (const auto remark = material_remark(body, file); !remark.empty())
         mesh.remarks.push_back(remark);
     }

@@ -78,6 +78,18 @@ namespace squeal
     return it == names.end() ? std::to_string(tag) : it->second;
   }
 
+  bool
+  is_ambiguous(const std::map<int, std::string> &names,
+               const std::set<int>              &tags,
+               const std::string                &word)
+  {
+    bool is_name = false, is_number = false;
+    for (const int tag : tags)
+      if (name_of_group(names, tag) == word)
+        (names.count(tag) > 0 ? is_name : is_number) = true;
+    return is_name && is_number;
+  }
+
   MeshSelection::MeshSelection(const MeshFile &file, const BodyParameters &body)
     : file(file)
     , body(body)
@@ -116,10 +128,17 @@ namespace squeal
     std::set<std::string> names;
     for (const auto &[tag, name] : file.volume_names)
       names.insert(name);
+    std::set<int> tags;
     for (const auto &element : file.elements)
       if (is_volume(element.kind))
         for (const int tag : file.groups[element.group])
-          names.insert(name_of_group(file.volume_names, tag));
+          tags.insert(tag);
+    for (const int tag : tags)
+      names.insert(name_of_group(file.volume_names, tag));
+    if (is_ambiguous(file.volume_names, tags, body.physical_volume))
+      fail("has a " + word_for_volume(body) + " of the name '" +
+           body.physical_volume +
+           "' and another of this number without a name: name it, too");
     if (names.count(body.physical_volume) > 0)
       return;
     std::string list;

@@ -20,15 +20,24 @@ namespace squeal
   {
     const char *const bulk_begin = "BEGIN BULK";
 
-    /** Entries that tie points or bodies together, which a mesh alone does not
-     * do. */
+    /** Entries that hold, tie or load points or add mass, stiffness or damping,
+     * which a mesh alone does not do. */
     bool
-    couples_points(const std::string &name)
+    entry_changes_model(const std::string &name)
     {
       static const std::set<std::string> names{
-        "RBE1", "RBE2",    "RBE3",    "RBAR",    "RSPLINE", "RROD",  "RTRPLT",
-        "MPC",  "MPCADD",  "BCTABLE", "BCTABL1", "BCONP",   "BGSET", "BGADD",
-        "TIE",  "CONTACT", "CBUSH",   "CELAS1",  "CELAS2",  "CONM2", "CONM1"};
+        "RBE1",    "RBE2",    "RBE3",    "RBAR",    "RBAR1",   "RSPLINE",
+        "RROD",    "RTRPLT",  "RTRPLT1", "RJOINT",  "RSSCON",  "MPC",
+        "MPCADD",  "BCTABLE", "BCTABL1", "BCONP",   "BCTSET",  "BCTADD",
+        "BCTPARA", "BGSET",   "BGADD",   "TIE",     "CONTACT", "CWELD",
+        "CFAST",   "CSEAM",   "SPC",     "SPC1",    "SPCADD",  "SPCD",
+        "SUPORT",  "SUPORT1", "CBUSH",   "CBUSH1D", "CBUSH2D", "CELAS1",
+        "CELAS2",  "CELAS3",  "CELAS4",  "CDAMP1",  "CDAMP2",  "CDAMP3",
+        "CDAMP4",  "CDAMP5",  "CVISC",   "CGAP",    "GENEL",   "DMIG",
+        "CBAR",    "CBEAM",   "CBEND",   "CROD",    "CONROD",  "CTUBE",
+        "CONM1",   "CONM2",   "CMASS1",  "CMASS2",  "CMASS3",  "CMASS4",
+        "NSM",     "NSM1",    "NSML",    "NSML1",   "NSMADD",  "TEMP",
+        "TEMPD",   "TABDMP1"};
       return names.count(name) > 0;
     }
 
@@ -171,7 +180,11 @@ namespace squeal
     else if (name == "MAT1")
       read_material(entry);
     else if (name == "MATT1")
-      of_temperature.insert(integer(entry, 0, "number of a material"));
+      faults[integer(entry, 0, "number of a material")] =
+        "depends on temperature";
+    else if (name == "MATF1")
+      faults[integer(entry, 0, "number of a material")] =
+        "depends on frequency (MATF1)";
     else if (name == "PARAM")
       read_parameter(entry);
     else if (name == "PLOAD4")
@@ -188,7 +201,7 @@ namespace squeal
     else if (name.compare(0, 7, "INCLUDE") == 0)
       text.fail_at(entry.line,
                    "INCLUDE is not followed: put the files together");
-    else if (couples_points(name))
+    else if (entry_changes_model(name))
       file.passed_over.insert(name);
   }
 
@@ -279,12 +292,16 @@ namespace squeal
     file.materials.push_back(material);
   }
 
-  /** Parameters of analyses are none of a mesh, but this one changes what
-   * densities are. */
+  /** Parameters of analyses are none of a mesh, but one changes what densities
+   * are and some are damping. */
   void
   NastranReader::read_parameter(const BulkEntry &entry)
   {
-    if (import::upper_case(entry.field(0)) != "WTMASS")
+    const std::string name = import::upper_case(entry.field(0));
+    if (name == "G" || name == "GFL" || name == "ALPHA1" || name == "ALPHA2")
+      if (real_or_zero(entry, 1, "damping") != 0.)
+        file.passed_over.insert("PARAM," + name);
+    if (name != "WTMASS")
       return;
     mass_factor = real_or_zero(entry, 1, "factor of weights");
     if (!(mass_factor > 0.))
@@ -296,9 +313,9 @@ namespace squeal
   {
     for (auto &material : file.materials)
       material.density *= mass_factor;
-    for (const long number : of_temperature)
+    for (const auto &[number, fault] : faults)
       if (const auto it = materials.find(number); it != materials.end())
-        file.materials[it->second].fault = "depends on temperature";
+        file.materials[it->second].fault = fault;
   }
 
   void

@@ -86,8 +86,9 @@ namespace squeal
     std::vector<Load>                      loads;
     std::map<long, Section>                sections;
     std::map<long, int>                    materials;
-    std::set<long> of_temperature; /**< materials that a MATT1 names */
-    double mass_factor = 1.;       /**< of weights as densities: PARAM,WTMASS */
+    /** Of materials that entries beside MAT1 make depend on more. */
+    std::map<long, std::string> faults;
+    double mass_factor = 1.; /**< of weights as densities: PARAM,WTMASS */
     std::map<long, std::vector<std::array<long, 2>>> point_sets, cell_sets;
     MeshGroups                                       groups{file};
   };

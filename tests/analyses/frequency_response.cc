@@ -381,7 +381,12 @@ subsection Frequency response
            {"shape,frequency_hz,point,real,imag\na,1,below,nan,0\n",
             "bad.uff:2"},
            {"shape,frequency_hz,point,real,imag\na,1,elsewhere,1,0\n",
-            "shape 'a' has 0 of the points"},
+            "has point 'elsewhere', which is not in Measurement/Points"},
+           {"shape,frequency_hz,point,real,imag\na,1,below,1,0\na,1,far,1,0\n"
+            "a,1,Side,1,0\n",
+            "did you mean 'side'?"},
+           {"shape,frequency_hz,point,real,imag\na,1,below,1,0\na,2,far,1,0\n",
+            "bad.uff:3: shape 'a' has another frequency above"},
            {"    -1\n    55\na\nb\nc\nd\ne\n         1         2         2  "
             "       8         x         3\n",
             "bad.uff:8"}})
@@ -394,6 +399,32 @@ subsection Frequency response
             std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1,
           "a bad file is refused by one line: " + outcome.errors);
       }
+  }
+
+  /** Directions at one node that are not at right angles to each other: the
+   * motion of the node is one whose signals are those of the modes. */
+  void
+  test_oblique_directions()
+  {
+    const std::string far =
+      "    set Body = disc\n    set Position = 0, 0.1, 0\n"
+      "    set Node = 7\n    set Direction = ";
+    const std::string text =
+      replaced_in(
+        brake(), "Points = below, far", "Points = below, p, q, r, far") +
+      "subsection Measurement\n  subsection Point far\n    set Node = 7\n"
+      "  end\n  subsection Point p\n" +
+      far + "1, 0, 1\n  end\n  subsection Point q\n" + far +
+      "1, 2, 0\n  end\n  subsection Point r\n" + far + "0, 1, 1\n  end\nend\n";
+    run_well(text);
+    std::filesystem::copy_file(
+      "out/frequency_response_scene.uff",
+      "own.uff",
+      std::filesystem::copy_options::overwrite_existing);
+    run_well(text, {"Measurement/Shapes file = own.uff"});
+    for (const double mac : best_mac(read_csv("out/mac.csv")))
+      check(mac > 1. - 1e-9,
+            "a shape seen along oblique directions is like itself");
   }
 
   void
@@ -417,6 +448,10 @@ subsection Frequency response
             {"Measurement/Point far/Node = 1",
              "Measurement/Point far/Direction = 0, 0, 1"},
             "Node");
+    refused(brake(),
+            {"Measurement/Point below/Node = 2"},
+            "'Measurement/Point far/Node' = 2 is also the number of point "
+            "'below'");
     refused(
       brake(), {"Frequency response/Scale = logarithmic"}, "Lowest frequency");
   }
@@ -435,5 +470,6 @@ main(int argc, char **argv)
   test_reciprocity();
   test_superposition();
   test_mac();
+  test_oblique_directions();
   test_refusals();
 }

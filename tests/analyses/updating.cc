@@ -242,17 +242,86 @@ subsection Updating
           "and the run says so");
   }
 
+  /** Alone, such a number has an interval that ends nowhere. */
+  void
+  test_lone_number_without_influence()
+  {
+    measure_twin(0.);
+    const Outcome outcome =
+      run(replaced_in(brake(2.2e11, 2.7e10, 5e8), "= cea", "= updating") + R"(
+subsection Scene
+  subsection Damping
+    set Model             = whole model
+    set Stiffness damping = 1e-8
+  end
+end
+subsection Measurement
+  set Frequencies file = measured.csv
+end
+subsection Updating
+  set Numbers = damping
+  subsection Number damping
+    set Entries = Scene/Damping/Stiffness damping
+    set Lower   = 1e-9
+    set Upper   = 1e-7
+  end
+end
+)");
+    check(outcome.code == 0, "the fit ends well " + outcome.errors);
+    const Table table = read_csv("out/updated_numbers.csv");
+    check(value(table, "damping", "identified") == 0. &&
+            std::isnan(value(table, "damping", "interval_lower")) &&
+            std::isnan(value(table, "damping", "interval_upper")),
+          "a lone number without influence is not identified");
+  }
+
+  void
+  refused(const Outcome &outcome, const std::string &part)
+  {
+    check(outcome.code == 2 && outcome.errors.find(part) != std::string::npos &&
+            std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1,
+          "refused in one line: " + outcome.errors);
+  }
+
+  /** Of pairing by shape: which of two shapes is meant must be clear. */
+  void
+  refuse_equal_names()
+  {
+    const std::string text =
+      replaced_in(
+        fit(), "set Tolerance", "set Pairing = shape\n  set Tolerance") +
+      "subsection Measurement\n  set Shapes file = shapes.csv\n"
+      "  set Points = p, q\n"
+      "  subsection Point p\n    set Body = disc\n"
+      "    set Position = 0.1, 0, -0.01\n    set Direction = 0, 0, 1\n  end\n"
+      "  subsection Point q\n    set Body = disc\n"
+      "    set Position = 0, 0.1, 0\n    set Direction = 0, 0, 1\n  end\nend\n";
+    const std::string shape =
+      "    -1\n    55\nMode shape\nb\nc\nd\ne\n"
+      "         1         2         2         8         "
+      "2         3\n         2         1         1      "
+      "   1\n        900.0\n         1\n          1.0"
+      "          0.0          1.0\n         2\n        "
+      "  1.0          0.0          1.0\n    -1\n";
+    write_text("shapes.csv", shape + shape);
+    write_text("measured.csv",
+               "name,frequency_hz,weight\na,900,1\nb,950,1\na,990,1\n");
+    refused(run(text), "measured.csv:4: name 'a' is there twice");
+    write_text("measured.csv",
+               "name,frequency_hz,weight\nMode shape,900,1\nb,950,1\n"
+               "c,990,1\n");
+    refused(run(text), "shapes.csv: has 2 shapes called 'Mode shape'");
+    write_text("measured.csv",
+               "name,frequency_hz,weight\nMode shapes,900,1\nb,950,1\n"
+               "c,990,1\n");
+    refused(run(text), "did you mean 'Mode shape'?");
+  }
+
   void
   test_refusals()
   {
     measure_twin(0.);
     const std::string good = text_of("measured.csv");
-    const auto refused = [](const Outcome &outcome, const std::string &part) {
-      check(
-        outcome.code == 2 && outcome.errors.find(part) != std::string::npos &&
-          std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1,
-        "refused in one line: " + outcome.errors);
-    };
     for (const auto &[text, part] :
          {std::make_pair("name,frequency_hz\na,1\n", "weight"),
           {"name,frequency_hz,weight\n", "measured.csv"},
@@ -265,6 +334,7 @@ subsection Updating
         write_text("measured.csv", text);
         refused(run(fit()), part);
       }
+    refuse_equal_names();
     write_text("measured.csv", good);
     refused(run(fit(),
                 {"Updating/Number disc/Entries = Scene/Body disc/Poisson "
@@ -290,5 +360,6 @@ main(int argc, char **argv)
   test_twin();
   test_confidence_intervals();
   test_identification();
+  test_lone_number_without_influence();
   test_refusals();
 }

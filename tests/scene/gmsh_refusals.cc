@@ -178,6 +178,35 @@ namespace
             "a face in two physical surfaces");
   }
 
+  /** A name that is the number of a group without a name. */
+  void
+  names_that_are_numbers()
+  {
+    const std::string four_names =
+      replaced(version_2(Cube()), "$PhysicalNames\n5", "$PhysicalNames\n4");
+    const std::string volumes =
+      replaced(replaced(four_names, "3 11 \"lower\"\n", "3 11 \"12\"\n"),
+               "3 12 \"upper\"\n",
+               "");
+    refuses(volumes,
+            "a physical volume of the name '12' and another of this number",
+            "a volume whose name is the number of another",
+            "12");
+    check(read(volumes).cells.size() == 8, "both volumes are clear");
+    const std::string surfaces =
+      replaced(replaced(four_names, "2 1 \"left\"\n", "2 1 \"2\"\n"),
+               "2 2 \"right side\"\n",
+               "");
+    refuses(surfaces,
+            "a physical surface of the name '2' and another of this number",
+            "a surface whose name is the number of another",
+            "lower");
+    check(
+      read(replaced(four_names, "3 12 \"upper\"\n", ""), "12").cells.size() ==
+        4,
+      "a number stands for a volume without a name");
+  }
+
   /** Two bodies of one file that share the nodes of the middle plane. */
   void
   shared_nodes()
@@ -233,4 +262,5 @@ main()
   shared_nodes();
   unreadable_files();
   unusable_meshes();
+  names_that_are_numbers();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A body may consist of parts that share no nodes where something holds each of
-// them; a part that nothing holds is refused by its place.
+// them; a part that nothing holds is refused by its place. A slit in a body
+// that hangs together, where nodes are doubled, is told.
 
 #include <squeal/base/exceptions.h>
 
@@ -12,9 +13,9 @@ using namespace squeal::testing;
 
 namespace
 {
-  /** The cube in two halves; the upper one has nodes of its own, 0.1 up. */
+  /** The cube in two halves; the upper one has nodes of its own, @p gap up. */
   std::string
-  halves()
+  halves(const double gap = .1)
   {
     const Cube         cube;
     std::ostringstream out;
@@ -22,7 +23,7 @@ namespace
     for (int n = 0; n < 54; ++n)
       {
         auto x = cube.nodes[n % 27];
-        x[2] += n < 27 ? 0. : .1;
+        x[2] += n < 27 ? 0. : gap;
         out << n + 1 << spaced(x) << "\n";
       }
     out << "$EndNodes\n$Elements\n12\n";
@@ -78,6 +79,70 @@ namespace
     tie.target_face = "x_max";
     scene.ties      = {tie};
   }
+
+  /** The cube with nodes of their own, @p gap above the others, for the two
+   * cells above the middle plane at x = 1: half of that plane is slit, open at
+   * x = 1, and the body still hangs together. */
+  std::string
+  slit(const double gap)
+  {
+    const Cube  cube;
+    std::string text = replaced(version_2(cube), "$Nodes\n27", "$Nodes\n30");
+    std::string nodes;
+    for (int i = 0; i < 3; ++i)
+      {
+        auto x = cube.nodes[11 + 3 * i];
+        x[2] += gap;
+        nodes += std::to_string(28 + i) + spaced(x) + "\n";
+      }
+    text = replaced(text, "$EndNodes", nodes + "$EndNodes");
+    for (const int c : {5, 7})
+      {
+        auto cell = cube.cells[c];
+        for (int &node : cell)
+          if (node == 12 || node == 15 || node == 18)
+            node = 28 + (node - 12) / 3;
+        text = replaced(text, spaced(cube.cells[c]), spaced(cell));
+      }
+    return text;
+  }
+
+  void
+  test_slits()
+  {
+    SceneParameters scene   = scene_of_halves();
+    const auto      remarks = [&](const std::string &text) {
+      std::ofstream("halves.msh") << text;
+      return make_coarse_mesh(scene).remarks;
+    };
+    check(remarks(version_2(Cube())).empty(), "no word of a whole body");
+    const auto told = remarks(slit(0.));
+    check(told.size() == 1 &&
+            told[0].find("2 pairs of faces that lie on each other") !=
+              std::string::npos &&
+            told[0].find("at (0.750000, 0.250000, 0.500000) m") !=
+              std::string::npos,
+          "a slit is told with its place: " + (told.empty() ? "" : told[0]));
+    check(remarks(slit(1e-3)).empty(), "a gap that is meant is not");
+  }
+
+  /** Two parts of one body that lie on each other and are put together by a
+   * contact of their own faces are no slit. */
+  void
+  test_parts_in_contact()
+  {
+    SceneParameters scene = scene_of_halves();
+    std::ofstream("halves.msh") << halves(0.);
+    add_wall(scene, 1.1);
+    const auto open = make_coarse_mesh(scene).remarks;
+    check(open.size() == 1 && open[0].find("4 pairs") != std::string::npos,
+          "parts that lie on each other with nothing between are told");
+    ContactParameters contact;
+    contact.source_body = contact.target_body = "vanes";
+    contact.source_face = contact.target_face = "unnamed";
+    scene.contacts                            = {contact};
+    check(make_coarse_mesh(scene).remarks.empty(), "not so across a contact");
+  }
 } // namespace
 
 int
@@ -106,4 +171,6 @@ main()
   check_throws<InputError>([&]() { make_coarse_mesh(scene); },
                            "nothing holds",
                            "refused: a part that the tied body does not reach");
+  test_slits();
+  test_parts_in_contact();
 }

@@ -238,6 +238,13 @@ ENDDATA
                      Shape::nastran,
                      "depends on temperature");
     refuses_material(
+      changed(whole, "*Density", "*Viscoelastic, frequency=TABULAR\n*Density"),
+      Shape::abaqus,
+      "depends on frequency");
+    refuses_material(changed(bdf, "ENDDATA", "MATF1,3,5\nENDDATA"),
+                     Shape::nastran,
+                     "depends on frequency");
+    refuses_material(
       changed(bdf, "PSOLID  7", "PSOLID  8"), Shape::nastran, "no material");
   }
 

@@ -163,6 +163,14 @@ roof,
 *END STEP
 )";
 
+  std::string
+  replaced_word(std::string text, const std::string &old, const std::string &by)
+  {
+    const auto at = text.find(old);
+    check(at != std::string::npos, "the test changes '" + old + "'");
+    return text.replace(at, old.size(), by);
+  }
+
   /** Number of the body's faces of each name. */
   std::map<std::string, unsigned int>
   count(const BodyMesh &mesh)
@@ -344,6 +352,60 @@ ENDDATA
           "damping of the file is said not to be followed");
   }
 
+  /** Checks that the first remark on a file has every one of the words. */
+  void
+  names(const std::string              &text,
+        const Shape                     shape,
+        const std::vector<std::string> &faces,
+        const std::vector<std::string> &words)
+  {
+    const auto remarks = mesh_of(text, shape, "", faces).remarks;
+    check(!remarks.empty(), "there is a remark");
+    for (const auto &word : words)
+      check(remarks[0].find(word) != std::string::npos,
+            "not followed is " + word + ": " + remarks[0]);
+  }
+
+  /** What else files say of mass, stiffness and damping is named in the log. */
+  void
+  what_is_not_followed()
+  {
+    names(replaced_word(two_cells,
+                        "*STEP\n",
+                        "*Nonstructural mass, elset=low, units=TOTAL MASS\n"
+                        "1e-5\n*Foundation\nlow, F1, 5.\n"
+                        "*Initial conditions, type=STRESS\nlow, 1.\n"
+                        "*Rotary inertia, elset=low\n1., 1., 1.\n*STEP\n"
+                        "*Boundary\nfloor, 1, 3\n"
+                        "*Modal damping\n1, 10, .01\n"),
+          Shape::abaqus,
+          {"skin"},
+          {"*NONSTRUCTURAL MASS",
+           "*FOUNDATION",
+           "*INITIAL CONDITIONS",
+           "*ROTARY INERTIA",
+           "*BOUNDARY",
+           "*MODAL DAMPING"});
+    const std::string text = replaced_word(bulk,
+                                           "ENDDATA",
+                                           "SPC1,1,123456,1,THRU,4\n"
+                                           "SPCADD,2,1\n"
+                                           "PARAM,G,0.05\n"
+                                           "PARAM,ALPHA1,0.\n"
+                                           "CMASS2,31,1.,1,1\n"
+                                           "CDAMP2,33,5.,1,1\n"
+                                           "NSM1,4,PSOLID,.5,7\n"
+                                           "TEMPD,1,300.\n"
+                                           "ENDDATA");
+    names(text,
+          Shape::nastran,
+          {},
+          {"SPC1", "SPCADD", "PARAM,G", "CMASS2", "CDAMP2", "NSM1", "TEMPD"});
+    check(mesh_of(text, Shape::nastran).remarks[0].find("ALPHA1") ==
+            std::string::npos,
+          "damping of 0 is none");
+  }
+
   void
   ties_of_files()
   {
@@ -391,5 +453,6 @@ main()
   nastran_entries();
   materials_of_files();
   factors_of_materials();
+  what_is_not_followed();
   ties_of_files();
 }

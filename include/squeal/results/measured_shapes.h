@@ -10,6 +10,8 @@
 
 namespace squeal
 {
+  struct MeasurementParameters;
+
   /** A shape of a measured mode. */
   struct MeasuredShape
   {
@@ -28,9 +30,15 @@ namespace squeal
    * line is a universal file.
    *
    * Throws InputError "file:line: ..." for a file that is neither, that is cut
-   * off, holds no shape, or numbers that are none.
+   * off, holds no shape, numbers that are none, a node or point that a shape
+   * has twice, or two frequencies of one shape.
    */
   std::vector<MeasuredShape> read_measured_shapes(const std::string &path);
+
+  /** Reads "Measurement/Shapes file". Throws InputError as above, and for a
+   * point by name that is not in "Measurement/Points", with the nearest one. */
+  std::vector<MeasuredShape> read_measured_shapes(
+    const MeasurementParameters &measurement);
 } // namespace squeal
 
 #endif

@@ -14,6 +14,15 @@ namespace squeal
    * names a loose part by its size and a node. Conforming ties must be joined.
    */
   void refuse_loose_parts(const SceneParameters &scene, const CoarseMesh &mesh);
+
+  /**
+   * Sentences for the log about bodies of mesh files that are slit open: faces
+   * of their surface that lie on others of the same body with nodes of their
+   * own, within 1e-5 of a face's size. Ties and contacts between faces of one
+   * body are no slits. Conforming ties must be joined.
+   */
+  std::vector<std::string> remarks_on_slits(const SceneParameters &scene,
+                                            const CoarseMesh      &mesh);
 } // namespace squeal
 
 #endif

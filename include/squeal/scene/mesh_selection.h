@@ -11,13 +11,20 @@ namespace squeal
   std::string name_of_group(const std::map<int, std::string> &names,
                             const int                         tag);
 
+  /** Whether one of the groups @p tags has this name and another, which has
+   * none, this number, so that the word may mean either. */
+  bool is_ambiguous(const std::map<int, std::string> &names,
+                    const std::set<int>              &tags,
+                    const std::string                &word);
+
   /** The cells of a mesh file that make a body: all, or those of its physical
    * volume, element set or property. */
   class MeshSelection
   {
   public:
-    /** Throws InputError where there are none or where some are no hexahedra of
-     * first or second order. Both arguments must live on. */
+    /** Throws InputError where there are none, where two volumes may be meant
+     * and where some are no hexahedra of first or second order. Both arguments
+     * must live on. */
     MeshSelection(const MeshFile &file, const BodyParameters &body);
 
     bool holds(const MeshFile::Element &element) const;

@@ -8,6 +8,8 @@
 #include <squeal/results/hdf5_file.h>
 #include <squeal/results/universal_file.h>
 
+#include <Eigen/QR>
+
 #include <cmath>
 #include <map>
 
@@ -52,6 +54,35 @@ namespace squeal
                  std::vector<Cell>{state.state,
                                    point_name(p, grid.excitations[j]),
                                    point_name(p, grid.responses[i])});
+    }
+
+    /** For each point, what its signal along its unit direction adds to the
+     * motion of its node: the sum over the points of a node is the smallest
+     * motion that has their signals. Of directions at right angles these are
+     * the directions themselves. */
+    std::vector<Vector3>
+    dual_directions(const MeasurementParameters &m)
+    {
+      std::map<unsigned int, std::vector<unsigned int>> points_of_node;
+      for (unsigned int i = 0; i < m.points.size(); ++i)
+        points_of_node[m.node(i)].push_back(i);
+      std::vector<Vector3> result(m.points.size());
+      for (const auto &[node, points] : points_of_node)
+        {
+          Eigen::MatrixXd directions(points.size(), 3);
+          for (std::size_t j = 0; j < points.size(); ++j)
+            directions.row(j) = Eigen::Map<const Eigen::RowVector3d>(
+                                  m.points[points[j]].direction.data())
+                                  .stableNormalized();
+          Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> split;
+          // Directions that agree in six digits are meant to be the same.
+          split.setThreshold(1e-6);
+          split.compute(directions);
+          const Eigen::MatrixXd inverse = split.pseudoInverse();
+          for (std::size_t j = 0; j < points.size(); ++j)
+            result[points[j]] = {{inverse(0, j), inverse(1, j), inverse(2, j)}};
+        }
+      return result;
     }
 
     void
@@ -367,7 +398,8 @@ namespace squeal
             f.values.push_back(value(i, j));
           write_universal_function(out, f);
         });
-      // What is seen of each mode: its motion along the directions at a node.
+      // What the directions at a node show of the motion of each mode.
+      const std::vector<Vector3> duals = dual_directions(m);
       for (unsigned int k = 0; k < state.pairs.size(); ++k)
         {
           UniversalShape shape;
@@ -380,10 +412,8 @@ namespace squeal
             {
               const std::size_t place =
                 std::distance(nodes.begin(), nodes.find(m.node(i)));
-              const Vector3 &d = m.points[i].direction;
               for (unsigned int c = 0; c < 3; ++c)
-                shape.values[place][c] +=
-                  d[c] / std::hypot(d[0], d[1], d[2]) * state.shapes(i, k);
+                shape.values[place][c] += duals[i][c] * state.shapes(i, k);
             }
           write_universal_shape(out, shape);
         }

@@ -170,9 +170,8 @@ namespace squeal
     const auto                      &p = context.parameters;
     const ResponseGrid               grid(p);
     const std::vector<MeasuredShape> measured =
-      p.measurement.shapes_file.empty()
-        ? std::vector<MeasuredShape>()
-        : read_measured_shapes(p.measurement.shapes_file);
+      p.measurement.shapes_file.empty() ? std::vector<MeasuredShape>()
+                                        : read_measured_shapes(p.measurement);
     const std::vector<StateResponse> states =
       solve_states(context, grid, measured);
     warn(context, states);

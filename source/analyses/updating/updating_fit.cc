@@ -171,11 +171,15 @@ namespace squeal
           const double slack = 1e-6 + parameters.tolerance;
           number.is_at_bound =
             u <= model.lower(i) + slack || u >= model.upper(i) - slack;
-          const bool   is_unknown = unknown[i] > 0.1;
+          // Of a number of almost no influence, the variance may overflow.
+          const bool is_unknown =
+            unknown[i] > 0.1 || !std::isfinite(covariance(i, i));
           const double half =
             is_unknown ? not_known : reach * std::sqrt(covariance(i, i));
           number.interval_lower = number.value * std::exp(-half);
           number.interval_upper = number.value * std::exp(half);
+          if (!std::isfinite(number.interval_upper)) // tells nothing
+            number.interval_lower = number.interval_upper = not_known;
           number.is_identified =
             !is_unknown && !(2. * half > model.upper(i) - model.lower(i));
           number.partner     = -1;

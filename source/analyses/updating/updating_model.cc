@@ -5,11 +5,13 @@
 #include <squeal/base/memory.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/output/cea_quantities.h>
+#include <squeal/parameters/names.h>
 #include <squeal/parameters/text.h>
 #include <squeal/sweep/parametric_system.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace squeal
 {
@@ -32,6 +34,52 @@ namespace squeal
       std::vector<TermCoefficients> result;
       for (const auto &term : system.terms)
         result.push_back(term.coefficients(scene));
+      return result;
+    }
+
+    /** Pairing by shape needs one shape for every frequency: which of two is
+     * meant by a name that both have cannot be told. */
+    void
+    refuse_equal_names(const std::vector<MeasuredFrequency> &data,
+                       const std::string                    &path)
+    {
+      std::set<std::string> seen;
+      for (std::size_t i = 0; i < data.size(); ++i)
+        if (!seen.insert(data[i].name).second)
+          throw InputError(path + ":" + std::to_string(i + 2) + ": name '" +
+                           data[i].name +
+                           "' is there twice: with 'Updating/Pairing = shape' "
+                           "every frequency needs the name of a shape of its "
+                           "own");
+    }
+
+    /** The measured shape of each frequency, found by its name. */
+    std::vector<MeasuredShape>
+    shapes_of(const std::vector<MeasuredFrequency> &data,
+              const MeasurementParameters          &m)
+    {
+      refuse_equal_names(data, m.frequencies_file);
+      const std::vector<MeasuredShape> all = read_measured_shapes(m);
+      std::vector<std::string>         names;
+      for (const auto &shape : all)
+        names.push_back(shape.name);
+      std::vector<MeasuredShape> result;
+      for (const auto &frequency : data)
+        {
+          const std::string &name = frequency.name;
+          const auto         n = std::count(names.begin(), names.end(), name);
+          if (n == 0)
+            throw InputError(m.shapes_file + ": has no shape called '" + name +
+                             "', which the frequencies name" +
+                             prm::did_you_mean(name, names));
+          if (n > 1)
+            throw InputError(m.shapes_file + ": has " + std::to_string(n) +
+                             " shapes called '" + name +
+                             "', which the frequencies name: give each a name "
+                             "(dataset 55: a title) of its own");
+          result.push_back(
+            all[std::find(names.begin(), names.end(), name) - names.begin()]);
+        }
       return result;
     }
 
@@ -98,8 +146,8 @@ namespace squeal
                        " frequencies cannot determine the " +
                        std::to_string(u.numbers.size()) +
                        " numbers of Updating/Numbers");
-    if (!m.shapes_file.empty())
-      shapes = read_measured_shapes(m.shapes_file);
+    if (u.pairing == UpdatingParameters::Pairing::shape)
+      shapes = shapes_of(data, m);
     std::vector<std::string> paths;
     for (const auto &number : u.numbers)
       {
@@ -183,22 +231,12 @@ namespace squeal
     if (points)
       values = points->mac(shapes, points->sample(pairs.right));
     for (std::size_t i = 0; i < data.size(); ++i)
-      {
-        int row = -1;
-        for (std::size_t s = 0; points && s < shapes.size(); ++s)
-          if (shapes[s].name == data[i].name)
-            row = s;
-        if (points && row < 0)
-          throw InputError(context.parameters.measurement.shapes_file +
-                           ": has no shape called '" + data[i].name +
-                           "', which the frequencies name");
-        for (unsigned int k = 0; k < pairs.size(); ++k)
-          if (points)
-            costs[i][k] = 1. - values(row, k);
-          else if (data[i].name.empty() || is_called(names[k], data[i].name))
-            costs[i][k] =
-              std::abs(std::log(pairs.frequency(k) / data[i].frequency));
-      }
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        if (points)
+          costs[i][k] = 1. - values(i, k);
+        else if (data[i].name.empty() || is_called(names[k], data[i].name))
+          costs[i][k] =
+            std::abs(std::log(pairs.frequency(k) / data[i].frequency));
     const std::vector<int> partner = smallest_assignment(costs);
     for (std::size_t i = 0; i < data.size(); ++i)
       {

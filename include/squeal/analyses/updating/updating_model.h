@@ -84,7 +84,7 @@ namespace squeal
     RunContext                      &context;
     Parameters                       current;
     std::vector<MeasuredFrequency>   data;
-    std::vector<MeasuredShape>       shapes;
+    std::vector<MeasuredShape>       shapes; /**< one for each of data */
     std::unique_ptr<Model>           full;
     std::unique_ptr<MeasuredPoints>  points;
     std::unique_ptr<NumberSetter>    setter;
