@@ -150,7 +150,8 @@ namespace squeal
                    a.bodies,
                    Allowed::list(Allowed::text()),
                    "Bodies that turn together, each about its 'Rotation axis'; "
-                   "their 'Angle' is set.");
+                   "their 'Angle' is set. Rigid bodies are turned as meshed "
+                   "ones are.");
         schema.add("From", a.from, Allowed::number(), "First angle.", "deg");
         schema.add("To",
                    a.to,
