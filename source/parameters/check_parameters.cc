@@ -136,6 +136,13 @@ namespace squeal
       }
 
 
+        for (const auto &load : scene.loads)
+          if (!m.pressures.empty() && load.pressure < 0.)
+            refuse_entry("Scene/Load " + load.name,
+                         "Pressure",
+                         "= " + format_number(load.pressure) +
+                           " pulls, and 'Operating matrix/Pressures' would "
+                           "make it push: it must not be negative there");
 
       /** Refuses conditions that would make equal what the scene keeps apart:
        * one pressure for all loads, one speed for all contacts. */

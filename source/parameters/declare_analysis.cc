@@ -196,7 +196,8 @@ namespace squeal
                    "m/s");
         schema.add("Both directions",
                    m.both_directions,
-                   "Let the targets turn backwards, too.");
+                   "Let the targets turn backwards, too: the signs of all "
+                   "'Friction coefficient' and 'Rotation speed' are reversed.");
         schema.leave_section();
       }
 
