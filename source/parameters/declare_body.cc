@@ -239,7 +239,7 @@ namespace squeal
         .add("Stiffness damping",
              b.stiffness_damping,
              Allowed::number(0.),
-             "Damping matrix over stiffness matrix of the body; with "
+             "Damping matrix over stiffness matrix of a meshed body; with "
              "'Scene/Damping/Model = per part' only.",
              "s")
         .affine();
@@ -247,8 +247,8 @@ namespace squeal
         .add("Structural damping",
              b.structural_damping,
              Allowed::number(0., 2.),
-             "Loss factor of the material; with 'Scene/Damping/Model = "
-             "per part' only.")
+             "Loss factor of the material of a meshed body; with "
+             "'Scene/Damping/Model = per part' only.")
         .affine();
       schema
         .add("Rotation speed",
