@@ -46,8 +46,8 @@ namespace squeal
             speed_tolerance * turning)
         return;
       throw InputError(
-        "Scene/Contact " + contact.name +
-        "/Sliding speed: = " + rounded_text(contact.sliding_speed, 4) +
+        "'Scene/Contact " + contact.name +
+        "/Sliding speed' = " + rounded_text(contact.sliding_speed, 4) +
         " m/s, but by its 'Rotation speed' the body '" + contact.target_body +
         "' moves along '" + contact.source_body + "' with " +
         rounded_text(turning, 4) +

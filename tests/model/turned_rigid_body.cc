@@ -166,9 +166,10 @@ namespace
     const std::string flat =
       said_of(make_rigid("hub", on_axis, {{1e-3, 3e-3, 4e-3}}));
     check(has(flat, "every 180"), "with two inertias across: " + flat);
-    BodyParameters tilted = make_rigid("hub", on_axis, round);
-    tilted.rotation_axis  = {{1., 0., 0.}};
-    tilted.angle          = 30.;
+    BodyParameters tilted  = make_rigid("hub", on_axis, round);
+    tilted.rotation_axis   = {{1., 0., 0.}};
+    tilted.angle           = 30.;
+    tilted.rotation_centre = on_axis;
     check(has(said_of(tilted), "every 360"), "tilted: " + said_of(tilted));
   }
 } // namespace
