@@ -44,6 +44,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_body.cc
     source/parameters/check_branch.cc
     source/parameters/check_contacts.cc
+    source/parameters/check_damping.cc
     source/parameters/check_damping_in_time.cc
     source/parameters/check_imported.cc
     source/parameters/check_layers.cc
@@ -53,6 +54,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_response.cc
     source/parameters/check_scene.cc
     source/parameters/check_sweep.cc
+    source/parameters/check_ties.cc
     source/parameters/check_transient.cc
     source/parameters/check_triggers.cc
     source/parameters/check_work_precision.cc
@@ -116,7 +118,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/nastran_groups.cc
     source/scene/nastran_mesh.cc
     source/scene/tied_faces.cc
-  source/scene/turning.cc)
+    source/scene/turning.cc)
 
 set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/affine_system.cc
@@ -408,6 +410,8 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/work_precision/figure_ladders.cc
     source/analyses/work_precision/ladder.cc
     source/analyses/work_precision/run_work_precision.cc)
+    source/analyses/work_precision/run_work_precision.cc
+    source/analyses/work_precision/rung_figures.cc)
 
 set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_BASE}

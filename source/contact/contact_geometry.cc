@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/contact/contact_geometry.h>
 #include <squeal/discretization/face_quadrature.h>
+#include <squeal/scene/turning.h>
 
 #include <algorithm>
 #include <cmath>
@@ -170,7 +171,8 @@ namespace squeal
         {
           const auto &x = scene.bodies[source].position;
           const auto &p = contact.contact_point;
-          g.points      = {Point(x[0] + p[0], x[1] + p[1], x[2] + p[2])};
+          g.points      = {turned_point(scene.bodies[source],
+                                   {x[0] + p[0], x[1] + p[1], x[2] + p[2]})};
           g.areas       = {1.};
           g.source_rows = evaluator.displacements(source, g.points, 1e-4).rows;
           return {Point(0., 0., -1.)};

@@ -286,9 +286,10 @@ namespace squeal
         : 1.;
     TermCoefficients c = elastic_coefficients(
       scene, modulus, body.stiffness_damping, body.structural_damping);
-    // What is measured of a material is there whatever the damping model is.
+    // What is measured of a material is there whatever the damping model is,
+    // and in place of the loss factor that the model gives all bodies.
     if (body.has_modulus_table())
-      c.stiffness += std::complex<double>(0., body.table_loss_factor * modulus);
+      c.stiffness.imag(body.table_loss_factor * modulus);
     return c;
   }
 

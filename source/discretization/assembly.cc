@@ -131,19 +131,27 @@ namespace squeal
     rigid_body(const Discretization &d, const unsigned int body)
     {
       const auto  &p = d.scene().bodies[body];
+      const auto   J = turned_tensor(p, p.inertia);
       Triplets     lower;
       BodyMatrices result;
-      for (unsigned int motion = 0; motion < 6; ++motion)
+      const auto   add =
+        [&](const unsigned int i, const unsigned int j, const double value) {
+          const unsigned int row    = d.rigid_row(body, i),
+                             column = d.rigid_row(body, j);
+          if (row != -1u && column != -1u && value != 0. &&
+              d.space()->rank() == 0)
+            lower.add(d.space()->local(std::max(row, column)),
+                      d.space()->local(std::min(row, column)),
+                      value);
+        };
+      for (unsigned int i = 0; i < 3; ++i)
         {
-          const unsigned int row = d.rigid_row(body, motion);
-          if (row != -1u && d.space()->rank() == 0)
-            lower.add(d.space()->local(row),
-                      d.space()->local(row),
-                      motion < 3 ? p.mass : p.inertia[motion - 3]);
+          add(i, i, p.mass);
+          for (unsigned int j = 0; j <= i; ++j)
+            add(3 + i, 3 + j, J[i][j]);
         }
-      result.mass = std::make_shared<SparseMatrix>(d.space(), lower);
-      for (unsigned int c = 0; c < 3; ++c)
-        result.centre[c] = p.position[c];
+      result.mass   = std::make_shared<SparseMatrix>(d.space(), lower);
+      result.centre = centre_of_gravity(p);
       return result;
     }
   } // namespace

@@ -22,7 +22,7 @@ namespace squeal
     TermCoefficients c = elastic_coefficients(
       scene, 1., b.stiffness_damping, b.structural_damping);
     if (b.has_modulus_table())
-      c.stiffness += Complex(0., b.table_loss_factor);
+      c.stiffness.imag(b.table_loss_factor);
     return c.stiffness + lambda * c.damping;
   }
 

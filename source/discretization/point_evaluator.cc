@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/discretization/point_evaluator.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -140,8 +141,9 @@ namespace squeal
   PointEvaluator::rigid(const unsigned int                   body,
                         const std::vector<dealii::Point<3>> &points) const
   {
-    const auto &x0 = discretization.scene().bodies[body].position;
-    Result      result;
+    const dealii::Point<3> x0 =
+      centre_of_gravity(discretization.scene().bodies[body]);
+    Result result;
     for (const auto &x : points)
       {
         std::array<Functionals::Row, 3> rows;

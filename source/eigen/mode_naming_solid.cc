@@ -2,6 +2,7 @@
 #include <squeal/eigen/mode_naming_choice.h>
 #include <squeal/eigen/mode_naming_profile.h>
 #include <squeal/eigen/mode_naming_solid.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -206,7 +207,7 @@ namespace squeal
   {
     const auto &b = d.scene().bodies[body];
     if (b.shape == BodyParameters::Shape::rigid)
-      return Point(b.position[0], b.position[1], b.position[2]);
+      return centre_of_gravity(b);
     const Box box = bounding_box(d, body);
     return box.lower + 0.5 * (box.upper - box.lower);
   }
@@ -291,8 +292,19 @@ namespace squeal
                       directions,
                       std::sqrt(b.mass),
                       rows);
+    // The root of the inertia: the squares of the rows are the energy.
+    const auto root = turned_tensor(b,
+                                    {{std::sqrt(b.inertia[0]),
+                                      std::sqrt(b.inertia[1]),
+                                      std::sqrt(b.inertia[2])}});
     for (unsigned int c = 0; c < 3; ++c)
-      rows.push_back(scaled(std::sqrt(b.inertia[c]), motions[3 + c]));
+      {
+        Parts parts;
+        for (unsigned int k = 0; k < 3; ++k)
+          if (root[c][k] != 0.)
+            parts.emplace_back(root[c][k], &motions[3 + k]);
+        rows.push_back(combine(parts));
+      }
   }
 
 

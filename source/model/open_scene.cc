@@ -5,6 +5,7 @@
 #include <squeal/model/observed_motions.h>
 #include <squeal/model/open_scene.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/scene/turning.h>
 
 #include <algorithm>
 #include <map>
@@ -46,9 +47,7 @@ namespace squeal
             points.push_back(
               mesh.vertices[corners[generator() % corners.size()]]);
           if (corners.empty()) // a rigid body
-            points.emplace_back(scene.bodies[b].position[0],
-                                scene.bodies[b].position[1],
-                                scene.bodies[b].position[2]);
+            points.push_back(centre_of_gravity(scene.bodies[b]));
           const auto found = evaluator.displacements(b, points);
           for (std::size_t i = 0; i < points.size(); ++i)
             for (unsigned int c = 0; c < 3; ++c)

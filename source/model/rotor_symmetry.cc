@@ -28,15 +28,97 @@ namespace squeal
 
     using Vector = dealii::Tensor<1, 3>;
 
-    /** Two unit vectors across an axis. */
-    std::array<Vector, 2>
-    across(const Vector &axis)
+    /** Masses round an axis: sums of m cos(n angle) and m sin(n angle) over
+     * what is added, kg, for the orders n up to the highest. */
+    class AngularMoments
     {
-      Vector other;
-      other[std::abs(axis[0]) < 0.6 * axis.norm() ? 0 : 1] = 1.;
-      Vector first = dealii::cross_product_3d(axis, other);
-      first /= first.norm();
-      return {{first, dealii::cross_product_3d(axis / axis.norm(), first)}};
+    public:
+      AngularMoments(const Vector3 &direction, const Vector3 &centre)
+        : origin(centre[0], centre[1], centre[2])
+      {
+        const Vector line({direction[0], direction[1], direction[2]});
+        axis = line / line.norm();
+        Vector other;
+        other[std::abs(axis[0]) < 0.6 ? 0 : 1] = 1.;
+        first = dealii::cross_product_3d(axis, other);
+        first /= first.norm();
+        second = dealii::cross_product_3d(axis, first);
+      }
+
+      void
+      add(const dealii::Point<3> &x, const double mass)
+      {
+        const Vector r     = x - origin;
+        const double angle = std::atan2(r * second, r * first);
+        for (unsigned int n = 0; n <= highest_order; ++n)
+          {
+            values[2 * n] += mass * std::cos(n * angle);
+            values[2 * n + 1] += mass * std::sin(n * angle);
+          }
+      }
+
+      /** The same of a point mass, which has no angle on the axis. */
+      void
+      add_point(const dealii::Point<3> &x, const double mass)
+      {
+        const Vector r = x - origin;
+        if (std::hypot(r * first, r * second) > on_axis)
+          add(x, mass);
+        else
+          values[0] += mass;
+      }
+
+      /** A rigid body: its mass at its centre of gravity, in order 2 what its
+       * inertia J about two axes across differs by, in order 1 the products of
+       * inertia that tilt it, both over J about the axis. */
+      void
+      add_rigid(const BodyParameters &body)
+      {
+        add_point(centre_of_gravity(body), body.mass);
+        const auto   J     = turned_tensor(body, body.inertia);
+        const double share = body.mass / (axis * (J * axis));
+        values[2] -= share * (first * (J * axis));
+        values[3] -= share * (second * (J * axis));
+        values[4] += share * (second * (J * second) - first * (J * first));
+        values[5] -= 2. * share * (first * (J * second));
+      }
+
+      /** Whether what was added has an order @p n > 0 that is above @p part
+       * of its mass. */
+      bool
+      has_order(const unsigned int n, const double part) const
+      {
+        return std::hypot(values[2 * n], values[2 * n + 1]) > part * values[0];
+      }
+
+      void
+      sum_over_ranks(const MPI_Comm communicator)
+      {
+        MPI_Allreduce(MPI_IN_PLACE,
+                      values.data(),
+                      static_cast<int>(values.size()),
+                      MPI_DOUBLE,
+                      MPI_SUM,
+                      communicator);
+      }
+
+    private:
+      static constexpr double on_axis = 1e-9; /**< m */
+
+      dealii::Point<3>                            origin;
+      Vector                                      axis, first, second;
+      std::array<double, 2 * (highest_order + 1)> values{};
+    };
+
+    /** Whether a rigid body is the same at all angles about an axis. */
+    bool
+    is_round_about(const BodyParameters &rigid,
+                   const Vector3        &axis,
+                   const Vector3        &centre)
+    {
+      AngularMoments moments(axis, centre);
+      moments.add_rigid(rigid);
+      return !moments.has_order(1, 1e-9) && !moments.has_order(2, 1e-9);
     }
 
     /** The body and all that ties glue to it. */
@@ -57,14 +139,19 @@ namespace squeal
       return result;
     }
 
-    /** By its shape alone, with nothing fixed to it. */
+    /** By its shape alone, or as a rigid body of the @p rotor, with nothing
+     * fixed to it. */
     bool
-    is_of_revolution(const SceneParameters &scene, const unsigned int number)
+    is_of_revolution(const SceneParameters &scene,
+                     const unsigned int     number,
+                     const BodyParameters  &rotor)
     {
       const BodyParameters &body = scene.bodies[number];
       return (body.shape == BodyParameters::Shape::annulus ||
               body.shape == BodyParameters::Shape::cylinder ||
-              body.shape == BodyParameters::Shape::rigid) &&
+              (body.shape == BodyParameters::Shape::rigid &&
+               is_round_about(
+                 body, rotor.rotation_axis, rotor.centre_of_rotation()))) &&
              std::none_of(
                scene.lumped_masses.begin(),
                scene.lumped_masses.end(),
@@ -80,24 +167,13 @@ namespace squeal
                  const Vector3                   &axis,
                  const Vector3                   &centre)
   {
-    const auto [e, f] = across(Vector({axis[0], axis[1], axis[2]}));
-    const dealii::Point<3>  origin(centre[0], centre[1], centre[2]);
+    AngularMoments          moments(axis, centre);
     const dealii::QGauss<3> quadrature(d.degree() + 1);
     dealii::FEValues<3>     values(d.mapping(),
                                d.dof_handler().get_fe(),
                                quadrature,
                                dealii::update_quadrature_points |
                                  dealii::update_JxW_values);
-    std::array<double, 2 * (highest_order + 1)> moments{};
-    const auto add = [&](const dealii::Point<3> &x, const double mass) {
-      const Vector r     = x - origin;
-      const double angle = std::atan2(r * f, r * e);
-      for (unsigned int n = 0; n <= highest_order; ++n)
-        {
-          moments[2 * n] += mass * std::cos(n * angle);
-          moments[2 * n + 1] += mass * std::sin(n * angle);
-        }
-    };
     for (const auto &cell : d.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() &&
           std::count(bodies.begin(), bodies.end(), cell->material_id()) > 0)
@@ -105,26 +181,19 @@ namespace squeal
           values.reinit(cell);
           const double density = d.scene().bodies[cell->material_id()].density;
           for (unsigned int q = 0; q < quadrature.size(); ++q)
-            add(values.quadrature_point(q), density * values.JxW(q));
+            moments.add(values.quadrature_point(q), density * values.JxW(q));
         }
-    MPI_Allreduce(MPI_IN_PLACE,
-                  moments.data(),
-                  static_cast<int>(moments.size()),
-                  MPI_DOUBLE,
-                  MPI_SUM,
-                  d.space()->communicator());
-    // On the axis a mass has no angle.
+    moments.sum_over_ranks(d.space()->communicator());
     for (const auto &mass : d.scene().lumped_masses)
-      if (const Vector r = place_of(d.scene(), mass) - origin;
-          std::count(bodies.begin(),
-                     bodies.end(),
-                     body_index(d.scene(), mass.body)) > 0 &&
-          std::hypot(r * e, r * f) > 1e-9)
-        add(place_of(d.scene(), mass), mass.mass);
+      if (std::count(
+            bodies.begin(), bodies.end(), body_index(d.scene(), mass.body)) > 0)
+        moments.add_point(place_of(d.scene(), mass), mass.mass);
+    for (const unsigned int b : bodies)
+      if (d.scene().bodies[b].shape == BodyParameters::Shape::rigid)
+        moments.add_rigid(d.scene().bodies[b]);
     std::vector<unsigned int> orders;
     for (unsigned int n = 1; n <= highest_order; ++n)
-      if (std::hypot(moments[2 * n], moments[2 * n + 1]) >
-          significant * moments[0])
+      if (moments.has_order(n, significant))
         orders.push_back(n);
     return orders;
   }
@@ -146,7 +215,7 @@ namespace squeal
         const auto  rotor = glued_to(scene, contact.target_body);
         const auto &body = scene.bodies[body_index(scene, contact.target_body)];
         if (std::all_of(rotor.begin(), rotor.end(), [&](const unsigned int b) {
-              return is_of_revolution(scene, b);
+              return is_of_revolution(scene, b, body);
             }))
           continue;
         const auto orders = angular_orders(

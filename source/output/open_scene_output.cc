@@ -8,6 +8,7 @@
 #include <squeal/output/open_scene_output.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/scene/import_tables.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -60,13 +61,16 @@ namespace squeal
         }
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         if (scene.bodies[b].shape == BodyParameters::Shape::rigid)
-          for (unsigned int motion = 0; motion < 6; ++motion)
-            if (const unsigned int row = d.rigid_row(b, motion); row != -1u)
-              enter(row,
-                    static_cast<long>(dofs.n_dofs()) + b + 1,
-                    motion + 1,
-                    scene.bodies[b].position,
-                    scene.bodies[b].name);
+          {
+            const dealii::Point<3> x = centre_of_gravity(scene.bodies[b]);
+            for (unsigned int motion = 0; motion < 6; ++motion)
+              if (const unsigned int row = d.rigid_row(b, motion); row != -1u)
+                enter(row,
+                      static_cast<long>(dofs.n_dofs()) + b + 1,
+                      motion + 1,
+                      {{x[0], x[1], x[2]}},
+                      scene.bodies[b].name);
+          }
       return result;
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/checks.h>
+#include <squeal/parameters/choices.h>
 #include <squeal/parameters/numbers.h>
 
 #include <array>
@@ -100,14 +101,14 @@ namespace squeal
                        "Rotation axis",
                        "must be along z for annuli and cylinders, whose axis "
                        "that is, and where 'Rotation speed' is not 0");
-        if (is_round && body.angle != 0. &&
+        if (is_round && (body.angle != 0. || body.rotation_speed != 0.) &&
             (body.centre_of_rotation()[0] != body.position[0] ||
              body.centre_of_rotation()[1] != body.position[1]))
           refuse_entry(section,
                        "Rotation centre",
                        "is not on the body's own axis: an annulus or a "
-                       "cylinder with an 'Angle' would move; give 'Position' "
-                       "instead");
+                       "cylinder with an 'Angle' or a 'Rotation speed' would "
+                       "move; give 'Position' instead");
         // A block that turns is not at rest in the fixed frame, and a rigid
         // body has no terms of turning.
         if (body.rotation_speed != 0. &&
@@ -172,19 +173,40 @@ namespace squeal
 
 
 
+      /** Entries of a modulus table of a body that has none. */
+      void
+      refuse_entries_of_tables(const BodyParameters &body,
+                               const std::string    &section)
+      {
+        const std::string none =
+          " is that of a 'Modulus table file', and the body has none";
+        if (body.pressure != 0.)
+          refuse_entry(section,
+                       "Pressure",
+                       "= " + format_number(body.pressure) + none +
+                         "; loads stand in 'Scene/Load'");
+        if (body.temperature != BodyParameters().temperature)
+          refuse_entry(section,
+                       "Temperature",
+                       "= " + format_number(body.temperature) + none +
+                         "; remove it");
+        if (body.modulus_extrapolation !=
+            BodyParameters().modulus_extrapolation)
+          refuse_entry(section,
+                       "Modulus extrapolation",
+                       "= " + choice_name(body.modulus_extrapolation) + none +
+                         "; remove it");
+      }
+
+
+
       void
       check_modulus_table(const BodyParameters &body,
                           const std::string    &section)
       {
         const std::string entry = "Modulus table file";
-        if (!body.has_modulus_table() && body.pressure != 0.)
-          refuse_entry(section,
-                       "Pressure",
-                       "= " + format_number(body.pressure) +
-                         " is that of a 'Modulus table file', and the body has "
-                         "none; loads stand in 'Scene/Load'");
         if (!body.has_modulus_table())
-          return;
+          return refuse_entries_of_tables(body, section);
         if (body.shape == Shape::rigid)
           refuse_entry(section, entry, "is for meshed bodies, not rigid ones");
         if (body.material_model != BodyParameters::MaterialModel::isotropic)
@@ -201,6 +223,28 @@ namespace squeal
                          " would be ignored: 'Modulus table file' gives the "
                          "loss factor; remove it");
         require_file(body.modulus_table_file, section, entry, true);
+      }
+
+
+
+      /** Entries of an orthotropic material of a body that is none. */
+      void
+      refuse_orthotropic_entries(const BodyParameters &body,
+                                 const std::string    &section)
+      {
+        const BodyParameters                plain;
+        const std::pair<const char *, bool> entries[] = {
+          {"Young moduli", body.young_moduli != plain.young_moduli},
+          {"Shear moduli", body.shear_moduli != plain.shear_moduli},
+          {"Poisson ratios", body.poisson_ratios != plain.poisson_ratios},
+          {"Material axis 1", body.material_axis_1 != plain.material_axis_1},
+          {"Material axis 2", body.material_axis_2 != plain.material_axis_2}};
+        for (const auto &[entry, is_set] : entries)
+          if (is_set)
+            refuse_entry(section,
+                         entry,
+                         "would be ignored: set 'Material model = orthotropic' "
+                         "or remove it");
       }
 
 
@@ -281,6 +325,7 @@ namespace squeal
           check_material_axes(body, section);
           return;
         }
+      refuse_orthotropic_entries(body, section);
       require_positive(body.young_modulus, section, "Young modulus");
       if (!(body.poisson_ratio > -1. && body.poisson_ratio < 0.5))
         refuse_entry(section,

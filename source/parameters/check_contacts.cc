@@ -29,11 +29,8 @@ namespace squeal
 
 
 
-      /** Of flat faces of squeal's own shapes; others are judged when the mesh
-       * is there. A sliding direction that is not along them is no sliding. */
       void
       check_sliding_direction(const ContactParameters &contact,
-                              const BodyParameters    &target,
                               const std::string       &section)
       {
         using Direction    = ContactParameters::FrictionDirection;
@@ -45,9 +42,19 @@ namespace squeal
                        "is for 'Friction direction = given'");
         if (!(std::hypot(given[0], given[1], given[2]) > 0.))
           refuse_entry(section, "Sliding direction", "must not be 0, 0, 0");
+      }
+
+      /** Of flat faces of squeal's own shapes; others are judged when the mesh
+       * is there. A sliding direction that is not along them is no sliding. */
+      void
+      require_sliding_along(const BodyParameters    &target,
+                            const ContactParameters &contact,
+                            const std::string       &section)
+      {
         const auto face = flat_face(target, contact.target_face);
         if (face && face->axis == 1 &&
-            contact.friction_direction == Direction::fixed_y)
+            contact.friction_direction ==
+              ContactParameters::FrictionDirection::fixed_y)
           refuse_entry(section,
                        "Friction direction",
                        "= fixed y is across the target face, which looks along "
@@ -70,6 +77,7 @@ namespace squeal
                        "Contact point",
                        "is for rigid source bodies; a meshed one touches with "
                        "its face");
+        check_sliding_direction(contact, section);
         if (contact.target_body == "ground")
           {
             if (source.shape != Shape::rigid)
@@ -81,6 +89,13 @@ namespace squeal
               refuse_entry(section,
                            "Target face",
                            "must be empty: the ground has no faces");
+            if (contact.friction_direction ==
+                ContactParameters::FrictionDirection::slip)
+              refuse_entry(section,
+                           "Friction direction",
+                           "= slip is that of a target that turns, and "
+                           "'ground' has no axis: set fixed y, or given with a "
+                           "'Sliding direction'");
             return;
           }
 
@@ -108,7 +123,7 @@ namespace squeal
             if (!fault.empty())
               refuse_pair(contact, fault);
           }
-        check_sliding_direction(contact, target, section);
+        require_sliding_along(target, contact, section);
       }
 
 

@@ -83,23 +83,8 @@ namespace squeal
       bool
       turn_about_one_line(const BodyParameters &a, const BodyParameters &b)
       {
-        if (a.rotation_axis != b.rotation_axis)
-          return false;
-        const Vector3 &axis = a.rotation_axis, &x = a.centre_of_rotation(),
-                      &y = b.centre_of_rotation();
-        double along = 0., square = 0., distance = 0., size = 0.;
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            along += axis[c] * (y[c] - x[c]);
-            square += axis[c] * axis[c];
-            size += x[c] * x[c] + y[c] * y[c];
-          }
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            const double beside = y[c] - x[c] - along / square * axis[c];
-            distance += beside * beside;
-          }
-        return distance <= 1e-18 * size;
+        return a.rotation_axis == b.rotation_axis &&
+               have_centres_on_one_axis(a, b);
       }
 
 
@@ -151,6 +136,13 @@ namespace squeal
         for (const auto &contact : scene.contacts)
           if (contact.sliding_speed > 0.)
             speeds.insert(contact.sliding_speed);
+        for (const auto &load : scene.loads)
+          if (!m.pressures.empty() && load.pressure < 0.)
+            refuse_entry("Scene/Load " + load.name,
+                         "Pressure",
+                         "= " + format_number(load.pressure) +
+                           " pulls, and 'Operating matrix/Pressures' would "
+                           "make it push: it must not be negative there");
         const auto refuse = [&](const std::string      &entry,
                                 const std::string      &of,
                                 const std::set<double> &values) {

@@ -18,7 +18,6 @@ namespace squeal
     namespace
     {
       using Shape = BodyParameters::Shape;
-      using Model = DampingParameters::Model;
 
       std::string
       point_text(const Vector3 &p)
@@ -49,67 +48,6 @@ namespace squeal
                            in_quotes(body.name) + ", which reaches from " +
                            point_text(box->lower) + " to " +
                            point_text(box->upper) + " m");
-      }
-
-
-
-      /** Of the body, or of the one that it lies on as a layer, rad/s. */
-      double
-      turning_speed(const SceneParameters &scene, const BodyParameters &body)
-      {
-        if (body.shape != Shape::layer)
-          return body.rotation_speed;
-        // Layers stand behind what they lie on.
-        for (const BodyParameters &below : scene.bodies)
-          if (&below == &body)
-            break;
-          else if (below.name == body.layer_body)
-            return turning_speed(scene, below);
-        return 0.;
-      }
-
-
-
-      void
-      check_tie(const SceneParameters &scene, const TieParameters &tie)
-      {
-        const std::string     section = "Scene/Tie " + tie.name;
-        const BodyParameters &source =
-          require_body(scene, tie.source_body, section, "Source body");
-        const BodyParameters &target =
-          require_body(scene, tie.target_body, section, "Target body");
-        if (&source == &target)
-          refuse_entry(section, "Target body", "is the source body itself");
-        if (source.shape == Shape::rigid)
-          refuse_entry(section,
-                       "Source body",
-                       "is a rigid body: a tie leads a face of a meshed body; "
-                       "exchange source and target");
-        require_face(source, tie.source_face, section, "Source face");
-        require_face(target, tie.target_face, section, "Target face");
-        if (turning_speed(scene, source) != turning_speed(scene, target))
-          refuse_entry(section,
-                       "Target body",
-                       ": " + in_quotes(source.name) + " turns with " +
-                         format_number(turning_speed(scene, source)) +
-                         " rad/s ('Rotation speed') and " +
-                         in_quotes(target.name) + " with " +
-                         format_number(turning_speed(scene, target)) +
-                         ", but what is tied turns together");
-        if (target.shape == Shape::rigid &&
-            tie.kind == TieParameters::Kind::conforming)
-          refuse_entry(section,
-                       "Kind",
-                       "= conforming: a rigid target has no nodes in common "
-                       "with the source; leave it 'automatic'");
-        const auto source_face = flat_face(source, tie.source_face);
-        const auto target_face = flat_face(target, tie.target_face);
-        if (!source_face || !target_face)
-          return;
-        const std::string fault = fault_of_touching(*source_face, *target_face);
-        if (!fault.empty())
-          throw InputError("tie " + tie.name + ": faces do not meet: " + fault +
-                           "; change the 'Position' of one of the bodies");
       }
 
 
@@ -161,6 +99,21 @@ namespace squeal
           check_point_springs(scene, spring, body, section);
         else
           {
+            const SpringParameters plain;
+            if (spring.number != plain.number)
+              refuse_entry(section,
+                           "Number",
+                           "= " + std::to_string(spring.number) +
+                             " is for 'Kind = points'; a bed has its stiffness "
+                             "by the area");
+            if (spring.first_point != plain.first_point ||
+                spring.last_point != plain.last_point)
+              refuse_entry(section,
+                           spring.first_point != plain.first_point
+                             ? "First point"
+                             : "Last point",
+                           "is for 'Kind = points'; a bed lies on the whole "
+                           "'Face'");
             if (body.shape == Shape::rigid)
               refuse_entry(section,
                            "Body",
@@ -247,7 +200,7 @@ namespace squeal
         const BodyParameters &body =
           require_body(scene, mass.body, section, "Body");
         require_point_on_body(body, mass.point, section, "Point");
-        if (turning_speed(scene, body) != 0.)
+        if (turning_body(scene, body).rotation_speed != 0.)
           refuse_entry(section,
                        "Body",
                        "= " + in_quotes(body.name) +
@@ -278,60 +231,6 @@ namespace squeal
                        "Moment",
                        "is for rigid bodies; tie the face to one and load "
                        "that");
-      }
-
-
-
-      /** Refuses a damping entry that the damping model would not use. */
-      void
-      require_unused(const double       value,
-                     const std::string &section,
-                     const std::string &entry,
-                     const std::string &needed_model)
-      {
-        if (value != 0.)
-          refuse_entry(section,
-                       entry,
-                       "= " + format_number(value) +
-                         " would be ignored: set 'Scene/Damping/Model = " +
-                         needed_model + "' or remove it");
-      }
-
-
-
-      void
-      check_damping(const SceneParameters &scene)
-      {
-        const DampingParameters &d = scene.damping;
-        if (d.model != Model::whole_model)
-          {
-            const std::string section = "Scene/Damping", model = "whole model";
-            require_unused(d.mass_damping, section, "Mass damping", model);
-            require_unused(
-              d.stiffness_damping, section, "Stiffness damping", model);
-            require_unused(
-              d.structural_damping, section, "Structural damping", model);
-          }
-        if (d.model == Model::per_part)
-          return;
-        const auto check_part = [](const std::string &section,
-                                   const auto        &part) {
-          require_unused(
-            part.stiffness_damping, section, "Stiffness damping", "per part");
-          require_unused(
-            part.structural_damping, section, "Structural damping", "per part");
-        };
-        for (const BodyParameters &body : scene.bodies)
-          {
-            const std::string section = "Scene/Body " + body.name;
-            require_unused(
-              body.mass_damping, section, "Mass damping", "per part");
-            check_part(section, body);
-          }
-        for (const SpringParameters &spring : scene.springs)
-          check_part("Scene/Spring " + spring.name, spring);
-        for (const ContactParameters &contact : scene.contacts)
-          check_part("Scene/Contact " + contact.name, contact);
       }
 
 

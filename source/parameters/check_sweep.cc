@@ -8,6 +8,7 @@
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace squeal
 {
@@ -180,6 +181,100 @@ namespace squeal
 
 
 
+      /** The values of entry @p i of an axis: both ends of a range. */
+      std::vector<double>
+      values_of_entry(const SweepAxisParameters &a, const std::size_t i)
+      {
+        const auto of = [i](const std::vector<double> &all) {
+          return all[all.size() == 1 ? 0 : i];
+        };
+        if (a.scale != Scale::list)
+          return {of(a.from), of(a.to)};
+        if (a.entry_values.empty())
+          return a.values;
+        const auto first = a.entry_values.begin() + i * a.values.size();
+        return {first, first + a.values.size()};
+      }
+
+      /** Terms of the slip rate go by the 'Sliding speed', which the scene has
+       * as its bodies turn: an axis that moves one of the two entries moves
+       * the other by the same factor. */
+      void
+      require_one_speed(const Parameters          &p,
+                        const SweepAxisParameters &a,
+                        const std::string         &section,
+                        const std::string         &sliding,
+                        const std::string         &turning)
+      {
+        const auto at = [&](const std::string &path) {
+          return std::find(a.entries.begin(), a.entries.end(), path) -
+                 a.entries.begin();
+        };
+        const std::size_t i = at(sliding), k = at(turning),
+                          n = a.entries.size();
+        if (i == n && k == n)
+          return;
+        if (i == n || k == n)
+          refuse_entry(section,
+                       "Entries",
+                       "contains " + in_quotes(i == n ? turning : sliding) +
+                         " without " + in_quotes(i == n ? sliding : turning) +
+                         ": the pair has terms of the slip rate, and both are "
+                         "of one motion: put them on one axis");
+        const auto speeds = values_of_entry(a, i),
+                   turns  = values_of_entry(a, k);
+        for (std::size_t j = 0; j < speeds.size(); ++j)
+          {
+            const double by = speeds[j] / get_number(p, sliding),
+                         to = turns[j] / get_number(p, turning);
+            if (!(std::abs(by - to) <= 0.1 * std::abs(to)))
+              refuse_entry(section,
+                           "Entries",
+                           ": " + in_quotes(sliding) + " = " +
+                             format_number(speeds[j]) + " and " +
+                             in_quotes(turning) + " = " +
+                             format_number(turns[j]) +
+                             " are not in the ratio that they have in the "
+                             "scene, but both are of one motion");
+          }
+      }
+
+      /** The same for all pairs with such terms whose bodies turn. A pair gets
+       * none by the sweep: its speed is looked at in the scene as it stands. */
+      void
+      require_sliding_with_turning(const Parameters          &p,
+                                   const SweepAxisParameters &a,
+                                   const std::string         &section)
+      {
+        for (const ContactParameters &c : p.scene.contacts)
+          for (const BodyParameters &body : p.scene.bodies)
+            {
+              const BodyParameters &carrier = turning_body(p.scene, body);
+              const std::string     contact = "Scene/Contact " + c.name;
+              const std::string     slope   = contact + "/Friction slope";
+              if ((body.name != c.source_body && body.name != c.target_body) ||
+                  carrier.rotation_speed == 0.)
+                continue;
+              if (c.transverse_slip_term || c.friction_slope != 0. ||
+                  c.friction_law != ContactParameters::FrictionLaw::constant)
+                require_one_speed(p,
+                                  a,
+                                  section,
+                                  contact + "/Sliding speed",
+                                  "Scene/Body " + carrier.name +
+                                    "/Rotation speed");
+              else if (std::count(a.entries.begin(), a.entries.end(), slope))
+                refuse_entry(section,
+                             "Entries",
+                             "contains " + in_quotes(slope) +
+                               ", which is 0 in the scene: where a body "
+                               "turns it must not be 0 there, so that "
+                               "'Sliding speed' is compared with the turning");
+            }
+      }
+
+
+
       /** Loads press pairs whose contact is that of steady sliding. */
       void
       require_effect_of_normal_force(const Parameters  &p,
@@ -258,6 +353,7 @@ namespace squeal
                              "must ascend, but " + format_number(a.values[i]) +
                                " follows " + format_number(a.values[i - 1]));
             check_entry_values(a, section);
+            require_sliding_with_turning(parameters, a, section);
             const bool is_own = !a.entry_values.empty();
             for (std::size_t i = 0; i < a.entries.size(); ++i)
               for (std::size_t k = 0; k < a.values.size(); ++k)
@@ -271,6 +367,7 @@ namespace squeal
           }
         check_entry_values(a, section);
         check_range(a, section);
+        require_sliding_with_turning(parameters, a, section);
         for (std::size_t i = 0; i < a.entries.size(); ++i)
           {
             require_allowed(schema,

@@ -150,7 +150,8 @@ namespace squeal
                    a.bodies,
                    Allowed::list(Allowed::text()),
                    "Bodies that turn together, each about its 'Rotation axis'; "
-                   "their 'Angle' is set.");
+                   "their 'Angle' is set. Rigid bodies are turned as meshed "
+                   "ones are.");
         schema.add("From", a.from, Allowed::number(), "First angle.", "deg");
         schema.add("To",
                    a.to,
@@ -195,7 +196,8 @@ namespace squeal
                    "m/s");
         schema.add("Both directions",
                    m.both_directions,
-                   "Let the targets turn backwards, too.");
+                   "Let the targets turn backwards, too: the signs of all "
+                   "'Friction coefficient' and 'Rotation speed' are reversed.");
         schema.leave_section();
       }
 

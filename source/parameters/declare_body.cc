@@ -212,7 +212,8 @@ namespace squeal
                    b.inertia,
                    three_positive,
                    "Moments of inertia of a rigid body about x, y and z "
-                   "through its centre of gravity.",
+                   "through its centre of gravity; with an 'Angle' these axes "
+                   "turn with it.",
                    "kg m^2");
       }
     } // namespace
@@ -238,7 +239,7 @@ namespace squeal
         .add("Stiffness damping",
              b.stiffness_damping,
              Allowed::number(0.),
-             "Damping matrix over stiffness matrix of the body; with "
+             "Damping matrix over stiffness matrix of a meshed body; with "
              "'Scene/Damping/Model = per part' only.",
              "s")
         .affine();
@@ -246,8 +247,8 @@ namespace squeal
         .add("Structural damping",
              b.structural_damping,
              Allowed::number(0., 2.),
-             "Loss factor of the material; with 'Scene/Damping/Model = "
-             "per part' only.")
+             "Loss factor of the material of a meshed body; with "
+             "'Scene/Damping/Model = per part' only.")
         .affine();
       schema
         .add("Rotation speed",
@@ -281,10 +282,11 @@ namespace squeal
         "Angle",
         b.angle,
         Allowed::number(),
-        "What the mesh and lumped masses on it are turned by about that axis, "
-        "such as the angle at which a disc with vanes stands; springs and "
-        "measurement points stay where they are. Annuli and cylinders turn "
-        "about z only.",
+        "What the mesh and lumped masses on it, or the centre of gravity, the "
+        "inertia and the contact points of a rigid body are turned by about "
+        "that axis, such as the angle at which a disc with vanes stands; "
+        "springs and measurement points stay where they are. Annuli and "
+        "cylinders turn about z only.",
         "deg");
     }
   } // namespace prm

@@ -157,7 +157,9 @@ namespace squeal
              "Speed |V| of the target's surface, in the mean over the "
              "contact points of the source face; 0: a pair at rest, whose "
              "nodes stick until "
-             "they are pushed, such as a pad in its abutment.",
+             "they are pushed, such as a pad in its abutment. Where a body of "
+             "a pair with terms of the slip rate has a 'Rotation speed', it is "
+             "the speed of that, to a tenth.",
              "m/s")
         .affine();
       schema

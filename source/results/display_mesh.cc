@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/results/display_mesh.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -275,7 +276,10 @@ namespace squeal
       include(&parts.points[i]);
     for (const auto &body : discretization.scene().bodies)
       if (body.shape == BodyParameters::Shape::rigid)
-        include(body.position.data());
+        {
+          const dealii::Point<3> centre = centre_of_gravity(body);
+          include(&centre[0]);
+        }
     MPI_Allreduce(
       MPI_IN_PLACE, box.data(), 6, MPI_DOUBLE, MPI_MIN, space->communicator());
     diagonal = std::hypot(box[0] + box[3], box[1] + box[4], box[2] + box[5]);
@@ -298,7 +302,8 @@ namespace squeal
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (bodies[b].shape == BodyParameters::Shape::rigid)
         {
-          const auto add = [&](const unsigned int row,
+          const dealii::Point<3> centre = centre_of_gravity(bodies[b]);
+          const auto             add    = [&](const unsigned int row,
                                const unsigned int motion,
                                const double       weight) {
             const unsigned int free = discretization.rigid_row(b, motion);
@@ -314,7 +319,7 @@ namespace squeal
                 {
                   const unsigned int row = 3 * (point + v) + c;
                   const unsigned int d = (c + 1) % 3, e = (c + 2) % 3;
-                  parts.points[row] = bodies[b].position[c] + arm[c];
+                  parts.points[row] = centre[c] + arm[c];
                   // u + r x arm
                   add(row, c, 1.);
                   add(row, 3 + d, arm[e]);

@@ -6,6 +6,23 @@
 
 namespace squeal
 {
+  namespace
+  {
+    /** A vector that turns with the body, at its `Angle`. */
+    dealii::Tensor<1, 3>
+    turned_vector(const BodyParameters &body, const dealii::Tensor<1, 3> &r)
+    {
+      const Vector3             &a = body.rotation_axis;
+      const dealii::Tensor<1, 3> axis({a[0], a[1], a[2]});
+      const dealii::Tensor<1, 3> e = axis / axis.norm(), along = (e * r) * e;
+      const double               angle = body.angle * (M_PI / 180.);
+      return along + std::cos(angle) * (r - along) +
+             std::sin(angle) * dealii::cross_product_3d(e, r);
+    }
+  } // namespace
+
+
+
   const BodyParameters &
   carrier_of(const SceneParameters &scene, const unsigned int number)
   {
@@ -22,15 +39,37 @@ namespace squeal
   {
     if (body.angle == 0.)
       return x;
-    const Vector3             &a = body.rotation_axis;
-    const dealii::Tensor<1, 3> axis({a[0], a[1], a[2]});
-    const dealii::Tensor<1, 3> e = axis / axis.norm();
-    const Vector3             &c = body.centre_of_rotation();
-    const dealii::Point<3>     centre(c[0], c[1], c[2]);
-    const double               angle = body.angle * (M_PI / 180.);
-    const dealii::Tensor<1, 3> r = x - centre, along = (e * r) * e;
-    return centre + along + std::cos(angle) * (r - along) +
-           std::sin(angle) * dealii::cross_product_3d(e, r);
+    const Vector3         &c = body.centre_of_rotation();
+    const dealii::Point<3> centre(c[0], c[1], c[2]);
+    return centre + turned_vector(body, x - centre);
+  }
+
+
+
+  dealii::Point<3>
+  centre_of_gravity(const BodyParameters &rigid)
+  {
+    const Vector3 &x = rigid.position;
+    return turned_point(rigid, {x[0], x[1], x[2]});
+  }
+
+
+
+  dealii::SymmetricTensor<2, 3>
+  turned_tensor(const BodyParameters &body, const Vector3 &values)
+  {
+    dealii::SymmetricTensor<2, 3> result;
+    for (unsigned int k = 0; k < 3; ++k)
+      {
+        dealii::Tensor<1, 3> axis;
+        axis[k] = 1.;
+        if (body.angle != 0.)
+          axis = turned_vector(body, axis);
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j <= i; ++j)
+            result[i][j] += values[k] * axis[i] * axis[j];
+      }
+    return result;
   }
 
 

@@ -45,6 +45,16 @@ namespace
     return text + "end\n";
   }
 
+  /** The small brake with changes of its text. */
+  std::string
+  changed_brake(const std::vector<std::pair<std::string, std::string>> &changes)
+  {
+    std::string text = small_brake;
+    for (const auto &[old, by] : changes)
+      text = replaced_in(text, old, by);
+    return text;
+  }
+
   std::size_t
   loudest_of(const Table &pairs)
   {
@@ -189,6 +199,50 @@ namespace
     check(o.code != 0 && o.errors.find("pressure_Pa") != std::string::npos,
           "a pressure that the table does not know: " + o.errors);
   }
+
+  /** A disc that turns through the frame turns back where its sliding does: by
+   * the mirror symmetry of the pad both directions have the same pairs. Loads
+   * that pull are no pressures. */
+  void
+  turning(const std::string &program)
+  {
+    const std::string brake = changed_brake(
+      {{"set Analysis         = cea", "set Analysis = operating matrix"},
+       {"set Cells         = 8, 1, 1",
+        "set Cells         = 8, 1, 1\n    set Rotation speed = 300"},
+       {"set Friction coefficient = 0.3",
+        "set Friction coefficient = 0.3\n    set Friction direction = slip"}});
+    write_text("turning.prm",
+               brake + "subsection Operating matrix\n"
+                       " set Both directions = true\nend\n");
+    const Outcome o = run_program({program, "turning.prm"});
+    check(o.code == 0, "a disc that turns both ways: " + o.errors);
+    const Table matrix = read_csv("out/operating_matrix.csv");
+    check(matrix.n_rows() == 2, "two directions");
+    for (const std::string column : {"frequency_hz", "sigma_per_s"})
+      check_close(matrix.real(1, column),
+                  matrix.real(0, column),
+                  1e-6,
+                  column + " forward and backward",
+                  1e3);
+    write_text(
+      "pull.prm",
+      changed_brake(
+        {{"set Analysis         = cea", "set Analysis = operating matrix"},
+         {"set Contacts = pad_disc",
+          "set Contacts = pad_disc\n  set Loads = pull\n  subsection "
+          "Load pull\n    set Body = pad\n    set Face = z_max\n    "
+          "set Pressure = -1e6\n  end"},
+         {"set Grid                 = 2, 2",
+          "set Grid = 2, 2\n    set Contact state = preload"}}) +
+        "subsection Operating matrix\n set Pressures = 2e6\nend\n");
+    const Outcome pull = run_program({program, "pull.prm"});
+    check(pull.code == 2 &&
+            pull.errors.find("'Scene/Load pull/Pressure' = -1") !=
+              std::string::npos &&
+            pull.errors.find("pulls") != std::string::npos,
+          "a pull is not made a push: " + pull.errors);
+  }
 } // namespace
 
 int
@@ -227,6 +281,7 @@ main(int argc, char *argv[])
     }
   one_sided(program, folder);
   stiffened_by_pressure(program, folder);
+  turning(program);
   check(difference.largest() < 1e-9, "as the eigenvalue analysis");
   check(asymmetry.largest() < 1e-6, "alike in both directions");
 }

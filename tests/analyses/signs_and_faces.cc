@@ -234,6 +234,30 @@ namespace
               {"pad_disc", "Rotation speed", "the other way"},
               "a disc that turns against its sliding is refused: " + speed +
                 " rad/s, axis " + axis + ", mu = " + mu + ", " + direction);
+    // 300 rad/s at 0.1 m are 30 m/s: that is what terms of the slip rate need.
+    const auto slipping = [&](const std::string &speed,
+                              const std::string &term) {
+      return brake("300",
+                   "1",
+                   "0.3\n    set Sliding speed = " + speed + "\n    set " +
+                     term,
+                   "slip");
+    };
+    for (const std::string term :
+         {"Transverse slip term = true",
+          "Friction slope = -0.001",
+          "Friction law = table\n    set Friction speeds = 0, 100\n    set "
+          "Friction coefficients = 0.4, 0.3"})
+      {
+        accepts(slipping("30", term), "the speed of turning, " + term);
+        accepts(slipping("28", term), "to a tenth, " + term);
+        for (const std::string speed : {"0.1126", "26", "34"})
+          refuses(slipping(speed, term),
+                  {"Contact pad_disc/Sliding speed", speed, "30.0", "m/s"},
+                  speed + " m/s beside 30 m/s are refused, " + term);
+      }
+    accepts(brake("300", "1", "0.3\n    set Sliding speed = 0.1", "slip"),
+            "nothing goes by the sliding speed");
     const auto sweep = [&](const std::string &mu, const std::string &values) {
       return changed(brake("300", "1", mu, "slip"), {{"= cea", "= sweep"}}) +
              "subsection Sweep\n  set Axes = mu\n  subsection Axis mu\n"

@@ -10,6 +10,8 @@
 
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
+#include <squeal/discretization/affine_system.h>
+#include <squeal/discretization/pair_error.h>
 #include <squeal/eigen/direct_solver.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/model/frequency_pencil.h>
@@ -291,6 +293,36 @@ namespace
 
 
 
+  /** The loss factor of a table takes the place of that of the whole model in
+   * its body, and there alone; damping by beta stays. */
+  void
+  one_loss_factor()
+  {
+    const double    E = 2e9, of_table = .4, of_model = .1, beta = 1e-6;
+    SceneParameters s;
+    s.bodies = {make_block("a", {}, {{1., 1., 1.}}, {{1, 1, 1}})};
+    s.bodies[0].young_modulus      = E;
+    s.bodies[0].modulus_table_file = "rubber.csv";
+    s.bodies[0].table_loss_factor  = of_table;
+    s.damping.model                = DampingParameters::Model::whole_model;
+    s.damping.structural_damping   = of_model;
+    s.damping.stiffness_damping    = beta;
+    const auto of = [&]() { return elastic_coefficients(s, s.bodies[0]); };
+    check_close(of().stiffness.imag(), of_table * E, 1e-14, "of the table");
+    check_close(of().stiffness.real(), E, 1e-14, "its modulus");
+    check_close(of().damping, beta * E, 1e-14, "beta of the whole model");
+    const Complex factor = stiffness_factor(s, 0, 1e3);
+    check_close(factor.imag(), of_table, 1e-14, "in the error of a pair, too");
+    check_close(factor.real(), 1. + 1e3 * beta, 1e-14, "with beta");
+    s.bodies[0].modulus_table_file = "";
+    check_close(of().stiffness.imag(),
+                of_model * E,
+                1e-14,
+                "of the whole model without a table");
+  }
+
+
+
   void
   constant()
   {
@@ -314,6 +346,7 @@ namespace
     check(difference.is_within(1e-10),
           "a constant table is a constant modulus, off by at most " +
             internal::digits(difference.largest()));
+    one_loss_factor();
     check(table.pairs.size() > 8, "with damping of the whole model beside it");
   }
 } // namespace

@@ -204,6 +204,24 @@ namespace
     check_change_refused(
       {contact + "Target body = ground", contact + "Target face ="},
       {"'ground' is for rigid source bodies"});
+    const std::vector<std::string> belt = {pad + "Shape = rigid",
+                                           contact + "Source face =",
+                                           contact + "Target body = ground",
+                                           contact + "Target face ="};
+    const auto with = [&](const std::vector<std::string> &more) {
+      std::vector<std::string> all = belt;
+      all.insert(all.end(), more.begin(), more.end());
+      return all;
+    };
+    check_change_accepted(belt);
+    check_change_refused(with({contact + "Sliding direction = 1, 0, 0"}),
+                         {"'Scene/Contact pad_disc/Sliding direction'",
+                          "Friction direction = given"});
+    check_change_accepted(with({contact + "Friction direction = given",
+                                contact + "Sliding direction = 1, 0, 0"}));
+    check_change_refused(
+      with({contact + "Friction direction = slip"}),
+      {"'Scene/Contact pad_disc/Friction direction'", "'ground' has no axis"});
     check_change_refused({pad + "Shape = rigid", contact + "Source face ="},
                          {"'Scene/Contact pad_disc/Target body'", "rigid"});
     check_change_refused(

@@ -98,6 +98,37 @@ namespace
       },
       {"'Scene/Tie hub/Target body'", "turns together"},
       "tied bodies of different speeds");
+    check_struct_refused(
+      [](Parameters &p) {
+        BodyParameters hat = p.scene.bodies[0];
+        hat.name           = "hat";
+        hat.position       = {{0., 0., -.02}};
+        hat.rotation_speed = p.scene.bodies[0].rotation_speed = 300.;
+        hat.mesh_file = p.scene.bodies[0].mesh_file = "hat.msh";
+        // Of mesh files, whose own axis nobody knows before they are read.
+        hat.shape = p.scene.bodies[0].shape = BodyParameters::Shape::gmsh;
+        hat.rotation_centre                 = Vector3{{.1, 0., 0.}};
+        write_text("hat.msh", "");
+        p.scene.bodies.push_back(hat);
+        TieParameters tie;
+        tie.name        = "hat";
+        tie.source_body = hat.name;
+        tie.source_face = "top";
+        tie.target_body = p.scene.bodies[0].name;
+        tie.target_face = "bottom";
+        p.scene.ties.push_back(tie);
+      },
+      {"'Scene/Tie hat/Target body'", "about different lines"},
+      "tied bodies that turn about two lines");
+    const std::string disc = "Scene/Body disc/";
+    for (const std::string turns : {"Rotation speed = 300", "Angle = 10"})
+      check_change_refused(
+        {disc + turns, disc + "Rotation centre = 0.03, 0, 0"},
+        {"'Scene/Body disc/Rotation centre'", "own axis"});
+    read_parameters(
+      "example.prm",
+      {disc + "Rotation speed = 300", disc + "Rotation centre = 0, 0, 1"})
+      .check();
     write_text("empty_scene.prm", "set Analysis = modes\n");
     check_override_refused("empty_scene.prm",
                            {},
@@ -210,6 +241,10 @@ namespace
                          {"'Scene/Spring guide/Other body'", "itself"});
     check_change_refused({"Scene/Spring guide/Stiffnesses = 0, -1, 0"},
                          {"'Scene/Spring guide/Stiffnesses'", "negative"});
+    check_change_refused({"Scene/Spring guide/Number = 7"},
+                         {"'Scene/Spring guide/Number' = 7", "points"});
+    check_change_refused({"Scene/Spring guide/Last point = 0.1, 0, 0.1"},
+                         {"'Scene/Spring guide/Last point'", "points"});
     check_change_refused({"Scene/Spring guide/Face = top"},
                          {"'Scene/Spring guide/Face' = 'top'"});
   }
@@ -252,6 +287,72 @@ namespace
                      "Scene/Damping/Stiffness damping = 0",
                      "Scene/Body pad/Mass damping = 1"})
       .check();
+  }
+
+
+
+  /** What has no stiffness of its own has no damping by it. */
+  void
+  damping_needs_a_stiffness()
+  {
+    const std::string contact = "Scene/Contact pad_disc/";
+    for (const std::string damping :
+         {"Structural damping = 1", "Stiffness damping = 1e-3"})
+      {
+        const std::vector<std::string> per_part = {
+          "Scene/Damping/Model = per part",
+          "Scene/Damping/Mass damping = 0",
+          "Scene/Damping/Stiffness damping = 0",
+          contact + damping};
+        read_parameters("example.prm", per_part).check();
+        for (const std::string formulation : {"mortar", "node to surface"})
+          {
+            auto all = per_part;
+            all.push_back(contact + "Formulation = " + formulation);
+            check_change_refused(
+              all,
+              {"'" + contact + damping.substr(0, damping.find(" =")) + "'",
+               "would be ignored",
+               formulation});
+          }
+      }
+    for (const auto member : {&BodyParameters::structural_damping,
+                              &BodyParameters::stiffness_damping})
+      check_struct_refused(
+        [&](Parameters &p) {
+          p.scene               = SceneParameters();
+          p.scene.damping.model = DampingParameters::Model::per_part;
+          BodyParameters mass;
+          mass.name    = "mass";
+          mass.shape   = BodyParameters::Shape::rigid;
+          mass.*member = .5;
+          p.scene.bodies.push_back(mass);
+        },
+        {"'Scene/Body mass/St", "= 0.5", "would be ignored", "rigid"},
+        "elastic damping of a rigid body");
+  }
+
+
+
+  /** Entries of a table or of a material that the body does not have. */
+  void
+  entries_without_effect()
+  {
+    const std::string pad = "Scene/Body pad/";
+    for (const std::string entry : {"Temperature = 400",
+                                    "Modulus extrapolation = constant",
+                                    "Pressure = 1e6"})
+      check_change_refused({pad + entry},
+                           {"'" + pad + entry.substr(0, entry.find(" =")) + "'",
+                            "Modulus table file"});
+    for (const std::string entry : {"Young moduli = 1e9, 1e9, 1e9",
+                                    "Shear moduli = 1e9, 1e9, 1e9",
+                                    "Poisson ratios = 0.1, 0.1, 0.1",
+                                    "Material axis 1 = 0, 0, 1",
+                                    "Material axis 2 = 0, 0, 1"})
+      check_change_refused({pad + entry},
+                           {"'" + pad + entry.substr(0, entry.find(" =")) + "'",
+                            "Material model = orthotropic"});
   }
 
 
@@ -305,5 +406,7 @@ main()
   springs();
   supports();
   damping_is_not_mixed();
+  damping_needs_a_stiffness();
+  entries_without_effect();
   rigid_scenes();
 }

@@ -46,6 +46,33 @@ namespace
     refused({"Sweep/Axis mu/Entries = Scene/Body disc/Rotation speed"},
             "one sign in both",
             "turning of a body that stands still in the scene");
+    const std::string contact    = "Scene/Contact pad_disc/",
+                      slip       = contact + "Transverse slip term = true",
+                      turning    = "Scene/Body disc/Rotation speed",
+                      sliding    = contact + "Sliding speed",
+                      axis       = "Sweep/Axis mu/Entries = ",
+                      scale      = "Sweep/Axis mu/Scale = list",
+                      in_scene[] = {turning + " = 10", sliding + " = 1"};
+    for (const std::string &alone : {turning, sliding})
+      refused({in_scene[0], in_scene[1], slip, axis + alone},
+              "on one axis",
+              "one of two speeds of one motion");
+    refused({in_scene[0], in_scene[1], axis + contact + "Friction slope"},
+            "which is 0 in the scene",
+            "a first term of the slip rate of a body that turns");
+    const auto both = [&](const std::string &values) {
+      return std::vector<std::string>{in_scene[0],
+                                      in_scene[1],
+                                      slip,
+                                      scale,
+                                      axis + turning + ", " + sliding,
+                                      "Sweep/Axis mu/Values = 1, 2",
+                                      "Sweep/Axis mu/Entry values = " + values};
+    };
+    refused(both("10, 20, 1, 1.5"),
+            "not in the ratio",
+            "two speeds that part on the way");
+    read_parameters(file, both("10, 20, 1, 2")).check();
     refused({"Scene/Contact pad_disc/Contact state = preload",
              "Sweep/Axis e_pad/Entries = Scene/Contact pad_disc/Normal force"},
             "has no effect",

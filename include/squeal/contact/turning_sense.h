@@ -12,7 +12,9 @@ namespace squeal
    * directions where the sliding direction of @p frames, with the sign of the
    * friction coefficient, points against the relative velocity of target and
    * source. The growth rates would have the wrong sign. Nothing is asked where
-   * neither body turns, and without friction.
+   * neither body turns, and without friction. Throws also where a pair with
+   * terms of the slip rate has a `Sliding speed` that is not, to a tenth, the
+   * mean relative speed at @p points.
    *
    * @param points  contact points, m
    * @param frames  one for each of them

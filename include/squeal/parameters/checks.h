@@ -25,6 +25,10 @@ namespace squeal
 
     /** Ties, springs, supports, masses, loads and damping. */
     void check_scene(const SceneParameters &scene);
+    /** Bodies, faces and turning of one tie. */
+    void check_tie(const SceneParameters &scene, const TieParameters &tie);
+    /** Damping that the model of damping or a part would not use. */
+    void check_damping(const SceneParameters &scene);
 
     /** Scenes of kind matrices: parts, tables and contacts, and that nothing is
      * set that has nothing to act on. */
@@ -87,6 +91,16 @@ namespace squeal
                                        const std::string     &name,
                                        const std::string     &section,
                                        const std::string     &entry);
+
+    /** The body whose 'Rotation speed' and axis hold for @p body: itself, or
+     * of a layer what it lies on. */
+    const BodyParameters &turning_body(const SceneParameters &scene,
+                                       const BodyParameters  &body);
+
+    /** Whether the centre of rotation of @p b lies on the axis of @p a, to
+     * rounding. */
+    bool have_centres_on_one_axis(const BodyParameters &a,
+                                  const BodyParameters &b);
 
     /** Refuses a @p face that @p body does not have; a rigid body has none
      * and the name must be empty. */

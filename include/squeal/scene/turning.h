@@ -5,6 +5,7 @@
 #include <squeal/parameters/scene_parameters.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
 
 namespace squeal
 {
@@ -16,6 +17,15 @@ namespace squeal
   /** Where @p x (m, at the angle 0) is when the body stands at its `Angle`. */
   dealii::Point<3> turned_point(const BodyParameters   &body,
                                 const dealii::Point<3> &x);
+
+  /** Where the centre of gravity of a rigid body is (m) at its `Angle`. */
+  dealii::Point<3> centre_of_gravity(const BodyParameters &rigid);
+
+  /** The tensor that has the principal values @p values along x, y and z at the
+   * angle 0, when the body stands at its `Angle`: R diag(values) R^T, in the
+   * unit of the values. Exactly diagonal at the angle 0. */
+  dealii::SymmetricTensor<2, 3> turned_tensor(const BodyParameters &body,
+                                              const Vector3        &values);
 
   /** Where a lumped mass is (m): it turns with the body that carries it. */
   dealii::Point<3> place_of(const SceneParameters      &scene,

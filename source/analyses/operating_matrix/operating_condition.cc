@@ -30,6 +30,9 @@ namespace squeal
           if (c.backward)
             contact.friction_coefficient *= -1.;
         }
+      if (c.backward)
+        for (auto &body : p.scene.bodies)
+          body.rotation_speed *= -1.;
       return p;
     }
 
