@@ -185,6 +185,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/basis_builder.cc
     source/sweep/basis_cells.cc
     source/sweep/branch_tracker.cc
+    source/sweep/edge_of_band.cc
     source/sweep/first_order_index.cc
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc
