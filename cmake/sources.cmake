@@ -188,6 +188,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/basis_builder.cc
     source/sweep/basis_cells.cc
     source/sweep/branch_tracker.cc
+    source/sweep/edge_of_band.cc
     source/sweep/first_order_index.cc
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc
@@ -366,6 +367,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
     source/analyses/sweep/run_sweep.cc
+    source/analyses/sweep/stopping_change.cc
     source/analyses/sweep/sweep_axis_check.cc
     source/analyses/sweep/sweep_basis_file.cc
     source/analyses/sweep/sweep_boundary.cc

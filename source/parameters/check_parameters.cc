@@ -244,6 +244,38 @@ namespace squeal
           }
         unknown_choice("analysis");
       }
+      /** What a condition of a check is written as by mistake and would be
+       * taken for a text that no row has. */
+      void
+      check_conditions(const std::string &section, const std::string &where)
+      {
+        const auto refuse = [&](const std::string &what) {
+          refuse_entry(section, "Where", "= " + in_quotes(where) + ": " + what);
+        };
+        const std::string joint = " and ";
+        for (std::size_t first = 0; first < where.size();)
+          {
+            const std::size_t last =
+              std::min(where.find(joint, first), where.size());
+            const std::string text = where.substr(first, last - first);
+            first                  = last + joint.size();
+            const std::size_t sign = text.find_first_of("=!<>");
+            if (sign == std::string::npos)
+              refuse("write it as 'column = value'");
+            const bool is_long =
+              text[sign] != '=' && text.compare(sign + 1, 1, "=") == 0;
+            const std::string value =
+              trim(text.substr(sign + (is_long ? 2 : 1)));
+            if (!value.empty() &&
+                std::string("=<>!").find(value[0]) != std::string::npos)
+              refuse("the comparisons are =, !=, <, <=, > and >=");
+            if (!value.empty() && (value[0] == '"' || value[0] == '\''))
+              refuse("write the value without quotes");
+            for (const char *other : {" AND ", " And ", " && "})
+              if (value.find(other) != std::string::npos)
+                refuse("write 'and' between conditions");
+          }
+      }
     } // namespace
 
 
@@ -260,11 +292,7 @@ namespace squeal
         refuse_entry(section,
                      "Column",
                      "is empty: name a column of the table, or 'count'");
-      if (!c.where.empty() && c.where.find_first_of("=<>") == std::string::npos)
-        refuse_entry(section,
-                     "Where",
-                     "= " + in_quotes(c.where) +
-                       ": write it as 'column = value'");
+      check_conditions(section, c.where);
       const std::size_t equals = c.nearest.find('=');
       if (!c.nearest.empty() && (equals == std::string::npos || equals == 0 ||
                                  !parse_number(c.nearest.substr(equals + 1))))

@@ -58,8 +58,8 @@ namespace squeal
         schema.add("Mean",
                    a.mean,
                    Allowed::number(),
-                   "Of a normal distribution: of the value, or of its common "
-                   "logarithm on a logarithmic axis.",
+                   "Of a normal distribution, with a Deviation: of the value, "
+                   "or of its common logarithm on a logarithmic axis.",
                    "as the axis");
         schema.add("Deviation",
                    a.deviation,

@@ -321,7 +321,7 @@ namespace squeal
           parameters->print(out);
         }
       out << '\n';
-      print_reason(result, out);
+      print_reservations(result, parameters ? &*parameters : nullptr, out);
       out << "Pairs matched by "
           << (result.by_shape ? "shape (MAC)" : "name and nearest eigenvalue")
           << ":\n";

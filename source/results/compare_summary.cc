@@ -162,8 +162,12 @@ namespace squeal
 
 
   void
-  print_reason(const RunComparison &comparison, std::ostream &out)
+  print_reservations(const RunComparison &comparison,
+                     const Table         *parameters,
+                     std::ostream        &out)
   {
+    if (comparison.table.has_column("point") && have_other_axes(parameters))
+      out << "The axes differ: points of one number may have other values.\n";
     if (!comparison.why_not_by_shape.empty())
       out << "By name: " << comparison.why_not_by_shape << ".\n";
   }
@@ -176,9 +180,7 @@ namespace squeal
                 std::ostream        &out)
   {
     print_parameters(parameters, out);
-    if (comparison.table.has_column("point") && have_other_axes(parameters))
-      out << "The axes differ: points of one number may have other values.\n";
-    print_reason(comparison, out);
+    print_reservations(comparison, parameters, out);
     print_pairs(comparison.table, out);
     if (comparison.table.has_column("dsigma"))
       {

@@ -11,9 +11,13 @@ namespace squeal
   /** Lines that a comparison prints at most unless all is asked for. */
   constexpr std::size_t most_compared_lines = 40;
 
-  /** Prints why shapes are not compared, one line of 80 columns, where both
-   * runs have signatures that do not fit each other. */
-  void print_reason(const RunComparison &comparison, std::ostream &out);
+  /** Prints what is to be known before the pairs are read, a line of 80 columns
+   * each: that sweeps have other axes, and why shapes are not compared where
+   * both runs have signatures that do not fit each other. @p parameters: as of
+   * print_summary(). */
+  void print_reservations(const RunComparison &comparison,
+                          const Table         *parameters,
+                          std::ostream        &out);
 
   /** Prints what matters of a comparison of two runs in at most
    * most_compared_lines less the two that name the runs. @p parameters that

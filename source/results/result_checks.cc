@@ -52,6 +52,23 @@ namespace squeal
       return condition;
     }
 
+    /** Those that " and " joins. */
+    std::vector<Condition>
+    read_conditions(const std::string &text)
+    {
+      std::vector<Condition> conditions;
+      const std::string      separator = " and ";
+      std::string            rest      = prm::trim(text);
+      while (!rest.empty())
+        {
+          const std::size_t cut = rest.find(separator);
+          conditions.push_back(read_condition(rest.substr(0, cut)));
+          rest =
+            cut == std::string::npos ? "" : rest.substr(cut + separator.size());
+        }
+      return conditions;
+    }
+
     template <typename T>
     bool
     holds(const T &a, const std::string &comparison, const T &b)
@@ -93,6 +110,22 @@ namespace squeal
       if (std::abs(value - number) <= rounding_of_values * std::abs(number))
         value = number;
       return holds(value, condition.comparison, number);
+    }
+
+    /** The first "column = text" of @p where that no row of @p table meets, as
+     * "no row has column = text", or nothing: a name that may be misspelt. */
+    std::string
+    unmet_text(const Table &table, const std::string &where)
+    {
+      for (const Condition &c : read_conditions(where))
+        {
+          bool is_met = is_numeric(table, c.column) || c.comparison != "=";
+          for (std::size_t row = 0; !is_met && row < table.n_rows(); ++row)
+            is_met = row_meets(table, row, c);
+          if (!is_met)
+            return "no row has " + c.column + " = " + c.value;
+        }
+      return "";
     }
 
     std::size_t
@@ -141,6 +174,8 @@ namespace squeal
             throw InputError("'Nearest' takes one row, which 'count' does not "
                              "count: select rows by 'Where'");
           take(static_cast<double>(rows.size()));
+          if (rows.empty())
+            check.reason = unmet_text(table, asked.where);
         }
       else
         {
@@ -184,8 +219,9 @@ namespace squeal
     return head + "got " + rounded_text(got, 8) + ", expected " +
            rounded_text(expected, 8) + ", tolerance " +
            rounded_text(tolerance, 3) +
-           (n_rows > 1 ? " (worst of " + std::to_string(n_rows) + " rows)"
-                       : "");
+           (n_rows > 1    ? " (worst of " + std::to_string(n_rows) + " rows)"
+            : n_rows == 0 ? " (" + (reason.empty() ? "no row" : reason) + ")"
+                          : "");
   }
 
 
@@ -193,17 +229,9 @@ namespace squeal
   std::vector<std::size_t>
   select_rows(const Table &table, const std::string &condition)
   {
-    std::vector<Condition> conditions;
-    const std::string      separator = " and ";
-    std::string            rest      = prm::trim(condition);
-    while (!rest.empty())
-      {
-        const std::size_t cut = rest.find(separator);
-        conditions.push_back(read_condition(rest.substr(0, cut)));
-        table.column_index(conditions.back().column);
-        rest =
-          cut == std::string::npos ? "" : rest.substr(cut + separator.size());
-      }
+    const std::vector<Condition> conditions = read_conditions(condition);
+    for (const Condition &c : conditions)
+      table.column_index(c.column);
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < table.n_rows(); ++row)
       if (std::all_of(

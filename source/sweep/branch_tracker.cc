@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/sweep/branch_tracker.h>
+#include "edge_of_band.h"
 
 #include <Eigen/LU>
 
@@ -214,16 +214,17 @@ namespace squeal
               from[r]           = p;
               from[s]           = q;
             }
-    // The rest may leave or enter at the edges of the band only. What grows
-    // without oscillating does not leave it by its frequency.
+    // The rest may leave or enter near the edges of the band only. What becomes
+    // real at 0 Hz does not leave it.
     const double margin =
       0.03 * (options.highest_frequency - options.lowest_frequency);
+    const double lower =
+      options.lowest_frequency > 0. ? options.lowest_frequency + margin : 0.;
     const auto inside = [&](const ComplexPairs &pairs, const int i) {
       const double f = pairs.frequency(i);
-      if (is_real(pairs, i) && pairs.sigma(i) > 0.)
-        return pairs.sigma(i) < 2. * M_PI * options.highest_frequency;
-      return f > options.lowest_frequency + margin &&
-             f < options.highest_frequency - margin;
+      return !comes_and_goes(pairs, i, options) &&
+             (is_real(pairs, i) ||
+              (f > lower && f < options.highest_frequency - margin));
     };
     for (int i = 0; i < n; ++i)
       if (result.to[i] < 0 && inside(a, i))
@@ -389,6 +390,29 @@ namespace squeal
               wanted.insert(at);
           }
     }
+
+    /** Enters in @p wanted where the step from point @p p is to be divided.
+     * What is in doubt where it may not be is matched by frequency. */
+    void
+    divide(const std::vector<TrackedPoint> &points,
+           std::vector<PairMatches>        &matches,
+           const std::size_t                p,
+           const bool                       may_divide,
+           const TrackingOptions           &options,
+           std::set<double>                &wanted)
+    {
+      const TrackedPoint &a = points[p], &b = points[p + 1];
+      if (matches[p].is_certain && ends_at_edges(points, matches, p, options))
+        {
+          if (may_divide)
+            add_crossings(a, b, matches[p], options.touch_tolerance, wanted);
+        }
+      else if (may_divide &&
+               b.coordinate - a.coordinate > options.smallest_step)
+        wanted.insert(0.5 * (a.coordinate + b.coordinate));
+      else
+        match_rest(a.pairs, b.pairs, matches[p]);
+    }
   } // namespace
 
   BranchTracker::BranchTracker(const Solver &s, const TrackingOptions &o)
@@ -442,23 +466,11 @@ namespace squeal
                                match_pairs(before.pairs, point.pairs, options))
                       .first;
                 matches.push_back(found->second);
-                if (!matches.back().is_certain)
-                  {
-                    if (x - before.coordinate > options.smallest_step &&
-                        round < most_rounds)
-                      wanted.insert(0.5 * (before.coordinate + x));
-                    else
-                      match_rest(before.pairs, point.pairs, matches.back());
-                  }
-                else if (round < most_rounds)
-                  add_crossings(before,
-                                point,
-                                matches.back(),
-                                options.touch_tolerance,
-                                wanted);
               }
             points.push_back(point);
           }
+        for (std::size_t p = 0; p < matches.size(); ++p)
+          divide(points, matches, p, round < most_rounds, options, wanted);
         label(points, matches);
         if (wanted.empty() && round < most_rounds)
           add_touches(points, options.touch_tolerance, wanted);

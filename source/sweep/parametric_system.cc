@@ -32,6 +32,30 @@ namespace squeal
       return ((a - f * b).array().abs() <= 1e-13 * a.array().abs()).all() ? f
                                                                           : 0.;
     }
+
+    /** Places spread over the box, and every value of the axes that are lists,
+     * with the others at both ends and in the middle: entries may follow each a
+     * law of its own, which bends at these values. */
+    std::vector<SweepPoint>
+    sampled_points(const SweepGrid &grid)
+    {
+      std::vector<SweepPoint> result = grid.spread(12 + (1u << grid.n_axes()));
+      SweepPoint              low(grid.n_axes()), high(grid.n_axes());
+      for (unsigned int a = 0; a < grid.n_axes(); ++a)
+        {
+          low[a]  = grid.lower(a);
+          high[a] = grid.upper(a);
+        }
+      for (unsigned int a = 0; a < grid.n_axes(); ++a)
+        if (grid.axis(a).scale == SweepAxisParameters::Scale::list)
+          for (const double value : grid.coordinates(a))
+            for (const double share : {0., 0.5, 1.})
+              {
+                result.push_back((1. - share) * low + share * high);
+                result.back()[a] = value;
+              }
+      return result;
+    }
   } // namespace
 
 
@@ -58,7 +82,7 @@ namespace squeal
     std::vector<std::vector<TermCoefficients>> samples(system.terms.size());
     // In every contact state, whichever holds there.
     std::vector<unsigned int> state_of_sample;
-    for (const auto &point : grid.spread(12 + (1u << grid.n_axes())))
+    for (const auto &point : sampled_points(grid))
       {
         SceneParameters scene = grid.scene(point);
         for (unsigned int k = 0; k < grid.n_states(); ++k)

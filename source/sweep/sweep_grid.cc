@@ -19,6 +19,17 @@ namespace squeal
       return values[values.size() == 1 ? 0 : i];
     }
 
+    /** Of a value between @p from and @p to: zero where it differs from it by
+     * rounding, so that zero is found among the values of an axis. */
+    double
+    without_rounding(const double value, const double from, const double to)
+    {
+      return from * to < 0. && std::abs(value) <
+                                 1e-14 * std::max(std::abs(from), std::abs(to))
+               ? 0.
+               : value;
+    }
+
     /** Van der Corput's sequence in @p base. */
     double
     radical_inverse(std::size_t i, const unsigned int base)
@@ -39,8 +50,9 @@ namespace squeal
   {
     const double from = component(axis.from, entry);
     const double to   = component(axis.to, entry);
-    return axis.scale == Scale::logarithmic ? from * std::pow(to / from, share)
-                                            : (1. - share) * from + share * to;
+    return axis.scale == Scale::logarithmic
+             ? from * std::pow(to / from, share)
+             : without_rounding((1. - share) * from + share * to, from, to);
   }
 
 
@@ -79,10 +91,12 @@ namespace squeal
             const double a   = log ? std::log10(axis.from[0]) : axis.from[0];
             const double b   = log ? std::log10(axis.to[0]) : axis.to[0];
             for (unsigned int i = 0; i < axis.number; ++i)
-              coordinates.push_back(axis.number == 1 ? a
-                                    : i + 1 == axis.number
-                                      ? b
-                                      : a + (b - a) * i / (axis.number - 1));
+              coordinates.push_back(
+                axis.number == 1 ? a
+                : i + 1 == axis.number
+                  ? b
+                  : without_rounding(
+                      a + (b - a) * i / (axis.number - 1), a, b));
           }
         grid.push_back(coordinates);
       }

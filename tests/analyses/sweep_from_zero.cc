@@ -2,7 +2,8 @@
 
 // A mass on a belt, swept over a slope of friction that is zero in the file:
 // the growth rates of its two motions have a known sum. A friction table that
-// is flat at the sliding speed of the file is swept beyond that speed.
+// is flat at the sliding speed of the file is swept beyond that speed. A
+// dashpot that is zero at most values of a list is there at the others.
 // Argument: the program.
 
 #include <squeal/results/table.h>
@@ -64,16 +65,39 @@ namespace
            "\n    set To = " + to + "\n    set Number = 5\n  end\nend\n";
   }
 
+  /** A list of 0 to 100 of a stiffness and a dashpot along one direction; the
+   * latter is 0 but at 15 to 22. */
+  std::string
+  listed_dashpot()
+  {
+    std::string values, stiffness, dashpot;
+    for (int i = 0; i <= 100; ++i)
+      {
+        const std::string comma = i > 0 ? ", " : "";
+        values += comma + std::to_string(i);
+        stiffness += comma + std::to_string(0.5 + 0.001 * i);
+        dashpot += i >= 15 && i <= 22 ? ", 0.3" : ", 0";
+      }
+    return "subsection Sweep\n  set Axes = s\n  subsection Axis s\n    set "
+           "Entries = Scene/Spring horizontal/Stiffness, "
+           "Scene/Spring horizontal/Dashpot\n    set Scale = list\n"
+           "    set Values = " +
+           values + "\n    set Entry values = " + stiffness + dashpot +
+           "\n  end\nend\n";
+  }
+
   /** -N slope / (2 m) of the mass of 1 kg: half the trace of the damping. */
   void
   check_sums(const std::map<double, double>      &sums,
              const std::function<double(double)> &slope,
-             const std::string                   &name)
+             const std::string                   &name,
+             const double                         factor = normal_force,
+             const std::size_t                    n      = 5)
   {
-    check(sums.size() == 5, name + ": five points");
+    check(sums.size() == n, name + ": all points");
     Worst error;
     for (const auto &[value, sum] : sums)
-      error.add(std::abs(sum + .5 * normal_force * slope(value)));
+      error.add(std::abs(sum + .5 * factor * slope(value)));
     check_within(error, 1e-9, name + ": sum of the growth rates");
   }
 } // namespace
@@ -97,4 +121,10 @@ main(int argc, char **argv)
                   "plateau"),
     [](const double v) { return v > 0.6 ? -.15 / 1.05 : 0.; },
     "a table that is flat at the speed of the file");
+  check_sums(
+    sums_of_sigma(argv[1], listed_dashpot(), "listed"),
+    [](const double s) { return s >= 15. && s <= 22. ? 0.3 : 0.; },
+    "a dashpot at some values of a list",
+    1.,
+    101);
 }

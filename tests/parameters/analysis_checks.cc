@@ -406,6 +406,11 @@ namespace
     refused(f + "Table =", "Table' is empty");
     refused(f + "Column =", "Column' is empty");
     refused(f + "Where = name", "column = value");
+    refused(f + "Where = name == (0,4)+", "the comparisons are");
+    refused(f + "Where = index >< 4", "the comparisons are");
+    refused(f + "Where = name = \"(0,4)+\"", "without quotes");
+    refused(f + "Where = name = (0,4)+ AND index = 1", "write 'and'");
+    refused(f + "Where = name = (0,4)+ and index", "column = value");
     refused(f + "Nearest = frequency_hz", "column = number");
     refused(f + "Nearest = name = x", "column = number");
     refused(f + "Relative tolerance = 0", "both 0");

@@ -3,6 +3,7 @@
 // What is wrong with a sweep is said in one line that names the entry.
 #include <squeal/base/exceptions.h>
 #include <squeal/parameters/parameters.h>
+#include <squeal/sweep/sweep_grid.h>
 
 #include "check.h"
 #include "source_directory.h"
@@ -105,6 +106,53 @@ namespace
       "an unknown sensitivity");
   }
 
+  /** How an axis scatters. */
+  void
+  distributions()
+  {
+    const std::string pad    = "Sweep/Axis e_pad/";
+    const auto        normal = [&](const std::vector<std::string> &more) {
+      std::vector<std::string> all = {"Sweep/Scatter samples = 10",
+                                      pad + "Distribution = normal"};
+      for (const auto &entry : more)
+        all.push_back(pad + entry);
+      return all;
+    };
+    refused(normal({"Mean = 10"}),
+            "needs a 'Deviation'",
+            "a mean that would have no effect");
+    refused({pad + "Mean = 10"}, "'uniform'", "a mean of what is uniform");
+    refused(
+      {pad + "Deviation = 0.1"}, "'uniform'", "a deviation of what is uniform");
+    refused(normal({"Mean = 1e10", "Deviation = 0.1"}),
+            "common logarithms",
+            "the mean of a logarithmic axis as a value");
+    refused(normal({"Mean = 12", "Deviation = 0.3"}),
+            "less than 0.1 %",
+            "an axis more than three deviations off");
+    read_parameters(file, normal({"Mean = 11.5", "Deviation = 0.3"})).check();
+    read_parameters(file, normal({})).check();
+    check(true, "others are taken");
+  }
+
+  /** Its values are 0.1 apart, and rounding leaves -1.4e-17 in place of 0. */
+  void
+  zero_is_a_value()
+  {
+    const std::string  mu = "Sweep/Axis mu/";
+    const SweepGrid    grid(read_parameters(file,
+                                         {mu + "Scale = linear",
+                                             mu + "Values =",
+                                             mu + "From = -0.1",
+                                             mu + "To = 0.5",
+                                             mu + "Number = 7"}));
+    const unsigned int a = grid.axis(0).name == "mu" ? 0 : 1;
+    check(grid.coordinates(a)[1] == 0., "zero between ends of either sign");
+    check(entry_value(grid.axis(a), 0, 1. / 6.) == 0., "for every entry");
+    check(grid.coordinates(a)[0] == -0.1 && grid.coordinates(a)[6] == 0.5,
+          "the ends as they are");
+  }
+
   void
   setter()
   {
@@ -131,5 +179,7 @@ int
 main()
 {
   faults();
+  distributions();
+  zero_is_a_value();
   setter();
 }

@@ -381,12 +381,20 @@ namespace
         std::ofstream(folder + name + "/eigenvalues.csv")
           << "point,index,sigma_per_s,frequency_hz,name\n1,1,-1,100,s\n"
           << "2,1," << (name == "g" ? -1 : 1) << ",200,s\n";
+        RunRecord record;
+        record.parameters = {{"Sweep/Axis mu/To", name == "g" ? "0.5" : "0.6"}};
+        write_run_record(record, folder + name + "/run.json");
       }
     std::ostringstream  out;
     const RunComparison result = compare_runs(folder + "g", folder + "h", out);
     check(result.table.n_rows() == 2 && result.new_instabilities.size() == 1 &&
             result.new_instabilities[0].find("at point 2") != std::string::npos,
           "points of a sweep are compared one by one");
+    std::ostringstream whole;
+    compare_runs(folder + "g", folder + "h", whole, true);
+    for (const std::string &printed : {out.str(), whole.str()})
+      check(printed.find("The axes differ") != std::string::npos,
+            "points of other axes are told of, however short: " + printed);
   }
 
   void

@@ -103,6 +103,14 @@ namespace
       "none");
     check(evaluate("name = (5,5)", "", "count", 0, 0.).passed,
           "counting no rows is a result");
+    const std::string none =
+      evaluate("name = (5,5)", "", "count", 0, 0.).line();
+    check(none.find("(no row has name = (5,5))") != std::string::npos,
+          "and the text that no row has is told: " + none);
+    const std::string apart =
+      evaluate("name = (0,0) and index = 2", "", "count", 0, 0.).line();
+    check(apart.find("(no row)") != std::string::npos,
+          "or that conditions meet in no row: " + apart);
     check(evaluate("name != (0,4)+", "", "count", 3, 0.).passed &&
             evaluate("frequency_hz >= 5004.1", "", "count", 1, 0.).passed &&
             evaluate("frequency_hz <= 5004.1", "", "count", 4, 0.).passed &&

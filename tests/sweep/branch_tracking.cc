@@ -391,11 +391,108 @@ namespace
             !down.has_lower_edge() && down.at_upper_limit,
           "nor is where it comes into the band");
   }
+
+  /** Two oscillators, lock-in where their frequencies 1 + t/2 and 2 - t/2, in
+   * rad/s, agree: (3 - 3 t)^2 = 4 * 0.1^2. Only pairs up to @p highest, Hz, are
+   * seen. */
+  ComplexPairs
+  lock_in(const double t, const double highest)
+  {
+    Eigen::MatrixXd K(2, 2);
+    K << std::pow(1. + 0.5 * t, 2), 0.1, -0.1, std::pow(2. - 0.5 * t, 2);
+    const auto       all = solve(K, Eigen::MatrixXd::Zero(2, 2));
+    std::vector<int> kept;
+    for (unsigned int i = 0; i < all.size(); ++i)
+      if (all.frequency(i) <= highest)
+        kept.push_back(i);
+    ComplexPairs pairs   = all;
+    const auto   n       = static_cast<Eigen::Index>(kept.size());
+    pairs.lambda         = all.lambda(kept);
+    pairs.right          = all.right(Eigen::all, kept);
+    pairs.left           = all.left(Eigen::all, kept);
+    pairs.error_estimate = Eigen::VectorXd::Zero(n);
+    pairs.condition      = all.condition(kept);
+    pairs.pair_partner.assign(n, -1);
+    return pairs;
+  }
+
+  /** Pairs up to 0.5 Hz have the same ranges in a band up to 1 Hz and up to
+   * 20 Hz, of which they are in the lowest 3 per cent: nothing leaves a band at
+   * 0 Hz. Six oscillators each that other couplings drive, at five points. */
+  void
+  near_zero()
+  {
+    unsigned int n_edges = 0, n_other = 0;
+    Worst        difference;
+    for (unsigned int seed = 1; seed <= 20; ++seed)
+      {
+        std::mt19937                     generator(seed);
+        std::normal_distribution<double> normal;
+        Eigen::MatrixXd                  A(6, 6), B(6, 6);
+        for (Eigen::Index i = 0; i < 36; ++i)
+          {
+            A(i) = normal(generator);
+            B(i) = normal(generator);
+          }
+        const Eigen::MatrixXd K =
+          A * A.transpose() / 6. + Eigen::MatrixXd::Identity(6, 6);
+        const auto solver = [&](const double t) {
+          return solve(K + 0.4 * t * B, Eigen::MatrixXd::Zero(6, 6));
+        };
+        const auto ranges_to = [&](const double highest) {
+          TrackingOptions band   = options();
+          band.highest_frequency = highest;
+          BranchTracker tracker(solver, band);
+          return LineStability(solver, band, 1e-8)
+            .ranges(tracker.track(steps(-1., 1., 4)));
+        };
+        const auto narrow = ranges_to(1.), wide = ranges_to(20.);
+        n_other += narrow.size() != wide.size();
+        for (std::size_t r = 0; r < narrow.size() && r < wide.size(); ++r)
+          {
+            n_other += narrow[r].has_lower_edge() != wide[r].has_lower_edge() ||
+                       narrow[r].has_upper_edge() != wide[r].has_upper_edge();
+            n_edges += narrow[r].has_lower_edge() + narrow[r].has_upper_edge();
+            difference.add(std::abs(narrow[r].lower - wide[r].lower));
+            difference.add(std::abs(narrow[r].upper - wide[r].upper));
+          }
+      }
+    check(n_edges >= 20, std::to_string(n_edges) + " edges in two bands");
+    check(n_other == 0, "the ranges are the same ones");
+    check_within(difference, 1e-6, "and have the same edges");
+  }
+
+  /** A lock-in within 3 per cent of the band's width of an edge has the edges
+   * that it has in the middle of a band. */
+  void
+  near_an_edge(const double              highest,
+               const std::vector<double> coordinates,
+               const std::string        &where)
+  {
+    TrackingOptions band   = options();
+    band.highest_frequency = highest;
+    const auto    solver = [&](const double t) { return lock_in(t, highest); };
+    BranchTracker tracker(solver, band);
+    const auto    line   = tracker.track(coordinates);
+    const auto    ranges = LineStability(solver, band, 1e-8).ranges(line);
+    check(ranges.size() == 1, "one range " + where);
+    check(ranges[0].has_lower_edge() && ranges[0].has_upper_edge(),
+          "which does not leave the band " + where);
+    check_close(ranges[0].lower, 14. / 15., 1e-6, "its lower edge " + where);
+    check_close(ranges[0].upper, 16. / 15., 1e-6, "its upper edge " + where);
+    check(tracker.n_inserted() < 150,
+          "by " + std::to_string(tracker.n_inserted()) + " more points");
+  }
 } // namespace
 
 int
 main()
 {
+  near_zero();
+  // 1.505 rad/s, where the two lock in at 1.5004 rad/s
+  near_an_edge(1.505 / (2. * M_PI),
+               steps(0.865, 1.135, 9),
+               "at the upper edge of the band");
   out_of_the_band();
   random_walk();
   tiny_steps();

@@ -23,7 +23,7 @@ namespace squeal
     double      expected  = 0.;
     double      tolerance = 0.; /**< absolute, as applied */
     std::size_t n_rows    = 0;  /**< rows that were compared */
-    std::string reason;         /**< why there is no value */
+    std::string reason;         /**< why there is no value, or no row */
 
     /** "ok      name: got ..., expected ..., tolerance ...". */
     std::string line() const;
@@ -46,8 +46,10 @@ namespace squeal
    * given, the one nearest to its number. *Every* row left must hold
    * |got - expected| <= max(relative_tolerance |expected|,
    * absolute_tolerance); the worst is reported. The column "count" stands for
-   * the number of rows. A check that selects no row (other than by "count"), or
-   * names a table or column that does not exist, fails and says so.
+   * the number of rows; where that is 0 the line says so, and names the text
+   * that is in no row of the table. A check that selects no row (other than by
+   * "count"), or names a table or column that does not exist, fails and says
+   * so.
    */
   std::vector<ResultCheck> evaluate_result_checks(
     const std::vector<ResultCheckParameters>   &checks,

@@ -62,6 +62,7 @@ namespace squeal
   {
     Fingerprint result(parameters, Fingerprint::Purpose::basis);
     SweepPoint  first(sweep_grid.n_axes()), last(sweep_grid.n_axes());
+    bool        has_laws = false;
     for (unsigned int a = 0; a < sweep_grid.n_axes(); ++a)
       {
         first[a] = sweep_grid.lower(a);
@@ -71,9 +72,15 @@ namespace squeal
                      (sweep_grid.is_logarithmic(a) ? ", logarithmic" : ""));
         // Between their ends, too, entries are where the list puts them.
         if (!sweep_grid.axis(a).entry_values.empty())
-          result.add("places of entries on axis " + sweep_grid.axis(a).name,
-                     digits(sweep_grid.axis(a).values));
+          {
+            has_laws = true;
+            result.add("places of entries on axis " + sweep_grid.axis(a).name,
+                       digits(sweep_grid.axis(a).values));
+          }
       }
+    // Which parts are one depends on the values between the ends.
+    if (has_laws)
+      result.add("affine parts", std::to_string(parts.merged().terms.size()));
     // Entries of one axis have ranges of their own.
     result.add("values at the lower ends", digits(sweep_grid.values(first)));
     result.add("values at the upper ends", digits(sweep_grid.values(last)));

@@ -65,22 +65,34 @@ namespace squeal
   ComplexPairs
   direct_pairs(const SweepModel      &model,
                const SweepPoint      &point,
-               const SceneParameters &scene)
+               const SceneParameters &scene,
+               const Band            &band)
   {
-    const Band         band   = model.band();
-    const double       centre = 0.5 * (band.lowest + band.highest);
+    const double centre = 0.5 * (band.lowest + band.highest);
+    // Beyond the ends of the band, for what grows or decays fast there.
+    const double       radius = 1.25 * (band.highest - centre);
     const Pencil       pencil(model.system().merged(), scene);
     const DirectSolver solver(pencil, {0., 2. * M_PI * centre});
-    // As many as the reduced model finds out to the corners of the band, and
-    // some more.
+    // At first as many as there are modes in reach, and some more.
     const auto   modes = model.undamped(point);
     unsigned int n     = 6;
     for (Eigen::Index i = 0; i < modes.modes.omega_squared.size(); ++i)
       if (std::abs(std::sqrt(std::max(modes.modes.omega_squared[i], 0.)) /
                      (2. * M_PI) -
-                   centre) < 1.05 * (band.highest - centre))
+                   centre) < radius)
         ++n;
-    return solver.solve(n);
+    for (;; n += 4 + n / 2)
+      {
+        ComplexPairs pairs   = solver.solve(n);
+        double       reached = 0.;
+        for (const auto &lambda : pairs.lambda)
+          reached = std::max(
+            reached,
+            std::abs(lambda - std::complex<double>(0., 2. * M_PI * centre)));
+        const bool are_all = pairs.size() < n;
+        if (are_all || reached >= 2. * M_PI * radius)
+          return pairs;
+      }
   }
 
 
@@ -115,7 +127,7 @@ namespace squeal
         WorstError         estimated;
         const ComplexPairs pairs = model.solve_certified(point, estimated);
         const ComplexPairs direct =
-          direct_pairs(model, point, grid.scene(point));
+          direct_pairs(model, point, grid.scene(point), model.band());
         ComplexPairs copy = pairs;
         estimate_errors(copy, direct.lambda);
         for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -221,7 +233,7 @@ namespace squeal
       {
         const double       before = cpu_seconds();
         const ComplexPairs direct =
-          direct_pairs(model, timed[t], grid.scene(timed[t]));
+          direct_pairs(model, timed[t], grid.scene(timed[t]), model.band());
         direct_cpu += cpu_seconds() - before;
         ComplexPairs mine = model.solve(timed[t]);
         estimate_errors(mine, direct.lambda);

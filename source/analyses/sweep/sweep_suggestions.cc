@@ -2,11 +2,11 @@
 
 // Changes that stop a squeal, and what else they wake.
 
-#include <squeal/analyses/sweep/sweep_solution.h>
+#include "stopping_change.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <optional>
 
 namespace squeal
 {
@@ -14,191 +14,8 @@ namespace squeal
   {
     using Type = Table::Type;
 
-    /** Changes are looked at from this share on, each so much larger. */
-    constexpr double first_change = 0.005, growth = 1.25;
-    /** A pair of another frequency than this, relative, is another pair. */
-    constexpr double same_frequency = 0.03;
-    /** What is added to the smallest change that stabilises, so that it does
-     * not stand on the edge. */
-    constexpr double margin = 1.1;
     /** Direct solutions for one range at most. */
     constexpr unsigned int most_checks = 3;
-
-    struct UnstablePair
-    {
-      double frequency, sigma;
-    };
-
-    /** The smallest change of one number in one direction. */
-    struct Change
-    {
-      unsigned int number = 0;
-      std::string  entry;
-      double       value = 0.; /**< as it stands, SI units */
-      double       share = 0.; /**< signed; 0: none stabilises */
-      double       sigma = 0.; /**< the largest of the band with it, 1/s */
-      double       up_to = 0.; /**< share at which a pair is unstable again,
-                                    or the largest looked at */
-      std::optional<UnstablePair> tuned_in; /**< the worst other on the way */
-      double                      tuned_in_at = 0.; /**< signed share */
-
-      double
-      new_value() const
-      {
-        return value * (1. + share);
-      }
-    };
-
-    /** The scene at the peak of a range with one number changed. */
-    class ChangedScene
-    {
-    public:
-      ChangedScene(const SweepModel &m, const PeakPair &p)
-        : model(m)
-        , peak(p)
-      {
-      }
-
-      /** Unstable pairs and the largest sigma with a number multiplied by
-       * 1 + @p share. */
-      std::vector<UnstablePair>
-      unstable(const unsigned int number,
-               const double       share,
-               double            &sigma) const
-      {
-        const ComplexPairs        pairs = solve(number, 1. + share);
-        std::vector<UnstablePair> result;
-        sigma = -1e300;
-        for (unsigned int i = 0; i < pairs.size(); ++i)
-          {
-            sigma = std::max(sigma, pairs.sigma(i));
-            if (pairs.sigma(i) > 0.)
-              result.push_back({pairs.frequency(i), pairs.sigma(i)});
-          }
-        return result;
-      }
-
-      ComplexPairs
-      solve_directly(const Change &change) const
-      {
-        return direct_pairs(
-          model,
-          place(change.number, 1. + change.share),
-          model.grid().scene(peak.point, change.number, 1. + change.share));
-      }
-
-    private:
-      /** An axis of a single entry moves the point, so that the basis of the
-       * right cell is used; other numbers leave it where it is. */
-      SweepPoint
-      place(const unsigned int number, const double factor) const
-      {
-        const SweepGrid &grid  = model.grid();
-        SweepPoint       point = peak.point;
-        for (unsigned int a = 0, first = 0; a < grid.n_axes(); ++a)
-          {
-            const std::size_t n = grid.axis(a).entries.size();
-            if (number == first && n == 1)
-              point[a] = grid.is_logarithmic(a) ? point[a] + std::log10(factor)
-                                                : point[a] * factor;
-            first += n;
-            point[a] =
-              std::min(std::max(point[a], grid.lower(a)), grid.upper(a));
-          }
-        return point;
-      }
-
-      ComplexPairs
-      solve(const unsigned int number, const double factor) const
-      {
-        return solve_point_in_cell(
-          model.reduced(),
-          place(number, factor),
-          model.system().coefficients(
-            model.grid().scene(peak.point, number, factor)),
-          model.band());
-      }
-
-      const SweepModel &model;
-      const PeakPair   &peak;
-    };
-
-    /** The worst pair that did not squeal before; @p known are the frequencies
-     * of those that did, which are followed. */
-    std::optional<UnstablePair>
-    newcomer(const std::vector<UnstablePair> &pairs, std::vector<double> &known)
-    {
-      std::optional<UnstablePair> worst;
-      for (const auto &p : pairs)
-        {
-          const auto near =
-            std::find_if(known.begin(), known.end(), [&](const double f) {
-              return std::abs(p.frequency - f) < same_frequency * f;
-            });
-          if (near != known.end())
-            *near = p.frequency;
-          else if (!worst || p.sigma > worst->sigma)
-            worst = p;
-        }
-      return worst;
-    }
-
-    /** Raises (@p sign 1) or lowers (-1) a number until nothing squeals, and
-     * on until something does again. */
-    Change
-    search(const ChangedScene &scene,
-           const Influence    &influence,
-           const double        largest,
-           const double        sign)
-    {
-      Change change;
-      change.number = influence.number;
-      change.entry  = influence.entry;
-      change.value  = influence.value;
-      double              sigma, before = 0.;
-      std::vector<double> known;
-      for (const auto &p : scene.unstable(change.number, 0., sigma))
-        known.push_back(p.frequency);
-      for (double share = first_change;; share *= growth)
-        {
-          const bool is_last = share >= largest;
-          share              = std::min(share, largest);
-          const auto pairs = scene.unstable(change.number, sign * share, sigma);
-          const auto other = newcomer(pairs, known);
-          if (other &&
-              (!change.tuned_in || other->sigma > change.tuned_in->sigma))
-            {
-              change.tuned_in    = other;
-              change.tuned_in_at = sign * share;
-            }
-          if (change.share == 0. && pairs.empty())
-            {
-              double low = before, high = share, s;
-              while (high - low > 1e-3 * high)
-                {
-                  const double middle = 0.5 * (low + high);
-                  (scene.unstable(change.number, sign * middle, s).empty()
-                     ? high
-                     : low)           = middle;
-                }
-              high = std::min(margin * high, largest);
-              if (scene.unstable(change.number, sign * high, s).empty())
-                {
-                  change.share = sign * high;
-                  change.sigma = s;
-                }
-            }
-          else if (change.share != 0. && !pairs.empty())
-            {
-              change.up_to = sign * share;
-              return change;
-            }
-          change.up_to = sign * share;
-          if (is_last)
-            return change;
-          before = share;
-        }
-    }
 
     std::string
     percent(const double share)
@@ -207,7 +24,7 @@ namespace squeal
     }
 
     std::string
-    text_of(const UnstablePair &pair, const double share)
+    text_of(const GrowingPair &pair, const double share)
     {
       return rounded_text(pair.frequency, 4) + " Hz, sigma " +
              rounded_text(pair.sigma, 3) + " 1/s, at " + percent(share);
@@ -274,31 +91,40 @@ namespace squeal
       return table;
     }
 
-    /** Direct solution with a change; the pair of the largest sigma. */
-    UnstablePair
-    check(const ChangedScene &scene, const Change &change)
+    Cell
+    sigma_cell(const WorstPair &worst)
     {
-      const ComplexPairs pairs = scene.solve_directly(change);
-      UnstablePair       worst{0., -1e300};
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        if (pairs.sigma(i) > worst.sigma)
-          worst = {pairs.frequency(i), pairs.sigma(i)};
-      return worst;
+      return worst ? Cell(worst->sigma) : Cell();
     }
 
-    std::vector<Change>
+    /** In words. */
+    std::string
+    verdict_of(const DirectAnswer &answer)
+    {
+      const std::string verdict =
+        answer.is_stable() ? "stable" : "still unstable";
+      return !answer.outside
+               ? verdict
+               : verdict + "; outside the band " +
+                   rounded_text(answer.outside->frequency, 4) +
+                   " Hz grows by " + rounded_text(answer.outside->sigma, 3) +
+                   " 1/s";
+    }
+
+    std::vector<StoppingChange>
     changes_for(const ChangedScene           &scene,
                 const std::vector<Influence> &numbers,
                 const double                  largest)
     {
-      std::vector<Change> result;
+      std::vector<StoppingChange> result;
       for (const auto &number : numbers)
         {
           if (number.value == 0.)
             continue;
-          const Change up   = search(scene, number, largest, 1.);
-          const Change down = search(scene, number, largest, -1.);
-          const bool   takes_up =
+          const StoppingChange up = smallest_change(scene, number, largest, 1.);
+          const StoppingChange down =
+            smallest_change(scene, number, largest, -1.);
+          const bool takes_up =
             down.share == 0. ||
             (up.share != 0. && std::abs(up.share) < std::abs(down.share));
           result.push_back(takes_up ? up : down);
@@ -311,15 +137,43 @@ namespace squeal
       return result;
     }
 
-    void
-    warn(RunContext &context, const PeakPair &peak, const Change &change)
+    std::string
+    squeal_of(const PeakPair &peak)
     {
-      const std::string squeal =
-        "the squeal at " + rounded_text(peak.frequency(), 4) + " Hz";
+      return "the squeal at " + rounded_text(peak.frequency(), 4) + " Hz";
+    }
+
+    void
+    warn_of_tuning(RunContext           &context,
+                   const PeakPair       &peak,
+                   const StoppingChange &change)
+    {
       if (change.tuned_in)
-        context.log.warning("changing " + change.entry + " against " + squeal +
-                            " tunes in another pair: " +
+        context.log.warning("changing " + change.entry + " against " +
+                            squeal_of(peak) + " tunes in another pair: " +
                             text_of(*change.tuned_in, change.tuned_in_at));
+    }
+
+    /** That no change holds, among those that were checked. */
+    void
+    warn_of_none(RunContext                        &context,
+                 const PeakPair                    &peak,
+                 const std::vector<StoppingChange> &changes)
+    {
+      const auto n_found =
+        std::count_if(changes.begin(),
+                      changes.end(),
+                      [](const StoppingChange &c) { return c.share != 0.; });
+      if (n_found <= most_checks)
+        context.log.warning("no single change within Sweep/Largest change "
+                            "stops " +
+                            squeal_of(peak));
+      else
+        context.log.warning(
+          "none of the " + std::to_string(most_checks) +
+          " smallest changes that were checked by direct solutions stops " +
+          squeal_of(peak) + "; " + std::to_string(n_found - most_checks) +
+          " others were not checked");
     }
   } // namespace
 
@@ -342,49 +196,48 @@ namespace squeal
         const auto peak = peak_pair(model, *line, *range);
         if (!peak)
           continue;
-        const ChangedScene scene(model, *peak);
+        const ChangedScene scene(model, *peak, p.largest_change);
         const auto         changes = changes_for(
           scene, influences(model, *peak, p.sensitivities), p.largest_change);
         bool is_settled = false;
         for (std::size_t k = 0; k < changes.size(); ++k)
           {
-            const Change               &change = changes[k];
+            const StoppingChange       &change = changes[k];
             const bool                  exists = change.share != 0.;
-            std::optional<UnstablePair> direct;
+            std::optional<DirectAnswer> direct;
             if (exists && !is_settled && k < most_checks)
-              direct = check(scene, change);
-            if (direct && direct->sigma < 0.)
+              direct = scene.solve_directly(change);
+            if (direct && direct->is_stable())
               {
                 is_settled = true;
-                warn(context, *peak, change);
+                warn_of_tuning(context, *peak, change);
               }
             std::vector<Cell> row = fixed_values(grid, line->start);
-            row.insert(
-              row.end(),
-              {line->branch_names[range->branch],
-               range->peak_at,
-               peak->frequency(),
-               peak->sigma(),
-               k + 1,
-               change.entry,
-               change.value,
-               exists ? Cell(change.new_value()) : Cell(),
-               exists ? Cell(100. * change.share) : Cell(),
-               exists ? Cell(change.sigma) : Cell(),
-               exists ? Cell(100. * change.up_to) : Cell(),
-               direct ? Cell(direct->sigma) : Cell(),
-               direct ? Cell(direct->frequency) : Cell(),
-               direct   ? (direct->sigma < 0. ? "stable" : "still unstable")
-               : exists ? "not checked"
-                        : "none within Largest change",
-               change.tuned_in ? text_of(*change.tuned_in, change.tuned_in_at)
-                               : ""});
+            row.insert(row.end(),
+                       {line->branch_names[range->branch],
+                        range->peak_at,
+                        peak->frequency(),
+                        peak->sigma(),
+                        k + 1,
+                        change.entry,
+                        change.value,
+                        exists ? Cell(change.new_value()) : Cell(),
+                        exists ? Cell(100. * change.share) : Cell(),
+                        exists ? sigma_cell(change.worst) : Cell(),
+                        exists ? Cell(100. * change.up_to) : Cell(),
+                        direct ? sigma_cell(direct->worst) : Cell(),
+                        direct && direct->worst ? Cell(direct->worst->frequency)
+                                                : Cell(),
+                        direct   ? verdict_of(*direct)
+                        : exists ? "not checked"
+                                 : "none within Largest change",
+                        change.tuned_in
+                          ? text_of(*change.tuned_in, change.tuned_in_at)
+                          : ""});
             table.add_row(row);
           }
         if (!is_settled)
-          context.log.warning("no single change within Sweep/Largest change "
-                              "stops the squeal at " +
-                              rounded_text(peak->frequency(), 4) + " Hz");
+          warn_of_none(context, *peak, changes);
       }
     return table;
   }

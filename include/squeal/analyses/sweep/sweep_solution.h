@@ -95,17 +95,21 @@ namespace squeal
 
   /** suggestions.csv: for the worst unstable ranges the smallest change of
    * each of Sweep/Sensitivities, up or down, that leaves no pair of the band
-   * unstable; the best one is checked by a direct solution. Pairs that the
-   * change tunes in are named, and warned of. */
+   * unstable, nor one that was unstable before and has left the band; the best
+   * ones are checked by direct solutions until one holds. Pairs that the change
+   * tunes in are named, and warned of. */
   Table suggestion_table(const SweepModel    &model,
                          const SweepSolution &solution,
                          RunContext          &context);
 
-  /** Pairs of the band and some more by the direct solver on the full matrices
-   * of @p scene, which differs from that at @p point in numbers. */
+  /** Pairs by the direct solver on the full matrices of @p scene, which differs
+   * from that at @p point in numbers: all whose lambda is within 1.25 times
+   * half of @p band, Hz, of its centre, and some more, of other frequencies and
+   * of the lower half-plane, too. */
   ComplexPairs direct_pairs(const SweepModel      &model,
                             const SweepPoint      &point,
-                            const SceneParameters &scene);
+                            const SceneParameters &scene,
+                            const Band            &band);
 
   /** sensitivities.csv: derivatives of every unstable pair at its peak by the
    * numbers in Sweep/Sensitivities, the most influential first. */
