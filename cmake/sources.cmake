@@ -213,6 +213,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc
     source/transient/run_in.cc
+    source/transient/slow_part.cc
     source/transient/spectrum.cc
     source/transient/steady_sliding.cc
     source/transient/time_step_error.cc
@@ -380,6 +381,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_table.cc
     source/analyses/transient/force_statistics.cc
+    source/analyses/transient/growth_outside.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/run_transient.cc
