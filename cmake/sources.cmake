@@ -380,6 +380,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_amplitudes.cc
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_table.cc
+    source/analyses/transient/drive_warnings.cc
     source/analyses/transient/force_statistics.cc
     source/analyses/transient/growth_outside.cc
     source/analyses/transient/make_integrator.cc
@@ -394,6 +395,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_phase.cc
     source/analyses/transient/transient_plots.cc
     source/analyses/transient/transient_run.cc
+    source/analyses/transient/transient_sound.cc
     source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc
     source/analyses/triggers/run_triggers.cc
