@@ -217,6 +217,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc
     source/transient/run_in.cc
+    source/transient/slow_part.cc
     source/transient/spectrum.cc
     source/transient/steady_sliding.cc
     source/transient/time_step_error.cc
@@ -386,7 +387,9 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_amplitudes.cc
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_table.cc
+    source/analyses/transient/drive_warnings.cc
     source/analyses/transient/force_statistics.cc
+    source/analyses/transient/growth_outside.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/transient_run_figures.cc
@@ -400,6 +403,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_phase.cc
     source/analyses/transient/transient_plots.cc
     source/analyses/transient/transient_run.cc
+    source/analyses/transient/transient_sound.cc
     source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc
     source/analyses/triggers/run_triggers.cc

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/discretization/load_vector.h>
+#include <squeal/eigen/mass_basis.h>
 #include <squeal/model/imported_system.h>
+#include <squeal/model/load_checks.h>
 #include <squeal/model/observed_motions.h>
 #include <squeal/model/open_scene.h>
 #include <squeal/model/pressed_model.h>
@@ -203,6 +205,39 @@ namespace squeal
 
 
 
+  void
+  require_motion(const RowSpace       &space,
+                 const Block          &force,
+                 const LoadParameters &load,
+                 const std::string    &section)
+  {
+    const bool is_asked = load.pressure != 0. || load.force != Vector3{} ||
+                          load.moment != Vector3{};
+    if (is_asked && inner_products(space, force, force)(0, 0) == 0.)
+      throw InputError(
+        "'" + section +
+        "' moves nothing: supports hold all that "
+        "it acts on" +
+        (load.face.empty() ? "" : ", the face '" + load.face + "'") +
+        " of the body '" + load.body +
+        "', along its direction; let it act on what is free");
+  }
+
+
+
+  LoadParameters
+  load_of(const HammerParameters &hammer)
+  {
+    LoadParameters load;
+    load.name  = "hammer";
+    load.body  = hammer.body;
+    load.face  = hammer.face;
+    load.force = hammer.force;
+    return load;
+  }
+
+
+
   OpenScene
   open_scene(const SceneParameters           &scene,
              const Discretization            &d,
@@ -219,7 +254,16 @@ namespace squeal
     const PointEvaluator evaluator(d);
     Block                nodal = Block::Zero(d.space()->n_owned(), 1);
     for (const auto &load : scene.loads)
-      nodal += load_vector(d, evaluator, load);
+      {
+        const Block one = load_vector(d, evaluator, load);
+        // A held support is kept where its loads have moved it.
+        if (!has_held_support(scene))
+          require_motion(*open.separated.system.space,
+                         restricted(one),
+                         load,
+                         "Scene/Load " + load.name);
+        nodal += one;
+      }
     open.load     = restricted(nodal);
     open.observed = restricted(squeal::observed_motions(d, open.nodes, bodies));
     open.struck   = restricted(struck_points(d));

@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
 #include <squeal/eigen/mass_basis.h>
+#include <squeal/model/load_checks.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/transient/run_in.h>
 
@@ -99,6 +100,14 @@ namespace squeal
     , interface_cut_off(interface)
     , flexibility(what)
   {
+    if (discretization && !p.transient.hammer.body.empty() &&
+        (p.analysis == Parameters::Analysis::transient ||
+         p.analysis == Parameters::Analysis::work_precision))
+      {
+        const LoadParameters blow = load_of(p.transient.hammer);
+        require_motion(
+          *separated.system.space, force_of(blow), blow, "Transient/Hammer");
+      }
     pencil = std::make_shared<const Pencil>(separated.system, scene);
     {
       Timers::Section section(timers, "Solve: modes of the bodies");

@@ -211,14 +211,6 @@ namespace squeal
                        "must not be below 'Eigenvalues/Highest frequency'");
         if (t.history_start > t.end_time)
           refuse_entry("Transient", "History start", "is after 'End time'");
-        if (!t.hammer.body.empty() && !(t.hammer.time < t.end_time))
-          refuse_entry("Transient/Hammer",
-                       "Time",
-                       "is not before 'Transient/End time': nothing is struck");
-        if (t.friction_impulse != 0. && !(t.friction_impulse_time < t.end_time))
-          refuse_entry("Transient",
-                       "Friction impulse time",
-                       "is not before 'End time': there would be no impulse");
         if (!slides(p.scene))
           refuse_entry(p.scene.contacts.size() == 1
                          ? "Scene/Contact " + p.scene.contacts.back().name
@@ -484,6 +476,7 @@ namespace squeal
       if (p.analysis == Analysis::transient)
         {
           check_times(p);
+          check_triggers(p);
           check_integrators(p);
           check_disc_frame(p);
           check_tops(p);

@@ -93,6 +93,69 @@ namespace squeal
                        "Final speed ratio",
                        "must be 1: steady sliding has one speed");
       }
+
+      /** Steps of a half sine: with fewer its impulse is off by more than 1 %,
+       * and between two steps it is none. */
+      constexpr double fewest_steps = 10.;
+
+      void
+      check_duration(const double       duration,
+                     const double       step,
+                     const std::string &section,
+                     const std::string &entry)
+      {
+        // Ten steps as they are written.
+        if (!(fewest_steps * step <= duration * (1. + 1e-9)))
+          refuse_entry(section,
+                       entry,
+                       "= " + format_number(duration) +
+                         " s must be ten time steps (" + format_number(step) +
+                         " s) at least: the steps would not follow the half "
+                         "sine");
+      }
+
+      void
+      check_hammer(const TransientParameters &t)
+      {
+        const HammerParameters &hammer  = t.hammer;
+        const std::string       section = "Transient/Hammer";
+        if (hammer.body.empty())
+          return;
+        if (!(hammer.time < t.end_time))
+          refuse_entry(section,
+                       "Time",
+                       "is not before 'Transient/End time': nothing is struck");
+        if (hammer.force == Vector3{})
+          refuse_entry(section,
+                       "Force",
+                       "= 0, 0, 0: nothing is struck; give the largest force, "
+                       "or leave 'Body' empty");
+        check_duration(hammer.duration, t.step(), section, "Duration");
+      }
+
+      void
+      check_friction_impulse(const TransientParameters &t)
+      {
+        const std::string section = "Transient";
+        if (t.friction_impulse == 0.)
+          return;
+        if (!(t.friction_impulse_time < t.end_time))
+          refuse_entry(section,
+                       "Friction impulse time",
+                       "is not before 'End time': there would be no impulse");
+        check_duration(t.friction_impulse_duration,
+                       t.step(),
+                       section,
+                       "Friction impulse duration");
+      }
+
+      /** Hammer and friction impulse of a transient. */
+      void
+      check_strikes(const TransientParameters &t)
+      {
+        check_hammer(t);
+        check_friction_impulse(t);
+      }
     } // namespace
 
 
@@ -100,6 +163,8 @@ namespace squeal
     void
     check_triggers(const Parameters &p)
     {
+      if (p.analysis == Parameters::Analysis::transient)
+        check_strikes(p.transient);
       if (p.analysis != Parameters::Analysis::triggers)
         return;
       check_blows(p);

@@ -25,6 +25,44 @@ namespace squeal
           largest = std::max(largest, u.block<3, 1>(i, k).norm());
       return largest;
     }
+
+    /** Puts places, about the axis, or vectors of the points of @p body turned
+     * to those of a frame. */
+    void
+    turn_points(const DisplayMesh::Geometry &g,
+                const TurnedBody            &body,
+                const double                 angle,
+                const bool                   are_places,
+                Eigen::VectorXd             &values)
+    {
+      std::vector<bool> is_done(g.n_points(), false);
+      const double      c = std::cos(angle), s = std::sin(angle),
+                   x0 = are_places ? body.x : 0., y0 = are_places ? body.y : 0.;
+      for (std::size_t i = 0; i < g.hexahedra.size(); ++i)
+        {
+          const auto p = static_cast<std::size_t>(g.hexahedra[i]);
+          if (is_done[p] ||
+              g.hexahedron_body[i / 8] != static_cast<std::int32_t>(body.body))
+            continue;
+          is_done[p]     = true;
+          const double x = values[3 * p] - x0, y = values[3 * p + 1] - y0;
+          values[3 * p]     = x0 + c * x - s * y;
+          values[3 * p + 1] = y0 + s * x + c * y;
+        }
+    }
+
+    /** The same for all bodies that are turned in frame @p k. */
+    Eigen::VectorXd
+    turned_points(const DisplayMesh::Geometry   &g,
+                  const std::vector<TurnedBody> &turned,
+                  const std::size_t              k,
+                  const bool                     are_places,
+                  Eigen::VectorXd                values)
+    {
+      for (const TurnedBody &body : turned)
+        turn_points(g, body, body.angles.at(k), are_places, values);
+      return values;
+    }
   } // namespace
 
 
@@ -40,13 +78,14 @@ namespace squeal
 
 
   WrittenMotion
-  write_motion(const Discretization      &discretization,
-               OutputDirectory           &output,
-               const std::string         &name,
-               const std::vector<double> &times,
-               const Block               &motion,
-               const unsigned int         n_subdivisions,
-               const double               display_scale)
+  write_motion(const Discretization          &discretization,
+               OutputDirectory               &output,
+               const std::string             &name,
+               const std::vector<double>     &times,
+               const Block                   &motion,
+               const unsigned int             n_subdivisions,
+               const double                   display_scale,
+               const std::vector<TurnedBody> &turned)
   {
     Assert(motion.cols() == static_cast<Eigen::Index>(times.size()),
            dealii::ExcMessage("one column for each time"));
@@ -56,8 +95,11 @@ namespace squeal
     on_root(*discretization.space(), [&]() {
       if (!u.allFinite())
         throw ComputationError("the motion '" + name + "' is not finite");
-      const Eigen::VectorXd mean = u.rowwise().mean();
-      const DrawnBodies     bodies(discretization, mesh, false);
+      const auto           &g      = mesh.geometry();
+      const Eigen::VectorXd mean   = u.rowwise().mean(),
+                            places = Eigen::Map<const Eigen::VectorXd>(
+                              g.points.data(), g.points.size());
+      const DrawnBodies bodies(discretization, mesh, false);
       written.largest_displacement = longest_vector(u);
       written.largest_deviation    = longest_vector(u.colwise() - mean);
       if (written.largest_deviation > 0.)
@@ -73,14 +115,26 @@ namespace squeal
           frame.field_data +=
             vtk::number("time_s", times[k]) +
             vtk::number("display_factor", written.display_factor);
+          const auto seen = [&](const Eigen::VectorXd &values) {
+            return turned_points(g, turned, k, false, values);
+          };
+          const Eigen::VectorXd motion_there    = seen(u.col(k)),
+                                deviation_there = seen(u.col(k) - mean),
+                                points =
+                                  turned_points(g, turned, k, true, places);
+          if (!turned.empty())
+            frame.points = bodies.point_vector(
+              "Points",
+              [&](const unsigned int i) { return points[i]; },
+              Rounding(mesh.size(), motion_bits));
           frame.point_data =
             bodies.point_vector(
               "displacement",
-              [&](const unsigned int i) { return u(i, k); },
+              [&](const unsigned int i) { return motion_there[i]; },
               whole) +
             bodies.point_vector(
               "deviation",
-              [&](const unsigned int i) { return u(i, k) - mean[i]; },
+              [&](const unsigned int i) { return deviation_there[i]; },
               part);
           const std::string file = frame_file(name, k);
           write_atomically(output.file(file), [&](std::ostream &out) {

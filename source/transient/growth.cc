@@ -36,7 +36,9 @@ namespace squeal
       return xy / xx;
     }
 
-    /** Slope over all and the half width of its interval by those of parts. */
+    /** Slope over all and the half width of its interval: by those of parts,
+     * and at least what its two halves differ by. Traces of other motions that
+     * fade away bend the curve by less than parts of it scatter. */
     std::pair<double, double>
     slope_with_interval(const std::vector<double> &x,
                         const std::vector<double> &y)
@@ -52,8 +54,11 @@ namespace squeal
       double variance = 0.;
       for (const double s : slopes)
         variance += (s - mean) * (s - mean) / n_parts;
-      return {slope(x, y, 0, x.size()),
-              student * std::sqrt(variance / (n_parts - 1.))};
+      const std::size_t middle = x.size() / 2;
+    const double      halves =
+      std::abs(slope(x, y, 0, middle) - slope(x, y, middle, x.size()));
+    return {slope(x, y, 0, x.size()),
+            std::max(student * std::sqrt(variance / (n_parts - 1.)), halves)};
     }
   } // namespace
 

@@ -97,6 +97,36 @@ namespace
           "a forced motion says the range of the force");
   }
 
+  /** What grows above the cut-off is a motion of the reduced model alone, and
+   * decides nothing of a run of all unknowns. */
+  void
+  growth_outside_the_band()
+  {
+    const double     turn = 2. * 3.14159265358979323846;
+    LinearizedMotion motion;
+    motion.lambda.resize(3);
+    motion.lambda << std::complex<double>(-5., turn * 1e3),
+      std::complex<double>(700., turn * 155e3),
+      std::complex<double>(20., turn * 15e3);
+    Parameters p;
+    p.eigen.highest_frequency = 2000.;
+    p.transient.cut_off       = 20e3;
+    using Integrator          = TransientParameters::Integrator;
+    const auto text           = [&](const Integrator integrator) {
+      p.transient.integrator = integrator;
+      return text_of_growth_outside(motion, p);
+    };
+    check(has(text(Integrator::reduced), "155000 Hz"),
+          "the reduced integrator has them all");
+    for (const Integrator all : {Integrator::implicit, Integrator::explicit_})
+      {
+        check(has(text(all), "15000 Hz"), "others those up to the cut-off");
+        motion.lambda[2] = -motion.lambda[2];
+        check(text(all).empty(), "and none beyond it");
+        motion.lambda[2] = -motion.lambda[2];
+      }
+  }
+
   using Type = Table::Type;
 
   /** A table with columns of numbers or, where the name starts with '$' or '#',
@@ -366,6 +396,7 @@ main()
 {
   errors();
   verdicts();
+  growth_outside_the_band();
   answers();
   symbols();
   rates();

@@ -91,6 +91,27 @@ namespace
             std::to_string(mixed.rate_ci));
   }
 
+  /** A rate that goes from 200 to 160 1/s, as where the trace of another motion
+   * fades away: the interval about its mean reaches to both ends. */
+  void
+  rate_of_a_bent_curve()
+  {
+    const double         end = 0.012, mean = -180., change = 40.;
+    std::vector<double>  times;
+    std::vector<Complex> a;
+    for (unsigned int i = 0; i < 1200; ++i)
+      {
+        const double t = 1e-5 * i;
+        times.push_back(t);
+        a.push_back(std::exp(
+          Complex(mean * t + .5 * change * t * (t / end - 1.), 3e4 * t)));
+      }
+    const GrowthFit fit = fit_growth(times, a, 0, a.size());
+    check(std::abs(fit.rate - mean) < .1, "the mean rate");
+    check(fit.rate_ci > .49 * change && fit.rate_ci < .6 * change,
+          "its interval reaches to the ends: " + std::to_string(fit.rate_ci));
+  }
+
   // A turning mesh shifts the steady sliding by far more than the disturbance.
   void
   rates_beside_a_drift()
@@ -275,6 +296,7 @@ main()
 {
   rates();
   rates_that_tell_nothing();
+  rate_of_a_bent_curve();
   rates_beside_a_drift();
   spectra();
   periods();

@@ -66,7 +66,8 @@ namespace squeal
     /** Ladders, their rungs, and what is solved on them. */
     void check_work_precision(const Parameters &parameters);
 
-    /** Blows of 'Analysis = triggers' and how motions are judged. */
+    /** Blows of 'Analysis = triggers' and how motions are judged; hammer and
+     * friction impulse of 'Analysis = transient', that they strike at all. */
     void check_triggers(const Parameters &parameters);
 
     /** Measured points, frequency responses and updating. */

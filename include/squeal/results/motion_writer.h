@@ -11,6 +11,14 @@
 
 namespace squeal
 {
+  /** How far the mesh of a body is turned about an axis along z. */
+  struct TurnedBody
+  {
+    unsigned int        body = 0;       /**< its number in the scene */
+    double              x = 0., y = 0.; /**< of the axis, m */
+    std::vector<double> angles; /**< of each frame, rad, counterclockwise */
+  };
+
   /** Largest values of a motion that has been written. */
   struct WrittenMotion
   {
@@ -31,17 +39,21 @@ namespace squeal
    * display_scale times the size of the scene.
    *
    * @param motion  free unknowns (owned rows), one column for each of @p times
+   * @param turned  bodies whose unknowns are displacements along axes that turn
+   *                with their mesh: they are drawn turned, points and vectors,
+   *                their deviation being the one in their own axes
    *
    * Collective; rank 0 writes. Throws ComputationError where the motion is not
    * finite.
    */
-  WrittenMotion write_motion(const Discretization      &discretization,
-                             OutputDirectory           &output,
-                             const std::string         &name,
-                             const std::vector<double> &times,
-                             const Block               &motion,
-                             const unsigned int         n_subdivisions,
-                             const double               display_scale);
+  WrittenMotion write_motion(const Discretization          &discretization,
+                             OutputDirectory               &output,
+                             const std::string             &name,
+                             const std::vector<double>     &times,
+                             const Block                   &motion,
+                             const unsigned int             n_subdivisions,
+                             const double                   display_scale,
+                             const std::vector<TurnedBody> &turned = {});
 
   /** `frames/<name>_0007.vtu`. */
   std::string frame_file(const std::string &name, const std::size_t k);

@@ -8,20 +8,17 @@ namespace squeal
 {
   namespace
   {
-    /** Takes @p m numbers of mean @p other, whose squares about it add up to
-     * @p other_square, to @p n others. Differences of means, as those of mean
-     * squares would drown small vibrations. */
+    /** Puts the values of @p other behind those of @p piece. Differences of
+     * means, as those of mean squares would drown small vibrations. */
     void
-    join(const double n,
-         const double m,
-         const double other,
-         const double other_square,
-         double      &mean,
-         double      &square)
+    join(const SignalPiece &other, SignalPiece &piece)
     {
-      const double change = other - mean;
-      mean += change * m / (n + m);
-      square += other_square + change * change * n * m / (n + m);
+      const double n = piece.n, m = other.n, change = other.mean - piece.mean;
+      piece.mean += change * m / (n + m);
+      piece.square += other.square + change * change * n * m / (n + m);
+      // The middles of the two are (n + m) / 2 values apart.
+      piece.moment += other.moment + 0.5 * change * n * m;
+      piece.n += m;
     }
 
     double
@@ -62,15 +59,16 @@ namespace squeal
         *this = other;
         return;
       }
+    SignalPiece pressing = normal(), pulling = tangential();
+    join(other.normal(), pressing);
+    join(other.tangential(), pulling);
+    mean_normal       = pressing.mean;
+    square_normal     = pressing.square;
+    moment_normal     = pressing.moment;
+    mean_tangential   = pulling.mean;
+    square_tangential = pulling.square;
+    moment_tangential = pulling.moment;
     const double n = n_steps, m = other.n_steps;
-    join(
-      n, m, other.mean_normal, other.square_normal, mean_normal, square_normal);
-    join(n,
-         m,
-         other.mean_tangential,
-         other.square_tangential,
-         mean_tangential,
-         square_tangential);
     mean_edge += (other.mean_edge - mean_edge) * m / (n + m);
     min_normal = std::min(min_normal, other.min_normal);
     max_normal = std::max(max_normal, other.max_normal);
@@ -94,6 +92,20 @@ namespace squeal
 
 
 
+  SignalPiece
+  ForceStatistics::normal() const
+  {
+    return {n_steps, mean_normal, moment_normal, square_normal};
+  }
+
+  SignalPiece
+  ForceStatistics::tangential() const
+  {
+    return {n_steps, mean_tangential, moment_tangential, square_tangential};
+  }
+
+
+
   ForceStatistics
   statistics_of(const std::vector<ForceStatistics> &stretches,
                 const unsigned int                  first,
@@ -103,5 +115,22 @@ namespace squeal
     for (unsigned int k = first; k < end; ++k)
       result.add(stretches.at(k));
     return result;
+  }
+
+
+
+  QuarterVibrations
+  vibrations_of(const std::vector<ForceStatistics> &stretches,
+                const unsigned int                  first,
+                const unsigned int                  end)
+  {
+    std::vector<SignalPiece> normal, tangential;
+    for (unsigned int k = first; k < end; ++k)
+      {
+        normal.push_back(stretches.at(k).normal());
+        tangential.push_back(stretches.at(k).tangential());
+      }
+    return {rms_beside_slow_part(normal, 4),
+            rms_beside_slow_part(tangential, 4)};
   }
 } // namespace squeal

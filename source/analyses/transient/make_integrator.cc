@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/base/unknown_choice.h>
+#include <squeal/model/load_checks.h>
 #include <squeal/transient/explicit_transient.h>
 #include <squeal/transient/implicit_transient.h>
 #include <squeal/transient/reduced_transient.h>
@@ -95,17 +96,10 @@ namespace squeal
     };
     set_loads(pressed, p, drive);
     if (!t.hammer.body.empty())
-      {
-        LoadParameters load;
-        load.name  = "hammer";
-        load.body  = t.hammer.body;
-        load.face  = t.hammer.face;
-        load.force = t.hammer.force;
-        drive.forces.push_back({pressed.force(load), [t](const double time) {
-                                  return half_sine(
-                                    time, t.hammer.time, t.hammer.duration);
-                                }});
-      }
+      drive.forces.push_back(
+        {pressed.force(load_of(t.hammer)), [t](const double time) {
+           return half_sine(time, t.hammer.time, t.hammer.duration);
+         }});
     return drive;
   }
 

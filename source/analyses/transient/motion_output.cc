@@ -73,6 +73,37 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** The bodies whose meshes turn, and how far they have at @p times. The
+     * speed of the drive is linear in time. */
+    std::vector<TurnedBody>
+    turned_bodies(const PreparedTransient   &prepared,
+                  const Parameters          &p,
+                  const std::vector<double> &times)
+    {
+      std::vector<TurnedBody> result;
+      if (p.transient.disc_frame != TransientParameters::DiscFrame::corotating)
+        return result;
+      const TransientDrive   drive = make_drive(prepared.pressed, p);
+      const FullContactModel full =
+        prepared.pressed.full_model(prepared.steady);
+      for (const auto &[name, rate] : full.turning->rates())
+        for (unsigned int b = 0; b < p.scene.bodies.size(); ++b)
+          if (p.scene.bodies[b].name == name)
+            {
+              const auto axis = p.scene.bodies[b].centre_of_rotation();
+              TurnedBody body{b, axis[0], axis[1], {}};
+              for (const double time : times)
+                body.angles.push_back(rate * time * drive.speed(0.5 * time));
+              result.push_back(body);
+            }
+      return result;
+    }
+  } // namespace
+
+
+
   Block
   motion_of_frames(const PreparedTransient &prepared,
                    const TransientRecord   &record,
@@ -131,7 +162,8 @@ namespace squeal
                    times,
                    u,
                    std::min(2u, model.discretization()->degree()),
-                   p.output.slip_display_scale);
+                   p.output.slip_display_scale,
+                   turned_bodies(prepared, p, times));
     const auto &pairs = prepared.pressed.nodes().pairs();
     for (std::size_t i = 0; i < pairs.size() && context.is_root; ++i)
       write_contact_frames(context,

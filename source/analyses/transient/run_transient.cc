@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/motion_output.h>
 #include <squeal/analyses/transient/saved_transient.h>
+#include <squeal/analyses/transient/transient_sound.h>
 
 #include <squeal/analyses/analyses.h>
 #include <squeal/analyses/transient/transient_results.h>
@@ -10,7 +12,6 @@
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/output/open_scene_output.h>
-#include <squeal/results/wav_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,6 @@ namespace squeal
 {
   namespace
   {
-    /** Length of the sound file, s: long enough to tell a squeal by ear. */
-    constexpr double sound_seconds = 3.;
-
     /** Goes on to the end with progress and checkpoints; a signal ends the
      * program after one more checkpoint. */
     void
@@ -58,44 +56,6 @@ namespace squeal
           stop.repeat();
           throw ComputationError("stopped by a signal");
         }
-    }
-
-    /** The acceleration of the source of a pair along its normal, to be
-     * listened to. */
-    void
-    write_sound(const ContactPair     &pair,
-                const unsigned int     number,
-                const TransientRecord &record,
-                const std::string     &path)
-    {
-      const auto &samples = record.samples;
-      if (samples.size() < 2)
-        return;
-      const auto          normal = mean_frame(pair.geometry).normal;
-      std::vector<double> acceleration;
-      for (std::size_t k = 0; k < samples.size(); ++k)
-        {
-          const double *a = record.pair(k, number).acceleration;
-          acceleration.push_back(normal[0] * a[0] + normal[1] * a[1] +
-                                 normal[2] * a[2]);
-        }
-      const double rate =
-        (samples.size() - 1) / (samples.back().time - samples.front().time);
-      write_wav(path, prolonged(acceleration, rate, sound_seconds), rate);
-    }
-
-    void
-    write_sounds(RunContext              &context,
-                 const PreparedTransient &prepared,
-                 const TransientRecord   &record)
-    {
-      const auto &pairs = prepared.pressed.nodes().pairs();
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        write_sound(pairs[i],
-                    i,
-                    record,
-                    context.output.file(
-                      (pairs.size() == 1 ? "pad" : pairs[i].name()) + ".wav"));
     }
 
     /** Tables of the run but for that over a changing speed. */
@@ -144,7 +104,7 @@ namespace squeal
         explained_verdict(
           f, evaluate_trigger(record, f, context.parameters.transient)),
         context.output.file("transient.json"));
-      write_sounds(context, prepared, record);
+      write_sounds(context, prepared, record, f);
       if (history->n_samples() > 0)
         write_contact_history(prepared,
                               *history,
@@ -301,11 +261,17 @@ namespace squeal
       if (motion.cols() > 1)
         {
           report.section("Motion");
-          show_frames(context,
-                      model,
-                      motion,
-                      "The last " + std::to_string(motion.cols()) + " samples",
-                      report);
+          // The view has one place for every point.
+          if (p.transient.disc_frame ==
+              TransientParameters::DiscFrame::corotating)
+            report.paragraph("The mesh turns: motion.pvd has it in ParaView.");
+          else
+            show_frames(context,
+                        model,
+                        motion,
+                        "The last " + std::to_string(motion.cols()) +
+                          " samples",
+                        report);
         }
       report.section("Pairs");
       if (!left_out.empty())
@@ -387,7 +353,7 @@ namespace squeal
 
 
     /** What grows fastest in the reduced model about steady sliding, in the
-     * band or not. */
+     * band or not, and whether the run has that motion. */
     void
     report_fastest(const LinearizedMotion &linear,
                    const Parameters       &p,
@@ -398,11 +364,19 @@ namespace squeal
       const double      frequency = linear.lambda[k].imag() / (2. * M_PI);
       const std::string text      = "sigma of " + rounded_text(sigma, 5) +
                                " 1/s at " + rounded_text(frequency, 6) + " Hz";
-      log.info("  largest of all motions about steady sliding: " + text);
-      if (sigma > 0. && (frequency < p.eigen.lowest_frequency ||
-                         frequency > p.eigen.highest_frequency))
+      const bool is_there = is_of_the_run(linear.lambda[k], p.transient);
+      log.info("  largest of all motions about steady sliding: " + text +
+               (is_there ? ""
+                         : ", of the reduced model above its cut-off, which "
+                           "this run does not use"));
+      const std::string growing = text_of_growth_outside(linear, p);
+      if (sigma > 0. && is_there &&
+          (frequency < p.eigen.lowest_frequency ||
+           frequency > p.eigen.highest_frequency))
         log.warning("the fastest motion of the reduced model, " + text +
                     ", is outside the band: the branches do not show it");
+      else if (!is_there && !growing.empty())
+        log.warning(growing + ": the branches do not show it");
     }
   } // namespace
 
@@ -416,6 +390,7 @@ namespace squeal
         !context.parameters.transient.integrators.empty())
       return run_campaign(context);
     Parameters p = context.parameters;
+    warn_of_drive(p, context.log);
     for (auto &contact : p.scene.contacts)
       contact.state = ContactParameters::State::full;
     Model model(p, context.timers, {}, Model::Contacts::open);

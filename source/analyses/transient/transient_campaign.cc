@@ -3,6 +3,7 @@
 // Transients over the axes of `Sweep` and several tops, several at a time.
 
 #include <squeal/analyses/transient/campaign_table.h>
+#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
@@ -382,7 +383,8 @@ namespace squeal
     const auto                     groups = campaign_groups(p);
     const std::vector<CampaignRun> runs   = all_runs(groups);
     CampaignResults                results(p);
-    FinishedRuns                   finished =
+    warn_of_drive(p, context.log);
+    FinishedRuns finished =
       finished_runs(context, runs, row_name, results.table.columns().size());
     {
       Progress       progress(context.log, "transients", runs.size());

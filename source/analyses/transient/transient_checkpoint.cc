@@ -69,8 +69,10 @@ namespace squeal
       {"min_normal", &ForceStatistics::min_normal},
       {"max_normal", &ForceStatistics::max_normal},
       {"mean_edge", &ForceStatistics::mean_edge},
-      {"n_apart", &ForceStatistics::n_apart}};
-    static_assert(sizeof(ForceStatistics) == 9 * sizeof(double),
+      {"n_apart", &ForceStatistics::n_apart},
+      {"moment_normal", &ForceStatistics::moment_normal},
+      {"moment_tangential", &ForceStatistics::moment_tangential}};
+    static_assert(sizeof(ForceStatistics) == 11 * sizeof(double),
                   "every member of a stretch is kept");
 
     const Fields<TransientRecord> counters = {

@@ -10,6 +10,7 @@
 #include <squeal/base/worst_of.h>
 #include <squeal/model/cea_solution.h>
 #include <squeal/transient/growth_rule.h>
+#include <squeal/transient/slow_part.h>
 #include <squeal/transient/time_step_error.h>
 
 #include <algorithm>
@@ -234,6 +235,15 @@ namespace squeal
       return largest;
     }
 
+    double
+    largest_of(const std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        largest = worst_of(largest, value);
+      return largest;
+    }
+
     /** Forces of every step of the second half and of its four quarters. */
     void
     evaluate_forces(const TransientRecord &record, TransientFigures &f)
@@ -255,19 +265,30 @@ namespace squeal
         touches ? half.mean_edge / f.mean_normal : not_known;
       f.rms_acceleration = largest_rms_acceleration(record);
       // Pure stick-slip leaves the normal force alone.
-      const double least = least_vibration * f.mean_normal;
-      f.by_tangential =
-        !(f.rms_normal > least) && touches && f.rms_tangential > least;
-      f.least_rms = f.by_tangential ? f.rms_tangential : f.rms_normal;
-      for (unsigned int k = 4; k < 8; ++k)
-        {
-          const ForceStatistics quarter =
-            statistics_of(record.stretches, k * n / 8, (k + 1) * n / 8);
-          const double rms =
-            f.by_tangential ? quarter.rms_tangential() : quarter.rms_normal();
-          f.least_rms = std::min(f.least_rms, rms);
-          f.most_rms  = std::max(f.most_rms, rms);
-        }
+      const QuarterVibrations late  = vibrations_of(record.stretches, n / 2, n),
+                              early = vibrations_of(record.stretches, 0, n / 2);
+      const double least            = least_vibration * f.mean_normal;
+      f.by_tangential = !(largest_of(late.normal) > least) && touches &&
+                        largest_of(late.tangential) > least;
+      const auto &judged = f.by_tangential ? late.tangential : late.normal;
+      f.least_rms        = *std::min_element(judged.begin(), judged.end());
+      f.most_rms         = largest_of(judged);
+      f.is_silent        = true;
+      for (const auto *part :
+           {&early.normal, &early.tangential, &late.normal, &late.tangential})
+        f.is_silent = f.is_silent && !(largest_of(*part) > least);
+    }
+
+    /** Whether every motion that the run has decays about steady sliding. */
+    bool
+    all_decay(const LinearizedMotion &linear, const TransientParameters &t)
+    {
+      return std::all_of(linear.lambda.begin(),
+                         linear.lambda.end(),
+                         [&t](const std::complex<double> lambda) {
+                           return lambda.real() < 0. ||
+                                  !is_of_the_run(lambda, t);
+                         });
     }
 
     void
@@ -283,11 +304,11 @@ namespace squeal
       // that turns goes on exciting it.
       f.dies_out =
         p.transient.disc_frame == TransientParameters::DiscFrame::eulerian &&
-        prepared.linear.lambda.real().maxCoeff() < 0. &&
+        all_decay(prepared.linear, p.transient) &&
         std::all_of(samples.begin() + first, samples.end(), [](const auto &s) {
           return s.is_linear != 0.;
         });
-      f.vibrates = !f.dies_out && f.most_rms > least_vibration * f.mean_normal;
+      f.vibrates        = !f.dies_out && !nothing_vibrates(f);
       f.has_limit_cycle = f.vibrates && f.least_rms > 0.8 * f.most_rms;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
@@ -297,7 +318,7 @@ namespace squeal
           normal.push_back(samples[i].normal);
           tangential.push_back(samples[i].tangential);
         }
-      evaluate_lines(f.by_tangential ? tangential : normal,
+      evaluate_lines(without_slow_part(f.by_tangential ? tangential : normal),
                      interval,
                      p.eigen.lowest_frequency,
                      f);
@@ -369,30 +390,16 @@ namespace squeal
 
 
 
-  std::string
-  text_of_growth_outside(const LinearizedMotion &linear, const Parameters &p)
+  bool
+  nothing_vibrates(const TransientFigures &f)
   {
-    if (linear.lambda.size() == 0)
-      return "";
-    Eigen::Index k;
-    const double sigma     = linear.lambda.real().maxCoeff(&k),
-                 frequency = linear.lambda[k].imag() / (2. * M_PI);
-    // Below is rounding.
-    if (!(sigma > 1e-9 * std::abs(linear.lambda[k])) ||
-        (frequency >= p.eigen.lowest_frequency &&
-         frequency <= p.eigen.highest_frequency))
-      return "";
-    return "a motion at " + rounded_text(frequency, 5) +
-           " Hz, outside the band, grows (sigma of " + rounded_text(sigma, 3) +
-           " 1/s)";
+    return !(f.most_rms > least_vibration * f.mean_normal);
   }
-
-
 
   std::string
   reason_for_no_cycle(const TransientFigures &f)
   {
-    if (f.most_rms <= least_vibration * f.mean_normal)
+    if (nothing_vibrates(f))
       return "nothing vibrates";
     if (f.dies_out)
       return "the vibration dies out";

@@ -5,6 +5,7 @@
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/results/chart.h>
 #include <squeal/run/run_context.h>
+#include <squeal/transient/slow_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,39 +24,39 @@ namespace squeal
      * large. */
     constexpr double squeal_level = 0.01, large_level = 0.1;
 
-    /** Of a resultant from one time to another. */
-    struct Level
-    {
-      double mean = 0., rms = 0.;
-    };
-
     using Resultant = double TransientSample::*;
 
-    Level
-    level(const std::vector<TransientSample> &samples,
-          const Resultant                     of,
-          const double                        from,
-          const double                        to)
+    /** A resultant from one time to another. */
+    std::vector<double>
+    values_between(const std::vector<TransientSample> &samples,
+                   const Resultant                     of,
+                   const double                        from,
+                   const double                        to)
     {
-      const auto is_between = [&](const TransientSample &s) {
-        return s.time >= from && s.time <= to;
-      };
-      double sum = 0., n = 0.;
+      std::vector<double> values;
       for (const auto &s : samples)
-        if (is_between(s))
-          {
-            sum += s.*of;
-            n += 1.;
-          }
-      if (n == 0.)
-        return {};
-      // Deviations, as a mean of squares would drown small vibrations.
-      const double mean     = sum / n;
-      double       variance = 0.;
-      for (const auto &s : samples)
-        if (is_between(s))
-          variance += (s.*of - mean) * (s.*of - mean) / n;
-      return {mean, std::sqrt(variance)};
+        if (s.time >= from && s.time <= to)
+          values.push_back(s.*of);
+      return values;
+    }
+
+    double
+    mean_value(const std::vector<double> &values)
+    {
+      double sum = 0.;
+      for (const double value : values)
+        sum += value;
+      return values.empty() ? 0. : sum / values.size();
+    }
+
+    /** About the nearest polynomial of a degree; 0: about the mean. */
+    double
+    rms_beside(const std::vector<double> &values, const unsigned int degree)
+    {
+      std::vector<double> squares;
+      for (const double value : without_slow_part(values, degree))
+        squares.push_back(value * value);
+      return std::sqrt(mean_value(squares));
     }
 
     /** Whether steady sliding is left without a trigger, by the motion or by
@@ -143,22 +144,25 @@ namespace squeal
       }
     const auto  &samples = record.samples;
     const double last    = samples.back().time;
-    const auto   rms     = [&](const double from, const double to) {
-      return level(samples,
-                   f.by_tangential ? &TransientSample::tangential
-                                         : &TransientSample::normal,
-                   from,
-                   to)
-        .rms;
+    const auto   values  = [&](const double from, const double to) {
+      return values_between(samples,
+                            f.by_tangential ? &TransientSample::tangential
+                                               : &TransientSample::normal,
+                            from,
+                            to);
     };
-    const double mean =
-      level(samples, &TransientSample::normal, 0.9 * last, last).mean;
+    const auto rms = [&](const double from, const double to) {
+      return rms_beside(values(from, to), 2);
+    };
+    const double mean = mean_value(
+      values_between(samples, &TransientSample::normal, 0.9 * last, last));
     r.before             = rms(0.75 * begin, begin);
     r.after              = rms(end, end + 0.1 * last);
     r.end                = rms(0.9 * last, last);
     const double earlier = rms(0.8 * last, 0.9 * last), window = 0.01 * last;
+    // These windows may be shorter than a period.
     for (double from = end; from + window <= last * (1. + 1e-9); from += window)
-      if (rms(from, from + window) > large_level * mean)
+      if (rms_beside(values(from, from + window), 0) > large_level * mean)
         r.lasting = from + window - end;
     const double least = squeal_level * mean;
     // Small motion about steady sliding that shrinks ends, however slowly.
@@ -168,7 +172,7 @@ namespace squeal
                                      [](const auto &s) { return s.is_linear; });
     const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
     // A squeal that grows is not there to its full size at the trigger.
-    r.text = r.before > least || (lasts && grows_by_itself(f))
+    r.text = lasts && (r.before > least || grows_by_itself(f))
                ? "squeal by itself"
              : end > 0.9 * last ? "run too short"
              : lasts            ? "squeal after the trigger"

@@ -123,6 +123,10 @@ namespace squeal
       const auto fitted = [&](const double value) {
         return b.fit.is_valid ? Cell(value) : Cell();
       };
+      // Noise has a largest line, too.
+      const auto vibrating = [&](const double value) {
+        return nothing_vibrates(f) ? Cell() : or_missing(value);
+      };
       return {f.verdict,
               fitted(b.fit.rate),
               fitted(b.fit.rate_ci),
@@ -133,14 +137,14 @@ namespace squeal
               has ? or_missing(b.sigma_cea) : Cell(),
               has ? or_missing(b.frequency_cea) : Cell(),
               yes_or_no(f.has_limit_cycle),
-              f.frequency,
+              vibrating(f.frequency),
               f.mean_normal,
               f.rms_normal,
               f.min_normal,
               f.max_normal,
               f.rms_tangential,
               or_missing(f.macroscopic_friction),
-              f.phase,
+              vibrating(f.phase),
               yes_or_no(f.separates),
               f.stick_fraction,
               f.max_slip_speed_ratio,
@@ -156,9 +160,9 @@ namespace squeal
               f.steps_per_second,
               f.iterations_per_step,
               f.n_inversions,
-              or_missing(f.frequency_ci),
-              f.largest_line,
-              f.repetition,
+              vibrating(f.frequency_ci),
+              vibrating(f.largest_line),
+              vibrating(f.repetition),
               known(b.sigma_reduction),
               known(b.frequency_reduction)};
     }

@@ -2,6 +2,8 @@
 #ifndef squeal_analyses_transient_force_statistics_h
 #define squeal_analyses_transient_force_statistics_h
 
+#include <squeal/transient/slow_part.h>
+
 #include <vector>
 
 namespace squeal
@@ -23,6 +25,8 @@ namespace squeal
      * force, N. */
     double mean_edge = 0.;
     double n_apart   = 0.; /**< steps in which no node of any pair is closed */
+    /** As SignalPiece::moment, N: what a line through the steps rises by. */
+    double moment_normal = 0., moment_tangential = 0.;
 
     /** Adds one step. Forces in N, @p edge as in `mean_edge`. */
     void add(const double normal,
@@ -30,12 +34,16 @@ namespace squeal
              const double edge,
              const bool   is_apart);
 
-    /** Adds all steps of another stretch. */
+    /** Adds all steps of the stretch that follows. */
     void add(const ForceStatistics &other);
 
     /** Roots of the mean squares about the means, N; 0 without steps. */
     double rms_normal() const;
     double rms_tangential() const;
+
+    /** The forces of the steps, N. */
+    SignalPiece normal() const;
+    SignalPiece tangential() const;
   };
 
   /** Equally long stretches that a run is cut into: its second half, the
@@ -47,6 +55,19 @@ namespace squeal
   ForceStatistics statistics_of(const std::vector<ForceStatistics> &stretches,
                                 const unsigned int                  first,
                                 const unsigned int                  end);
+
+  /** What both forces vibrate by in each quarter of some stretches, N, beside
+   * the slow part of all of them (slow_part.h): a load that comes on, and
+   * friction that follows a speed, are no vibration. */
+  struct QuarterVibrations
+  {
+    std::vector<double> normal, tangential; /**< four each */
+  };
+
+  /** Of the stretch number @p first up to the one before @p end. */
+  QuarterVibrations vibrations_of(const std::vector<ForceStatistics> &stretches,
+                                  const unsigned int                  first,
+                                  const unsigned int                  end);
 } // namespace squeal
 
 #endif

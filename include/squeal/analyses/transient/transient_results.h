@@ -10,6 +10,7 @@
 #include <squeal/transient/linearized_motion.h>
 #include <squeal/transient/spectrum.h>
 
+#include <complex>
 #include <limits>
 #include <memory>
 #include <string>
@@ -65,7 +66,7 @@ namespace squeal
      * outside it grows. */
     std::string verdict;
     /** That motion in words, "a motion at 38995 Hz, outside the band, grows
-     * (sigma of 6.52 1/s)"; empty where there is none. */
+     * (sigma of 6.52 1/s)"; empty where there is none that is of the run. */
     std::string growing_outside;
     double linear_start = 0., linear_end = 0.; /**< of the linear phase, s */
 
@@ -80,7 +81,11 @@ namespace squeal
     /** The normal force is steady and the tangential one vibrates, as in pure
      * stick-slip: it is the one whose vibration is judged. */
     bool   by_tangential = false;
-    double least_rms = 0., most_rms = 0.; /**< of its four quarters, N */
+    double least_rms = 0., most_rms = 0.; /**< of its four quarters, N, beside
+                                             what the force drifts by */
+    /** Neither force vibrates by more than noise, in the first half of the run
+     * either. */
+    bool   is_silent = false;
     double frequency = 0.; /**< of the periodic resultant that is judged, Hz */
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
@@ -113,20 +118,33 @@ namespace squeal
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
 
-  /** What grows fastest about steady sliding, if it grows and is outside the
-   * band of @p parameters, as TransientFigures::growing_outside. */
+  /** Whether a run by the integrator of @p t has the motion of eigenvalue
+   * @p lambda, 1/s, of the reduced model. Above the cut-off the reduced model
+   * has motions that the bodies do not have: they are motions of the reduced
+   * integrator, not of those of all unknowns. */
+  bool is_of_the_run(const std::complex<double> lambda,
+                     const TransientParameters &t);
+
+  /** What grows fastest about steady sliding, of the motions of the run, if it
+   * grows and is outside the band of @p parameters, as
+   * TransientFigures::growing_outside. */
   std::string text_of_growth_outside(const LinearizedMotion &linear,
                                      const Parameters       &parameters);
 
   /** The limit cycle in words, or why there is none. */
   std::string limit_cycle_text(const TransientFigures &figures);
 
+  /** Whether the force that is judged is steady, but for a drift and noise,
+   * over the second half of the run. */
+  bool nothing_vibrates(const TransientFigures &figures);
+
   /** Of a run that has none: what it does instead. */
   std::string reason_for_no_cycle(const TransientFigures &figures);
 
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
-   * mean squares about the mean, N, of the normal force or, where that does not
-   * vibrate, of the tangential one (TransientFigures::by_tangential). */
+   * mean squares, N, of the normal force or, where that does not vibrate, of
+   * the tangential one (TransientFigures::by_tangential), about the parabola
+   * that is nearest to it: a load that comes on is no vibration. */
   struct TriggerOutcome
   {
     double before = 0.; /**< over the last quarter of the time before it */
@@ -135,10 +153,10 @@ namespace squeal
     /** Time from the end of the trigger to the last window of a hundredth of
      * the run in which the vibration exceeds 10 % of the mean force, s. */
     double lasting = 0.;
-    /** `squeal by itself`: it is there before the trigger, above 1 % of the
-     * mean normal force, or lasts to the end where steady sliding is unstable,
-     * so that it would have come without the trigger; `squeal after the
-     * trigger`: it lasts to the end; `temporary after the trigger`: it decays;
+    /** `squeal by itself`: it lasts to the end and is there before the trigger,
+     * above 1 % of the mean normal force, or steady sliding is unstable, so
+     * that it would have come without the trigger; `squeal after the trigger`:
+     * it lasts to the end; `temporary after the trigger`: it decays;
      * `none`: no vibration above 1 % follows; `run too short`: less than a
      * tenth of the run follows; empty: no trigger. */
     std::string text;
