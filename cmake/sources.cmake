@@ -416,8 +416,6 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/work_precision/figure_ladders.cc
     source/analyses/work_precision/ladder.cc
     source/analyses/work_precision/run_work_precision.cc)
-    source/analyses/work_precision/run_work_precision.cc
-    source/analyses/work_precision/rung_figures.cc)
 
 set(SQUEAL_SOURCES
     ${SQUEAL_SOURCES_BASE}
