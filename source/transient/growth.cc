@@ -55,10 +55,10 @@ namespace squeal
       for (const double s : slopes)
         variance += (s - mean) * (s - mean) / n_parts;
       const std::size_t middle = x.size() / 2;
-    const double      halves =
-      std::abs(slope(x, y, 0, middle) - slope(x, y, middle, x.size()));
-    return {slope(x, y, 0, x.size()),
-            std::max(student * std::sqrt(variance / (n_parts - 1.)), halves)};
+      const double      halves =
+        std::abs(slope(x, y, 0, middle) - slope(x, y, middle, x.size()));
+      return {slope(x, y, 0, x.size()),
+              std::max(student * std::sqrt(variance / (n_parts - 1.)), halves)};
     }
   } // namespace
 
