@@ -8,6 +8,8 @@
 #include <squeal/discretization/affine_system.h>
 #include <squeal/model/imported_system.h>
 
+#include <deal.II/base/mpi.h>
+
 #include "../check.h"
 #include "../scene/import_helpers.h"
 
@@ -128,8 +130,9 @@ namespace
 
 
 int
-main()
+main(int argc, char **argv)
 {
+  dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   test_friction(false);
   test_friction(true);
   test_damping();
