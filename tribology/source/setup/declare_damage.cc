@@ -218,7 +218,9 @@ namespace squeal::tribology
     schema.add("Fatemi Socie factor",
                s.fatemi_socie_k,
                Allowed::number(0., 10.),
-               "Factor of the normal stress in Fatemi-Socie.");
+               "Factor k of the largest normal stress s_n,max in Fatemi-Socie, "
+               "(dgamma/2) (1 + k max(s_n,max, 0)/s_y): a plane that is always "
+               "pressed counts its shear strain alone.");
     schema.add("Tensile strength",
                s.tensile_strength,
                Allowed::number(0.),
