@@ -74,6 +74,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/statistics.cc
     source/images/stored_pixels.cc
     source/images/tiff_directory.cc
+    source/setup/check_damage.cc
     source/setup/choices.cc
     source/setup/declare.cc
     source/setup/declare_correlation.cc
