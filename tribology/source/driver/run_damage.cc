@@ -224,10 +224,9 @@ namespace squeal::tribology
       const std::string column =
         "damage_" + slope_name(fatigue.exponents.front()) + "_per_s";
       const std::vector<double> damage = table.reals(column);
-      const std::size_t         worst =
-        std::max_element(damage.begin(), damage.end()) - damage.begin();
-      const std::string &pair = study.reader.layout().pair;
-      const std::string  face =
+      const std::size_t         worst  = study.damage.worst_node();
+      const std::string        &pair   = study.reader.layout().pair;
+      const std::string         face =
         pair.empty() ? "the face" : "the face of " + pair;
       if (!(damage[worst] > 0.))
         return "no damage on " + face + ": " + why_no_damage(table, fatigue);
