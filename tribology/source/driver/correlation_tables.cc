@@ -23,7 +23,7 @@ namespace squeal::tribology
     Json
     interval(const std::array<double, 2> &ends)
     {
-      return {ends[0], ends[1]};
+      return {number(ends[0]), number(ends[1])};
     }
 
 
@@ -173,8 +173,8 @@ namespace squeal::tribology
                        t.p_adjusted,
                        t.interval[0],
                        t.interval[1],
-                       t.bootstrap[0],
-                       t.bootstrap[1],
+                       or_missing(t.bootstrap[0]),
+                       or_missing(t.bootstrap[1]),
                        t.power,
                        verdict_text(t.verdict_without, is_synthetic),
                        t.p_without,

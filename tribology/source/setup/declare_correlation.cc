@@ -50,12 +50,13 @@ namespace squeal::tribology
                "Phase-randomised maps behind each p-value, at least; more are "
                "drawn where many links are tested, so that the corrected level "
                "can be reached.");
-    schema.add("Bootstraps",
-               c.n_bootstraps,
-               Allowed::integer(0, 1000000),
-               "Resamplings behind each bootstrap interval, of what cells have "
-               "of their own once causes and neighbours are taken out; 0: no "
-               "such interval.");
+    schema.add(
+      "Bootstraps",
+      c.n_bootstraps,
+      Allowed::integer(0, 1000000),
+      "Resamplings behind each bootstrap interval, of what cells have "
+      "of their own once causes and neighbours are taken out, at least "
+      "20; 0: no such interval.");
     schema.add(
       "Shared causes",
       c.shared_causes,
@@ -143,5 +144,12 @@ namespace squeal::tribology
     if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
       prm::refuse_entry(
         section, "Groups", "has not one group for each of 'Damage tables'");
+    if (c.n_bootstraps > 0 && c.n_bootstraps < c.least_bootstraps)
+      prm::refuse_entry(section,
+                        "Bootstraps",
+                        "is " + std::to_string(c.n_bootstraps) +
+                          ", from which no interval can be made: 0 or at "
+                          "least " +
+                          std::to_string(c.least_bootstraps));
   }
 } // namespace squeal::tribology

@@ -94,6 +94,8 @@ namespace squeal::tribology
     test.reference   = reference_links(feature, p.leading_edge);
     test.conditional = conditional.measure(index, feature);
     if (x.size() < 4 || std::isnan(test.r))
+    if (p.n_bootstraps == 0)
+      test.bootstrap = {{NAN, NAN}};
       {
         test.rho = test.auc = test.overlap = NAN;
         return test;
@@ -109,8 +111,9 @@ namespace squeal::tribology
       surrogate_p_value(index, feature, n_surrogates, generator);
     test.interval = correlation_interval(test.r, test.n_effective, p.level);
     test.conditional_interval = conditional_interval(test.conditional, p.level);
-    test.bootstrap =
-      bootstrap_interval(test.conditional, p.n_bootstraps, p.level, generator);
+    if (p.n_bootstraps > 0)
+      test.bootstrap = bootstrap_interval(
+        test.conditional, p.n_bootstraps, p.level, generator);
     return test;
   }
 

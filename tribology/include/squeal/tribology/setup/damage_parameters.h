@@ -191,6 +191,9 @@ namespace squeal
       std::vector<std::string> damage_tables;  /**< one for each pad */
       std::vector<std::string> feature_tables; /**< one for each pad */
       std::vector<std::string> indices;  /**< columns of the damage tables */
+      /** Fewer resamplings make no interval. */
+      static constexpr unsigned int least_bootstraps = 20;
+
       std::vector<std::string> features; /**< columns of the feature tables */
       std::vector<std::string> groups;   /**< of the pads: silent, squealing */
       std::vector<std::string> runs;     /**< directories that led here */
