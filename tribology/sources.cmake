@@ -89,9 +89,11 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/group_comparison.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
+    source/statistics/pad_warnings.cc
     source/statistics/quantity_text.cc
     source/statistics/self_test.cc
     source/statistics/shared_causes.cc
+    source/statistics/sliding_of_pad.cc
     source/statistics/spatial.cc
     source/statistics/spatial_covariance.cc
     source/subsurface/half_space.cc

@@ -67,7 +67,10 @@ namespace squeal::tribology
       "concentrate at a rim look linked.");
     schema.add("Leading edge",
                c.leading_edge,
-               "Where the disc enters under the pad, which lies along y.");
+               "Where the disc enters under the pad. 'automatic': the edge "
+               "that the sliding direction of each damage table tells, and the "
+               "lowest y for a table without one. An edge that contradicts a "
+               "table is refused.");
     schema.add("Covariates",
                c.covariates,
                Allowed::list(Allowed::text()),
@@ -141,9 +144,6 @@ namespace squeal::tribology
                             "names '" + name +
                               "', which is among 'Indices' or 'Features': "
                               "remove it from one of them");
-    if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
-      prm::refuse_entry(
-        section, "Groups", "has not one group for each of 'Damage tables'");
     if (c.n_bootstraps > 0 && c.n_bootstraps < c.least_bootstraps)
       prm::refuse_entry(section,
                         "Bootstraps",
@@ -151,5 +151,8 @@ namespace squeal::tribology
                           ", from which no interval can be made: 0 or at "
                           "least " +
                           std::to_string(c.least_bootstraps));
+    if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
+      prm::refuse_entry(
+        section, "Groups", "has not one group for each of 'Damage tables'");
   }
 } // namespace squeal::tribology

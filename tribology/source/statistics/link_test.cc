@@ -91,11 +91,12 @@ namespace squeal::tribology
     test.n_cells     = x.size();
     test.n_effective = static_cast<double>(x.size());
     test.r           = pearson(x, y);
-    test.reference   = reference_links(feature, p.leading_edge);
+    test.reference =
+      reference_links(feature, conditional.shared_causes().leading_edge);
     test.conditional = conditional.measure(index, feature);
-    if (x.size() < 4 || std::isnan(test.r))
     if (p.n_bootstraps == 0)
       test.bootstrap = {{NAN, NAN}};
+    if (x.size() < 4 || std::isnan(test.r))
       {
         test.rho = test.auc = test.overlap = NAN;
         return test;
