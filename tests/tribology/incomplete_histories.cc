@@ -271,9 +271,16 @@ namespace
     damage.nodes[1].damage = {1., 5.};
     check(damage.worst_node() == 0, "the first slope tells the worst node");
     run_damage("  set File = known.h5\n");
+    const Outcome outcome =
+      run_program({program, "test.prm", "--set", "Output/Plots = true"});
+    check(outcome.code == 0, "the run ends well: " + outcome.errors);
+    const std::string picture = "damage/plots/range_mean.svg";
+    if (!std::filesystem::exists(picture))
+      return; // nothing draws here
     check(has(text_of("damage/report.html"),
-              "node with the largest damage of slope m3:"),
-          "the caption names the slope");
+              "node with the largest damage of slope m3:") &&
+            has(text_of(picture), "where damage of slope m3 is largest"),
+          "caption and title name the slope");
   }
 
 
