@@ -74,6 +74,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/statistics.cc
     source/images/stored_pixels.cc
     source/images/tiff_directory.cc
+    source/setup/check_damage.cc
     source/setup/choices.cc
     source/setup/declare.cc
     source/setup/declare_correlation.cc
@@ -88,9 +89,11 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/group_comparison.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
+    source/statistics/pad_warnings.cc
     source/statistics/quantity_text.cc
     source/statistics/self_test.cc
     source/statistics/shared_causes.cc
+    source/statistics/sliding_of_pad.cc
     source/statistics/spatial.cc
     source/statistics/spatial_covariance.cc
     source/subsurface/half_space.cc

@@ -7,6 +7,7 @@
 
 #include <squeal/results/contact_history.h>
 #include <squeal/results/table.h>
+#include <squeal/tribology/damage/history_damage.h>
 
 #include <random>
 
@@ -27,9 +28,11 @@ namespace
                 const bool                 has_slip_rate,
                 const double               friction = .5,
                 const bool                 is_open  = false,
-                const double               slip     = 2.)
+                const double               slip     = 2.,
+                const std::string         &name     = "")
   {
     HistoryLayout layout;
+    layout.name = name;
     for (const double y : {0., 1e-3})
       for (const double x : {0., 1e-3})
         layout.points.push_back({{x, y, 0.}});
@@ -216,6 +219,72 @@ namespace
 
 
 
+  /** A history alone is called what it calls itself. */
+  void
+  names_of_runs()
+  {
+    const auto names = []() {
+      const Table              totals = read_csv("damage/totals.csv");
+      std::vector<std::string> texts;
+      for (std::size_t i = 0; i < totals.n_rows(); ++i)
+        texts.push_back(totals.is_missing(i, "run") ? ""
+                                                    : totals.text(i, "run"));
+      return texts;
+    };
+    using Names                     = std::vector<std::string>;
+    const std::vector<double> times = {0., 1e-3, 2e-3}, p = {1e6, 2e6, 1e6};
+    write_history("named.h5", times, p, true, .5, false, 2., "quiet braking");
+    run_damage("  set File = named.h5\n");
+    check(names() == Names{"quiet braking"}, "one history: its own name");
+    run_damage("  set File = known.h5\n");
+    check(names() == Names{""}, "one without a name: none");
+    run_damage("  set File = known.h5\n  set Silent file = named.h5\n");
+    check(names() == Names{"squealing", "silent"}, "two that are compared");
+  }
+
+
+
+  /** Of a face that is pulled the largest pressure is the least tension. */
+  void
+  tension()
+  {
+    write_history(
+      "pulled.h5", {0., 1e-3, 2e-3, 3e-3}, {-3e6, -1e6, -3e6, -3e6}, true);
+    run_damage("  set File = pulled.h5\n");
+    const Table damage = read_csv("damage/damage.csv");
+    check(damage.real(0, "peak_pressure_pa") == -1e6, "peak of a tension");
+    check_close(damage.real(0, "mean_pressure_pa"),
+                -(2. + 2. + 3.) / 3. * 1e6,
+                1e-9,
+                "its mean by the trapezoidal rule");
+  }
+
+
+
+  /** Headline, picture and caption speak of the same slope. */
+  void
+  worst_node_of_two_slopes()
+  {
+    tribology::HistoryDamage damage;
+    damage.nodes.resize(2);
+    damage.nodes[0].damage = {2., 1.};
+    damage.nodes[1].damage = {1., 5.};
+    check(damage.worst_node() == 0, "the first slope tells the worst node");
+    run_damage("  set File = known.h5\n");
+    const Outcome outcome =
+      run_program({program, "test.prm", "--set", "Output/Plots = true"});
+    check(outcome.code == 0, "the run ends well: " + outcome.errors);
+    const std::string picture = "damage/plots/range_mean.svg";
+    if (!std::filesystem::exists(picture))
+      return; // nothing draws here
+    check(has(text_of("damage/report.html"),
+              "node with the largest damage of slope m3:") &&
+            has(text_of(picture), "where damage of slope m3 is largest"),
+          "caption and title name the slope");
+  }
+
+
+
   /** Low-pass noise about a compression that Goodman rewards. */
   void
   gaussian_noise()
@@ -291,6 +360,9 @@ main(int argc, char **argv)
   without_slip_rate();
   pauses();
   contradictions();
+  names_of_runs();
+  tension();
+  worst_node_of_two_slopes();
   gaussian_noise();
   order();
 }

@@ -114,6 +114,15 @@ namespace
                 190. * 2.6 / 2e5,
                 1e-9,
                 "Fatemi-Socie without k: the shear strain amplitude");
+    // Under 500 MPa from all sides every plane is pressed all the time.
+    StressHistory pressed = torsion;
+    for (Stress &stress : pressed)
+      for (const int i : {0, 1, 2})
+        stress[i] -= 500.;
+    check_close(evaluate(C::fatemi_socie, pressed).value,
+                190. * 2.6 / 2e5,
+                1e-9,
+                "Fatemi-Socie: pressure takes nothing off the shear strain");
     check_close(evaluate(C::rankine, axial).value, 300., 1e-9, "Rankine");
     check_close(evaluate(C::rankine, torsion).value,
                 190.,

@@ -148,6 +148,9 @@ namespace
       write_png("worn_anna.png", all);
       std::filesystem::create_directories("berta");
       write_png("berta/worn.png", half);
+      cv::Mat below = cv::Mat::zeros(all.size(), CV_8U);
+      all.rowRange(0, all.rows - 6).copyTo(below.rowRange(6, all.rows));
+      write_png("worn_below.png", below);
       // ilastik writes labels, background 1 and cracks 2, of the frame alone.
       cv::Mat labels = 1 + cv::Mat(all / 255);
       write_png("worn-labels.png", labels(frame));
@@ -284,12 +287,20 @@ namespace
     const auto   pair  = rating.at("pairs").at(0);
     const double kappa = pair.at("cohen_kappa").at("value");
     check(kappa > 0.3 && kappa < 0.99, "they agree in part");
+    check(text_of("out/run.log").find(" agree on ") == std::string::npos,
+          "which is enough for a consensus");
     check_close(pair.at("dice").get<double>(),
                 kappa,
                 0.05,
                 "of few pixels kappa is about Dice");
     check(image.at("exfoliation").at("rating").at("raters").size() == 1,
           "areas have raters of their own");
+    // Lines of two pixels' tolerance that lie six pixels apart are others.
+    run("  set Masks = worn_anna.png, worn_below.png\n");
+    check(
+      unbroken(text_of("out/run.log")).find("'anna' and 'below' agree on") !=
+        std::string::npos,
+      "raters who marked other places are warned of");
   }
 
 

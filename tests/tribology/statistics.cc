@@ -120,7 +120,7 @@ namespace
       : causes(shared_causes(n,
                              n,
                              parameters().shared_causes,
-                             parameters().leading_edge,
+                             LeadingEdge::lowest_y,
                              measured))
       , tests(causes)
     {

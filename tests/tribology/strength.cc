@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // S-N curves, mean stress and spectral damage against closed forms.
+#include <squeal/base/exceptions.h>
 #include <squeal/tribology/fatigue/damage_counter.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
+#include <functional>
 #include <random>
 
 #include "check.h"
@@ -209,6 +211,69 @@ namespace
       flat.spectrum().moments()[0], 1., 1.5e-2, "Welch: variance of noise");
   }
 
+  /** What belongs to another model, rule or criterion is not passed over. */
+  void
+  unused_entries()
+  {
+    using F = FatigueParameters;
+    using S = SubsurfaceParameters;
+    using C = S::Criterion;
+    check_fatigue(F());
+    check_subsurface(S());
+    const std::vector<std::pair<std::string, std::function<void(F &)>>>
+      of_fatigue = {
+        {"Knee stress", [](F &f) { f.knee_stress = 5e6; }},
+        {"Second exponent", [](F &f) { f.second_exponent = 30.; }},
+        {"Ultimate strength", [](F &f) { f.ultimate_strength = 1e7; }},
+        {"Strength coefficient", [](F &f) { f.strength_coefficient = 1e7; }},
+        {"Walker exponent", [](F &f) { f.walker_exponent = .5; }}};
+    for (const auto &[entry, set] : of_fatigue)
+      {
+        F f;
+        set(f);
+        check_throws<InputError>([&f]() { check_fatigue(f); },
+                                 "'Fatigue/" + entry + "' is set but not used",
+                                 entry + " without its rule");
+      }
+    F used;
+    used.model             = F::Model::bilinear;
+    used.knee_stress       = 5e6;
+    used.second_exponent   = 30.;
+    used.mean_stress       = Kind::gerber;
+    used.ultimate_strength = 1e7;
+    check_fatigue(used);
+    const std::vector<std::pair<std::string, std::function<void(S &)>>>
+      of_criteria = {
+        {"Torsion ratio", [](S &s) { s.torsion_ratio = .6; }},
+        {"Repeated limit", [](S &s) { s.repeated_limit = 1e7; }},
+        {"Yield stress", [](S &s) { s.yield_stress = 1e7; }},
+        {"Fatemi Socie factor", [](S &s) { s.fatemi_socie_k = 1.; }},
+        {"Tensile strength", [](S &s) { s.tensile_strength = 1e7; }},
+        {"Compressive strength", [](S &s) { s.compressive_strength = 1e7; }},
+        {"Plane step", [](S &s) { s.plane_step = 10.; }},
+        {"Finest cell", [](S &s) { s.finest_cell = 1e-4; }}};
+    for (const auto &[entry, set] : of_criteria)
+      {
+        S s;
+        s.criteria = {entry == "Tensile strength" ||
+                          entry == "Compressive strength" ||
+                          entry == "Plane step"
+                        ? C::crossland
+                        : C::rankine};
+        set(s);
+        check_throws<InputError>([&s]() { check_subsurface(s); },
+                                 "'Subsurface/" + entry +
+                                   "' is set but not used",
+                                 entry + " without its criterion");
+        s.compute = false;
+        check_subsurface(s);
+        s.compute       = true;
+        s.pad_thickness = .01;
+        s.criteria      = {C::sines, C::fatemi_socie, C::drucker_prager};
+        check_subsurface(s);
+      }
+  }
+
   /** Counting agrees with Dirlik for the process he fitted. */
   void
   counted_noise()
@@ -259,5 +324,6 @@ main()
   mean_stress();
   curves();
   spectra();
+  unused_entries();
   counted_noise();
 }

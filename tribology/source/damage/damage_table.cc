@@ -248,9 +248,15 @@ namespace squeal::tribology
 
     Table table(
       {{"node", Table::Type::integer, "", "contact node, from 0"},
-       {"x_m", Table::Type::real, "m", "place of the node, radial", 4},
-       {"y_m", Table::Type::real, "m", "place along the sliding direction", 4},
-       {"area_m2", Table::Type::real, "m^2", "tributary area", 4}});
+       {"x_m", Table::Type::real, "m", "place along the face's first axis", 4},
+       {"y_m", Table::Type::real, "m", "place along its second axis", 4},
+       {"area_m2", Table::Type::real, "m^2", "tributary area", 4},
+       {"sliding_x",
+        Table::Type::real,
+        "",
+        "direction in which the disc slides, 0 and 0: all round",
+        4},
+       {"sliding_y", Table::Type::real, "", "the same, second axis", 4}});
     for (const Quantity &q : list)
       table.add_column(q.column);
     const std::vector<SubsurfaceParameters::Criterion> criteria =
@@ -280,8 +286,12 @@ namespace squeal::tribology
 
     for (std::size_t k = 0; k < grid.n_nodes(); ++k)
       {
-        std::vector<Cell> row = {
-          k, grid.place(k)[0], grid.place(k)[1], grid.area(k)};
+        std::vector<Cell> row = {k,
+                                 grid.place(k)[0],
+                                 grid.place(k)[1],
+                                 grid.area(k),
+                                 grid.sliding()[0],
+                                 grid.sliding()[1]};
         for (const Quantity &q : list)
           row.push_back(q.may_be_missing
                           ? or_missing(q.value(squealing.nodes[k]))

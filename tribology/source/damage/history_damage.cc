@@ -132,6 +132,18 @@ namespace squeal::tribology
 
 
 
+  std::size_t
+  HistoryDamage::worst_node() const
+  {
+    std::size_t worst = 0;
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+      if (nodes[k].damage.front() > nodes[worst].damage.front())
+        worst = k;
+    return worst;
+  }
+
+
+
   HistoryWindow
   history_window(const HistoryReader &reader, const HistoryParameters &p)
   {

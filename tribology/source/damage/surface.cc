@@ -72,7 +72,10 @@ namespace squeal::tribology
             const Moment now    = moment(s, i, node);
             Moment      &before = last[node];
             SurfaceSums &sum    = result[node];
-            sum.peak_pressure   = std::max(sum.peak_pressure, now.pressure);
+            // Of a history under tension it is negative.
+            sum.peak_pressure = has_last
+                                  ? std::max(sum.peak_pressure, now.pressure)
+                                  : now.pressure;
             if (has_last)
               {
                 const double push = .5 * dt * (before.pressure + now.pressure);

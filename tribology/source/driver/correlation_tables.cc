@@ -23,7 +23,7 @@ namespace squeal::tribology
     Json
     interval(const std::array<double, 2> &ends)
     {
-      return {ends[0], ends[1]};
+      return {number(ends[0]), number(ends[1])};
     }
 
 
@@ -94,7 +94,8 @@ namespace squeal::tribology
              "leading edge on"),
         real("rim_correlation",
              "of the feature with a map that only decays from the rim "
-             "on")};
+             "on"),
+        text("leading_edge", "edge of the pad taken for the leading one")};
     }
 
 
@@ -173,8 +174,8 @@ namespace squeal::tribology
                        t.p_adjusted,
                        t.interval[0],
                        t.interval[1],
-                       t.bootstrap[0],
-                       t.bootstrap[1],
+                       or_missing(t.bootstrap[0]),
+                       or_missing(t.bootstrap[1]),
                        t.power,
                        verdict_text(t.verdict_without, is_synthetic),
                        t.p_without,
@@ -188,7 +189,8 @@ namespace squeal::tribology
                        t.index_cells,
                        t.feature_cells,
                        or_missing(t.reference.leading_edge),
-                       or_missing(t.reference.rim)});
+                       or_missing(t.reference.rim),
+                       choice_name(t.reference.edge)});
       }
     return table;
   }
@@ -253,6 +255,7 @@ namespace squeal::tribology
            {"feature_cells", number(t.feature_cells)},
            {"leading_edge_correlation", number(t.reference.leading_edge)},
            {"rim_correlation", number(t.reference.rim)},
+           {"leading_edge", choice_name(t.reference.edge)},
            {"verdict", verdict_text(t.verdict, is_synthetic)}});
       }
     return list;

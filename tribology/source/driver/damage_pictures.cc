@@ -44,18 +44,6 @@ namespace squeal::tribology
 
 
 
-    std::size_t
-    worst_node(const HistoryDamage &damage)
-    {
-      std::size_t worst = 0;
-      for (std::size_t k = 1; k < damage.nodes.size(); ++k)
-        if (damage.nodes[k].damage.back() > damage.nodes[worst].damage.back())
-          worst = k;
-      return worst;
-    }
-
-
-
     void
     draw_damage(Context &context, const DamageStudy &study, const Table &table)
     {
@@ -81,7 +69,7 @@ namespace squeal::tribology
            table, "impulse_per_impact_pa_s", "Impulse of an impact", "Pa s"),
          map_of(table, "stick_slip_per_s", "Stick-slip changes", "1/s")},
         "surface_maps");
-      const std::size_t      worst  = worst_node(study.damage);
+      const std::size_t      worst  = study.damage.worst_node();
       const RangeMeanMatrix &matrix = study.damage.matrices[worst];
       std::vector<double>    ranges, means;
       for (std::size_t i = 0; i < matrix.n_classes(); ++i)
@@ -89,13 +77,14 @@ namespace squeal::tribology
           ranges.push_back(matrix.range(i));
           means.push_back(matrix.mean(i));
         }
-      context.plotter.draw(draw_matrix(ranges,
-                                       means,
-                                       matrix.values(),
-                                       "Cycles at node " +
-                                         std::to_string(worst) +
-                                         ", where damage is largest"),
-                           context.plot_path("range_mean" + study.suffix()));
+      context.plotter.draw(
+        draw_matrix(ranges,
+                    means,
+                    matrix.values(),
+                    "Cycles at node " + std::to_string(worst) +
+                      ", where damage of slope " +
+                      slope_name(f.exponents.front()) + " is largest"),
+        context.plot_path("range_mean" + study.suffix()));
     }
 
 

@@ -115,12 +115,15 @@ namespace squeal::tribology
     report.figure(picture("damage_maps"),
                   "Damage seen through the back of the pad; " +
                     where_it_slides(study.grid) + ".");
-    report.figure(picture("range_mean"),
-                  "Range-mean matrix of the node with the largest damage: "
-                  "number of counted cycles of each range and mean of the " +
-                    counted_stress(p.fatigue) +
-                    ", both in MPa, a box for each class; white: none.",
-                  true);
+    report.figure(
+      picture("range_mean"),
+      "Range-mean matrix of the node with the largest damage of "
+      "slope " +
+        slope_name(p.fatigue.exponents.front()) +
+        ": number of counted cycles of each range and mean of the " +
+        counted_stress(p.fatigue) +
+        ", both in MPa, a box for each class; white: none.",
+      true);
     if (silent)
       report.figure(
         picture("ratio_maps"),

@@ -185,7 +185,8 @@ namespace squeal::tribology
       report.list(shared_cause_sentences(links, p));
       report.figure(
         plots + "scatter.png", "The link with the smallest p-value.", true);
-      report.figure(plots + "maps.png", "Its two maps.");
+      report.figure(plots + "maps.png",
+                    "Its two maps; the disc slides along the arrow.");
       report.section("Groups");
       if (groups.empty())
         report.paragraph("All pads are of one group.");
@@ -251,6 +252,8 @@ namespace squeal::tribology
     if (!pads.empty())
       json["shared_causes"] = pads[0].causes.names;
     for (const std::string &line : warnings_of_thin_cells(pads, p))
+      context.log.warning(line);
+    for (const std::string &line : warnings_of_assumed_edges(pads, p))
       context.log.warning(line);
     for (const std::string &line : warnings_of_few_cells(links))
       context.log.warning(line);

@@ -60,6 +60,20 @@ namespace squeal::tribology
 
 
 
+    /** Which of two histories @p study is; of one that is compared with none
+     * nobody knows whether it squeals: its own name, or nothing. */
+    Cell
+    name_of_run(const DamageStudy                      &study,
+                const std::vector<const DamageStudy *> &studies)
+    {
+      if (studies.size() > 1)
+        return &study == studies[0] ? "squealing" : "silent";
+      const std::string &name = study.reader.layout().name;
+      return name.empty() ? Cell() : Cell(name);
+    }
+
+
+
     /** Totals over the face, one row for each history. */
     Table
     totals(const TribologyParameters              &p,
@@ -93,7 +107,7 @@ namespace squeal::tribology
               for (std::size_t c = 0; c < damage.size(); ++c)
                 damage[c] += a * node.damage[c] / study->damage.duration;
             }
-          std::vector<Cell> row = {study == studies[0] ? "squealing" : "silent",
+          std::vector<Cell> row = {name_of_run(*study, studies),
                                    study->damage.duration,
                                    pressure / area,
                                    study->damage.has_slip_rate ? Cell(power)
@@ -224,10 +238,9 @@ namespace squeal::tribology
       const std::string column =
         "damage_" + slope_name(fatigue.exponents.front()) + "_per_s";
       const std::vector<double> damage = table.reals(column);
-      const std::size_t         worst =
-        std::max_element(damage.begin(), damage.end()) - damage.begin();
-      const std::string &pair = study.reader.layout().pair;
-      const std::string  face =
+      const std::size_t         worst  = study.damage.worst_node();
+      const std::string        &pair   = study.reader.layout().pair;
+      const std::string         face =
         pair.empty() ? "the face" : "the face of " + pair;
       if (!(damage[worst] > 0.))
         return "no damage on " + face + ": " + why_no_damage(table, fatigue);
@@ -311,7 +324,7 @@ namespace squeal::tribology
       if (r.silent)
         warn_of_missing_slip(context, *r.silent);
       const std::string of = pair.empty() ? pair : ", " + pair;
-      count(context, *r.study, "squealing" + of);
+      count(context, *r.study, (r.silent ? "squealing" : "contact") + of);
       if (r.silent)
         count(context, *r.silent, "silent" + of);
       if (p.subsurface.compute)

@@ -138,6 +138,11 @@ namespace squeal::tribology
           context.log.warning(
             m.path + ": with one mask nothing tells how far raters differ: "
                      "errors are those of measuring what is drawn");
+        if (!settings.is_beside)
+          for (const auto *rating : {&entry.crack_rating, &entry.area_rating})
+            if (*rating)
+              for (const std::string &line : disagreements(**rating))
+                context.log.warning(m.path + ": " + line);
       }
 
       void

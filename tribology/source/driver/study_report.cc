@@ -292,8 +292,9 @@ namespace squeal::tribology
         sentences.push_back(
           "Pad " + std::to_string(link->pad + 1) + ", " +
           QuantityText(link->feature).name +
-          ": any map that concentrates at the leading edge would reach r = " +
-          rounded_text(t.reference.leading_edge, 2) +
+          ": any map that concentrates at the leading edge, " +
+          choice_name(t.reference.edge) +
+          ", would reach r = " + rounded_text(t.reference.leading_edge, 2) +
           ", any that concentrates at the rim r = " +
           rounded_text(t.reference.rim, 2) + "; the best index, " +
           QuantityText(link->index).name + ", reaches " + rounded_text(t.r, 2) +

@@ -128,9 +128,15 @@ namespace squeal::tribology
 
 
   ContactGrid::ContactGrid(const std::vector<std::array<double, 3>> &points,
-                           const std::vector<double>                &areas)
+                           const std::vector<double>                &areas,
+                           const std::array<double, 2>              &sliding)
     : areas(areas)
   {
+    const double length = std::hypot(sliding[0], sliding[1]);
+    if (length > least_direction)
+      slides = {{sliding[0] / length, sliding[1] / length}};
+    else
+      slides = {{0., 0.}};
     build(points);
     set_outline();
   }
@@ -138,16 +144,10 @@ namespace squeal::tribology
 
 
   ContactGrid::ContactGrid(const HistoryLayout &layout)
-    : ContactGrid(layout.points, layout.areas)
+    : ContactGrid(layout.points, layout.areas, layout.sliding)
   {
     if (!layout.quads.empty())
       pieces = layout.quads;
-    const auto &[x, y]  = layout.sliding;
-    const double length = std::hypot(x, y);
-    if (length > least_direction)
-      slides = {{x / length, y / length}};
-    else
-      slides = {{0., 0.}};
     set_outline();
   }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/tribology/images/area_evidence.h>
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
@@ -14,6 +15,8 @@ namespace squeal::tribology
     const char *const own_name      = "squeal";
     // Deviation of a drawn outline, pixels.
     constexpr double drawn_outline = 0.7;
+    // Raters below this agree on less than they disagree.
+    constexpr double least_dice = 0.5;
 
     /** On the pad, um. */
     double
@@ -129,6 +132,24 @@ namespace squeal::tribology
     compare(
       rating, masks, pixels.of(segmentation.areas.exfoliation), areas.size());
     return rating;
+  }
+
+
+
+  std::vector<std::string>
+  disagreements(const Rating &rating)
+  {
+    std::vector<std::string> lines;
+    if (rating.agreement)
+      for (const PairAgreement &pair : rating.agreement->pairs)
+        if (pair.dice < least_dice)
+          lines.push_back("the raters '" + rating.raters[pair.first] +
+                          "' and '" + rating.raters[pair.second] +
+                          "' agree on " + rounded_text(100. * pair.dice, 2) +
+                          " % of what they marked: what counts is what at "
+                          "least half of the raters marked, of two raters "
+                          "the marks of both together");
+    return lines;
   }
 
 

@@ -115,8 +115,11 @@ namespace squeal::tribology
   Choices<LeadingEdge>
   choices(const LeadingEdge)
   {
-    return {{"lowest y", LeadingEdge::lowest_y},
-            {"highest y", LeadingEdge::highest_y}};
+    return {{"automatic", LeadingEdge::automatic},
+            {"lowest y", LeadingEdge::lowest_y},
+            {"highest y", LeadingEdge::highest_y},
+            {"lowest x", LeadingEdge::lowest_x},
+            {"highest x", LeadingEdge::highest_x}};
   }
 
 

@@ -50,12 +50,13 @@ namespace squeal::tribology
                "Phase-randomised maps behind each p-value, at least; more are "
                "drawn where many links are tested, so that the corrected level "
                "can be reached.");
-    schema.add("Bootstraps",
-               c.n_bootstraps,
-               Allowed::integer(0, 1000000),
-               "Resamplings behind each bootstrap interval, of what cells have "
-               "of their own once causes and neighbours are taken out; 0: no "
-               "such interval.");
+    schema.add(
+      "Bootstraps",
+      c.n_bootstraps,
+      Allowed::integer(0, 1000000),
+      "Resamplings behind each bootstrap interval, of what cells have "
+      "of their own once causes and neighbours are taken out, at least "
+      "20; 0: no such interval.");
     schema.add(
       "Shared causes",
       c.shared_causes,
@@ -66,7 +67,10 @@ namespace squeal::tribology
       "concentrate at a rim look linked.");
     schema.add("Leading edge",
                c.leading_edge,
-               "Where the disc enters under the pad, which lies along y.");
+               "Where the disc enters under the pad. 'automatic': the edge "
+               "that the sliding direction of each damage table tells, and the "
+               "lowest y for a table without one. An edge that contradicts a "
+               "table is refused.");
     schema.add("Covariates",
                c.covariates,
                Allowed::list(Allowed::text()),
@@ -140,6 +144,13 @@ namespace squeal::tribology
                             "names '" + name +
                               "', which is among 'Indices' or 'Features': "
                               "remove it from one of them");
+    if (c.n_bootstraps > 0 && c.n_bootstraps < c.least_bootstraps)
+      prm::refuse_entry(section,
+                        "Bootstraps",
+                        "is " + std::to_string(c.n_bootstraps) +
+                          ", from which no interval can be made: 0 or at "
+                          "least " +
+                          std::to_string(c.least_bootstraps));
     if (!c.groups.empty() && c.groups.size() != c.damage_tables.size())
       prm::refuse_entry(
         section, "Groups", "has not one group for each of 'Damage tables'");

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/parameters/checks.h>
 #include <squeal/parameters/schema.h>
 #include <squeal/tribology/setup/damage_parameters.h>
 
@@ -174,7 +173,8 @@ namespace squeal::tribology
     schema.add("Young modulus",
                s.youngs_modulus,
                Allowed::positive(),
-               "Of the pad, for strains.",
+               "Of the pad, for strains. Values over their limits, which is "
+               "what tables hold, do not depend on it.",
                "Pa");
     schema.add("Poisson ratio",
                s.poisson_ratio,
@@ -218,7 +218,9 @@ namespace squeal::tribology
     schema.add("Fatemi Socie factor",
                s.fatemi_socie_k,
                Allowed::number(0., 10.),
-               "Factor of the normal stress in Fatemi-Socie.");
+               "Factor k of the largest normal stress s_n,max in Fatemi-Socie, "
+               "(dgamma/2) (1 + k max(s_n,max, 0)/s_y): a plane that is always "
+               "pressed counts its shear strain alone.");
     schema.add("Tensile strength",
                s.tensile_strength,
                Allowed::number(0.),
@@ -236,57 +238,5 @@ namespace squeal::tribology
                "is refined.",
                "degrees");
     schema.leave_section();
-  }
-
-
-
-  void
-  check_fatigue(const FatigueParameters &f)
-  {
-    const std::string section = "Fatigue";
-    if (!f.constants.empty() && f.constants.size() != f.exponents.size())
-      prm::refuse_entry(
-        section, "Constants", "has not one value for each of 'Exponents'");
-    if (f.model == FatigueParameters::Model::bilinear)
-      {
-        if (f.knee_stress <= 0.)
-          prm::refuse_entry(section, "Knee stress", "is needed by 'bilinear'");
-        if (f.second_exponent <= 0.)
-          prm::refuse_entry(
-            section, "Second exponent", "is needed by 'bilinear'");
-      }
-    using M = FatigueParameters::MeanStress;
-    if ((f.mean_stress == M::goodman || f.mean_stress == M::gerber) &&
-        f.ultimate_strength <= 0.)
-      prm::refuse_entry(
-        section, "Ultimate strength", "is needed by this 'Mean stress'");
-    if (f.mean_stress == M::morrow && f.strength_coefficient <= 0.)
-      prm::refuse_entry(
-        section, "Strength coefficient", "is needed by 'Mean stress = morrow'");
-    if (f.accumulation == FatigueParameters::Accumulation::manson_halford &&
-        f.constants.empty())
-      prm::refuse_entry(section,
-                        "Constants",
-                        "are needed by 'Accumulation = manson halford', which "
-                        "is not linear");
-  }
-
-
-
-  void
-  check_subsurface(const SubsurfaceParameters &s)
-  {
-    if (s.compute && s.criteria.empty())
-      prm::refuse_entry("Subsurface",
-                        "Criteria",
-                        "is empty: name one or set 'Compute = false'");
-    for (const double depth : s.depths)
-      if (s.pad_thickness > 0. && depth >= s.pad_thickness)
-        prm::refuse_entry(
-          "Subsurface", "Depths", "reach the 'Pad thickness' or beyond");
-    if (s.compressive_strength > 0. && s.tensile_strength > 0. &&
-        s.compressive_strength < s.tensile_strength)
-      prm::refuse_entry(
-        "Subsurface", "Compressive strength", "is below 'Tensile strength'");
   }
 } // namespace squeal::tribology

@@ -121,7 +121,8 @@ namespace squeal::tribology
                      const double           level,
                      std::mt19937_64       &generator)
   {
-    if (!link.is_known || n < 20 || !(link.n_effective > 3.))
+    if (!link.is_known || n < CorrelationParameters::least_bootstraps ||
+        !(link.n_effective > 3.))
       return {{-1., 1.}};
     const auto &[x, y]            = link.pairs;
     const Eigen::ArrayXd products = x.array() * y.array(),
@@ -145,7 +146,7 @@ namespace squeal::tribology
         sum += z;
         squares += z * z;
       }
-    if (m < 20.)
+    if (m < CorrelationParameters::least_bootstraps)
       return {{link.r, link.r}};
     // n resampled pairs scatter by 1/n, n new ones by Fisher's 1/(n - 3); of
     // few pairs that carry most of the index the resampled ones know too little

@@ -91,8 +91,11 @@ namespace squeal::tribology
     test.n_cells     = x.size();
     test.n_effective = static_cast<double>(x.size());
     test.r           = pearson(x, y);
-    test.reference   = reference_links(feature, p.leading_edge);
+    test.reference =
+      reference_links(feature, conditional.shared_causes().leading_edge);
     test.conditional = conditional.measure(index, feature);
+    if (p.n_bootstraps == 0)
+      test.bootstrap = {{NAN, NAN}};
     if (x.size() < 4 || std::isnan(test.r))
       {
         test.rho = test.auc = test.overlap = NAN;
@@ -109,8 +112,9 @@ namespace squeal::tribology
       surrogate_p_value(index, feature, n_surrogates, generator);
     test.interval = correlation_interval(test.r, test.n_effective, p.level);
     test.conditional_interval = conditional_interval(test.conditional, p.level);
-    test.bootstrap =
-      bootstrap_interval(test.conditional, p.n_bootstraps, p.level, generator);
+    if (p.n_bootstraps > 0)
+      test.bootstrap = bootstrap_interval(
+        test.conditional, p.n_bootstraps, p.level, generator);
     return test;
   }
 

@@ -4,6 +4,7 @@
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
+#include <squeal/tribology/statistics/sliding_of_pad.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,8 @@ namespace squeal::tribology
                                 "x_m",
                                 "y_m",
                                 "area_m2",
+                                "sliding_x",
+                                "sliding_y",
                                 "coverage",
                                 "images",
                                 "pad"})
@@ -314,8 +317,12 @@ namespace squeal::tribology
         }
       if (points.empty())
         throw InputError("'" + damage_file + "' has no cells");
-      PadMaps pad;
-      pad.grid = std::make_unique<ContactGrid>(points, damage.reals("area_m2"));
+      PadMaps          pad;
+      const PadSliding sliding =
+        sliding_of_pad(damage, damage_file, p.leading_edge);
+      pad.is_edge_assumed = sliding.is_assumed;
+      pad.grid            = std::make_unique<ContactGrid>(
+        points, damage.reals("area_m2"), sliding.direction);
       if (!pad.grid->is_grid())
         throw InputError("'" + damage_file +
                          "': its cells form no rectangular grid");
@@ -381,7 +388,7 @@ namespace squeal::tribology
       pad.causes = shared_causes(pad.grid->n_x(),
                                  pad.grid->n_y(),
                                  p.shared_causes,
-                                 p.leading_edge,
+                                 sliding.leading_edge,
                                  measured);
       return pad;
     }
@@ -460,36 +467,6 @@ namespace squeal::tribology
             " cells are seen to less than 'Least coverage', " +
             rounded_text(p.least_coverage, 2) + ", and do not count in links");
       }
-    return warnings;
-  }
-
-
-
-  std::vector<std::string>
-  warnings_of_few_cells(const std::vector<PadLink> &links)
-  {
-    constexpr double                                           few = 20.;
-    std::map<std::pair<std::size_t, std::string>, std::string> lines;
-    for (const PadLink &l : links)
-      {
-        const ConditionalLink &c = l.test.conditional;
-        const std::string      start =
-          "pad " + std::to_string(l.pad + 1) + ", feature '" + l.feature +
-          "': " + std::to_string(l.test.n_cells) + " cells are known";
-        std::string text;
-        if (!c.is_known && std::isfinite(l.test.r))
-          text = start + ", too few beside " + std::to_string(c.n_taken) +
-                 " terms of 'Shared causes' and 'Covariates': nothing can be "
-                 "decided; show more of the pad or take out less";
-        else if (c.is_known && c.n_effective < few)
-          text = start + ", worth " + rounded_text(c.n_effective, 2) +
-                 " independent ones: only strong links can be found";
-        if (!text.empty())
-          lines.emplace(std::pair(l.pad, l.feature), text);
-      }
-    std::vector<std::string> warnings;
-    for (const auto &[key, text] : lines)
-      warnings.push_back(text);
     return warnings;
   }
 } // namespace squeal::tribology

@@ -46,11 +46,11 @@ namespace squeal::tribology
   SelfTest::SelfTest(const CorrelationParameters &p)
     : parameters(p)
     , plateaus(lowest_part(n, p.seed))
-    , causes(shared_causes(n, n, p.shared_causes, p.leading_edge))
+    , causes(shared_causes(n, n, p.shared_causes, LeadingEdge::lowest_y))
     , causes_with_plateaus(shared_causes(n,
                                          n,
                                          p.shared_causes,
-                                         p.leading_edge,
+                                         LeadingEdge::lowest_y,
                                          {{"plateaus", plateaus}}))
     , tests(causes)
     , tests_with_plateaus(causes_with_plateaus)
@@ -65,10 +65,8 @@ namespace squeal::tribology
     GridMap map{n, n, std::vector<double>(n * n, 0.)};
     for (std::size_t cell = 0; cell < n * n; ++cell)
       {
-        const std::size_t i = cell % n, row = cell / n;
-        const std::size_t j =
-          parameters.leading_edge == LeadingEdge::lowest_y ? row : n - 1 - row;
-        double &value = map.values[cell];
+        const std::size_t i = cell % n, j = cell / n;
+        double           &value = map.values[cell];
         switch (pattern)
           {
           case SharedPattern::none:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/unknown_choice.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/shared_causes.h>
 
@@ -16,41 +17,44 @@ namespace squeal::tribology
     /** Rings of cells from the rim on that have a term each. */
     constexpr std::size_t n_rings = 6;
 
-    /** Where a cell lies. */
+    /** Where a cell lies, seen along the sliding direction. */
     struct Place
     {
-      std::size_t n_x, n_y, i, j; /**< j counts from the leading edge on */
+      std::size_t n_across, n_along;
+      std::size_t i, j; /**< across; from the leading edge on */
 
       /** Across and along, -1 to 1. */
       double
       across() const
       {
-        return n_x > 1 ? 2. * i / (n_x - 1.) - 1. : 0.;
+        return n_across > 1 ? 2. * i / (n_across - 1.) - 1. : 0.;
       }
 
       double
       along() const
       {
-        return n_y > 1 ? 2. * j / (n_y - 1.) - 1. : 0.;
+        return n_along > 1 ? 2. * j / (n_along - 1.) - 1. : 0.;
       }
 
       /** Cells between this one and the rim. */
       std::size_t
       rim() const
       {
-        return std::min(std::min(i, n_x - 1 - i), std::min(j, n_y - 1 - j));
+        return std::min(std::min(i, n_across - 1 - i),
+                        std::min(j, n_along - 1 - j));
       }
 
       double
       rim_decay() const
       {
-        return std::exp(-double(rim()) / (decay_part * std::min(n_x, n_y)));
+        return std::exp(-double(rim()) /
+                        (decay_part * std::min(n_across, n_along)));
       }
 
       double
       leading_decay() const
       {
-        return std::exp(-double(j) / (decay_part * n_y));
+        return std::exp(-double(j) / (decay_part * n_along));
       }
     };
 
@@ -62,11 +66,21 @@ namespace squeal::tribology
           const std::size_t cell,
           const LeadingEdge leading)
     {
-      const std::size_t row = cell / n_x;
-      return {n_x,
-              n_y,
-              cell % n_x,
-              leading == LeadingEdge::lowest_y ? row : n_y - 1 - row};
+      const std::size_t column = cell % n_x, row = cell / n_x;
+      switch (leading)
+        {
+        case LeadingEdge::lowest_y:
+          return {n_x, n_y, column, row};
+        case LeadingEdge::highest_y:
+          return {n_x, n_y, column, n_y - 1 - row};
+        case LeadingEdge::lowest_x:
+          return {n_y, n_x, row, column};
+        case LeadingEdge::highest_x:
+          return {n_y, n_x, row, n_x - 1 - column};
+        case LeadingEdge::automatic:
+          break;
+        }
+      unknown_choice("leading edge");
     }
 
 
@@ -103,9 +117,9 @@ namespace squeal::tribology
                   [](const Place &p) {
                     return p.leading_decay() * p.across() * p.across();
                   },
-                  [](const Place &p) { return p.j == p.n_y - 1; },
+                  [](const Place &p) { return p.j == p.n_along - 1; },
                   [](const Place &p) { return p.i == 0; },
-                  [](const Place &p) { return p.i == p.n_x - 1; }};
+                  [](const Place &p) { return p.i == p.n_across - 1; }};
         }
       return {};
     }
@@ -164,8 +178,9 @@ namespace squeal::tribology
                 const LeadingEdge                 leading_edge,
                 const std::vector<MeasuredCause> &measured)
   {
-    SharedCauses                 causes;
-    const std::size_t            n       = n_x * n_y;
+    SharedCauses      causes;
+    const std::size_t n                  = n_x * n_y;
+    causes.leading_edge                  = leading_edge;
     std::vector<Eigen::VectorXd> columns = {Eigen::VectorXd::Ones(n)};
     for (const SharedCause cause : choice)
       {
@@ -203,6 +218,6 @@ namespace squeal::tribology
         rim.values.push_back(p.rim_decay());
       }
     const auto a = common_values(leading, map), b = common_values(rim, map);
-    return {pearson(a[0], a[1]), pearson(b[0], b[1])};
+    return {pearson(a[0], a[1]), pearson(b[0], b[1]), leading_edge};
   }
 } // namespace squeal::tribology

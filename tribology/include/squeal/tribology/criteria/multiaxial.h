@@ -87,14 +87,15 @@ namespace squeal::tribology
    *  Crossland      sqrt(J2)_a + a max s_H; limit t
    *  Sines          sqrt(J2)_a + a mean s_H (mid of the extremes); limit t
    *  Findley        max over planes of tau_a + k s_n,max; limit f
-   *  SWT            max over planes of s_n,max de_n/2; limit s^2/E
-   *  Fatemi-Socie   max over planes of dgamma/2 (1 + k s_n,max/s_y); limit
+   *  SWT            max over planes of <s_n,max> de_n/2; limit s^2/E
+   *  Fatemi-Socie   max over planes of dgamma/2 (1 + k <s_n,max>/s_y); limit
    *                 the value in fully reversed torsion at t, t/G times the
    *                 maximum over its planes
    *  Rankine        largest principal stress; limit the tensile strength
    *  Drucker-Prager sqrt(J2) + alpha I1 through both strengths
    *
-   * tau_a is the radius of the smallest circle round the shear path in the
+   * <s> is max(s, 0): compression does not lengthen a life. tau_a is the radius
+   * of the smallest circle round the shear path in the
    * plane. Planes are searched @p plane_step degrees apart, then refined.
    * Throws ComputationError for a stress that is not finite.
    */

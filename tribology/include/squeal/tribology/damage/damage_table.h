@@ -16,7 +16,9 @@ namespace squeal::tribology
 
   /**
    * damage.csv: one row a node. The columns node, x_m, y_m, area_m2 come first
-   * and are what tables of features are joined by. @p silent may be nullptr;
+   * and are what tables of features are joined by. The columns sliding_x and
+   * sliding_y, the same in all rows, are the unit direction in which the target
+   * slides, 0 where it slides all round. @p silent may be nullptr;
    * with it columns silent_... and ratio_... are added.
    */
   Table damage_table(const TribologyParameters          &parameters,

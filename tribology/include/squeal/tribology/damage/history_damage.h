@@ -30,6 +30,10 @@ namespace squeal::tribology
       SurfaceSums         surface;
     };
 
+    /** The node with the largest damage of the first exponent: the one that
+     * headlines and pictures speak of. The first of several alike. */
+    std::size_t worst_node() const;
+
     double duration       = 0.;    /**< s */
     bool   has_slip_rate  = false; /**< in the history */
     bool   has_stick_slip = false; /**< it tells sticking from slipping */

@@ -15,7 +15,7 @@ namespace squeal::tribology
     double duration        = 0.; /**< s */
     double contact_time    = 0.; /**< s */
     double pressure_time   = 0.; /**< Pa s, integral of the pressure */
-    double peak_pressure   = 0.; /**< Pa */
+    double peak_pressure   = 0.; /**< Pa, negative if always in tension */
     double friction_energy = 0.; /**< J/m^2, integral of traction . slip */
     double pressure_slip   = 0.; /**< Pa m, integral of p |v|: Archard */
     double impacts         = 0.; /**< closures after separation */

@@ -21,8 +21,12 @@ namespace squeal::tribology
   class ContactGrid
   {
   public:
+    /** @p points in m, their tributary @p areas in m^2, and the mean of the unit
+     * directions in which the target slides, in x and y: below the length of
+     * 0.5 it slides all round. */
     ContactGrid(const std::vector<std::array<double, 3>> &points,
-                const std::vector<double>                &areas);
+                const std::vector<double>                &areas,
+                const std::array<double, 2>              &sliding = {{0., 1.}});
 
     explicit ContactGrid(const HistoryLayout &layout);
 

@@ -57,6 +57,12 @@ namespace squeal::tribology
                     const RatingSettings     &settings,
                     Segmentation             &segmentation);
 
+  /** Pairs of raters that agree on less than half of what they marked, by Dice,
+   * a line for each: where as many raters are for a place as against it it
+   * counts, so that a consensus of two such raters is the sum of their marks.
+   */
+  std::vector<std::string> disagreements(const Rating &rating);
+
   /** Adds how far raters differ to the errors of @p statistics. */
   void add_deviations(const std::optional<Rating> &cracks,
                       const std::optional<Rating> &areas,

@@ -169,8 +169,11 @@ namespace squeal
     /** Where the disc enters under the pad. */
     enum class LeadingEdge
     {
+      automatic, /**< from the sliding direction of the damage table */
       lowest_y,
-      highest_y
+      highest_y,
+      lowest_x,
+      highest_x
     };
 
     /** What the maps of the self test share although there is no link. */
@@ -188,6 +191,9 @@ namespace squeal
     /** Maps against maps, section "Correlation". */
     struct CorrelationParameters
     {
+      /** Fewer resamplings make no interval. */
+      static constexpr unsigned int least_bootstraps = 20;
+
       std::vector<std::string> damage_tables;  /**< one for each pad */
       std::vector<std::string> feature_tables; /**< one for each pad */
       std::vector<std::string> indices;  /**< columns of the damage tables */
@@ -203,7 +209,7 @@ namespace squeal
       std::vector<SharedCause> shared_causes = {SharedCause::position,
                                                 SharedCause::rim,
                                                 SharedCause::edges};
-      LeadingEdge              leading_edge  = LeadingEdge::lowest_y;
+      LeadingEdge              leading_edge  = LeadingEdge::automatic;
       std::vector<std::string> covariates; /**< columns of either table */
       double                   least_coverage = 0.1; /**< of a cell in links */
       bool                     is_synthetic   = false;

@@ -108,6 +108,13 @@ namespace squeal::tribology
 
     ConditionalLink measure(const GridMap &index, const GridMap &feature);
 
+    /** What is taken out of both maps. */
+    const SharedCauses &
+    shared_causes() const
+    {
+      return causes;
+    }
+
   private:
     const SharedCauses                                                  &causes;
     std::map<std::vector<std::size_t>, std::unique_ptr<ConditionalTest>> tests;

@@ -49,6 +49,7 @@ namespace squeal::tribology
     //@{
     ConditionalLink       conditional;
     std::array<double, 2> conditional_interval{{-1., 1.}};
+    /** NaN where no bootstraps were asked for. */
     std::array<double, 2> bootstrap{{-1., 1.}};
     double                p_adjusted = 1.;  /**< Holm */
     double                level      = .05; /**< that the verdict used */

@@ -22,6 +22,8 @@ namespace squeal::tribology
     GridMap                        coverage; /**< part of each cell seen */
     SharedCauses                   causes;   /**< taken out of both */
     bool                           is_silent = false;
+    /** Whether neither the table nor the parameters tell the leading edge. */
+    bool is_edge_assumed = false;
   };
 
   /**
@@ -30,8 +32,9 @@ namespace squeal::tribology
    * in a cell count with their coverage. Of a table with a column "image" only
    * the rows "pad" count, and there must be some. The damage table must cover a
    * rectangular grid. Columns that are covariates are shared causes, and
-   * neither indices nor features. Throws InputError for a missing column, for a
-   * place that lies in no cell and for a coverage that is no part of a cell.
+   * neither indices nor features. The leading edge is that of each table, see
+   * sliding_of_pad(). Throws InputError for a missing column, for a place that
+   * lies in no cell and for a coverage that is no part of a cell.
    */
   std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
 
@@ -55,6 +58,12 @@ namespace squeal::tribology
 
   /** Pads with cells that are seen too little to count in links. */
   std::vector<std::string> warnings_of_thin_cells(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Pads whose leading edge is taken for the one at the lowest y because
+   * nothing tells it. */
+  std::vector<std::string> warnings_of_assumed_edges(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
 

@@ -35,8 +35,9 @@ namespace squeal::tribology
    * Tests the test on pairs of maps of 11 x 11 cells: each map is a random map
    * of a correlation length plus a pattern that both share; the random parts
    * have a true correlation. Streaks share nothing, but four times the length
-   * along the sliding direction and a quarter of it across. Where a link is
-   * found although it is 0, the test is wrong.
+   * along the sliding direction and a quarter of it across. The leading edge
+   * of made maps is the one at the lowest y, whatever that of the pads is.
+   * Where a link is found although it is 0, the test is wrong.
    */
   class SelfTest
   {

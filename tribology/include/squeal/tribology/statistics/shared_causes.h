@@ -21,6 +21,9 @@ namespace squeal::tribology
 
     /** Names of the causes, for people. */
     std::vector<std::string> names;
+
+    /** The edge from which the sliding direction points away. */
+    LeadingEdge leading_edge = LeadingEdge::lowest_y;
   };
 
   /** A map that is measured and taken out of both. */
@@ -32,7 +35,8 @@ namespace squeal::tribology
 
   /**
    * The causes that @p choice names, as columns of a regression on a grid of
-   * @p n_x cells across and @p n_y along the sliding direction:
+   * @p n_x times @p n_y cells, x fastest. The sliding direction points from
+   * @p leading_edge, which is not automatic, to the edge on the other side:
    *
    * position  u, u^2, v, v^2, u v, u along the sliding direction, v across it
    * rim       each of the six outermost rings of cells, and a decay from the
@@ -41,7 +45,8 @@ namespace squeal::tribology
    *           15 % of the length, even, sloping and bent across; last row;
    *           both outermost columns
    *
-   * Each measured map enters with its square.
+   * Each measured map enters with its square. Throws std::logic_error for
+   * the edge "automatic", which tells no place.
    */
   SharedCauses shared_causes(std::size_t                       n_x,
                              std::size_t                       n_y,
@@ -54,11 +59,13 @@ namespace squeal::tribology
   {
     double leading_edge = 0.; /**< of a map that decays from that edge on */
     double rim          = 0.; /**< of one that decays from the rim on */
+    /** The edge that was taken for the leading one. */
+    LeadingEdge edge = LeadingEdge::lowest_y;
   };
 
-  /** Correlations of @p map with a map that concentrates at the leading edge
-   * and with one that concentrates at the rim, each decaying over 15 % of the
-   * pad; NaN for a constant map. */
+  /** Correlations of @p map with a map that concentrates at @p leading_edge,
+   * which is not automatic, and with one that concentrates at the rim, each
+   * decaying over 15 % of the pad; NaN for a constant map. */
   ReferenceLinks reference_links(const GridMap &map, LeadingEdge leading_edge);
 } // namespace squeal::tribology
 
