@@ -142,6 +142,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_resultant.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
+    source/contact/face_edges.cc
     source/contact/face_overlap.cc
     source/contact/friction_law.cc
     source/contact/imported_geometry.cc
@@ -151,6 +152,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/mortar_integrals.cc
     source/contact/segments.cc
     source/contact/spring_stiffness.cc
+    source/contact/summed_pairs.cc
     source/contact/surface_face.cc
     source/contact/turning_contact.cc
     source/contact/turning_contacts.cc

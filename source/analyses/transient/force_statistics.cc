@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
@@ -24,6 +25,8 @@ namespace squeal
       square += other_square + change * change * n * m / (n + m);
     }
 
+    constexpr double no_quotient = std::numeric_limits<double>::quiet_NaN();
+
     double
     root_mean(const double square, const double n)
     {
@@ -34,18 +37,17 @@ namespace squeal
 
 
   void
-  ForceStatistics::add(const double normal,
-                       const double tangential,
-                       const double edge,
-                       const bool   is_apart)
+  ForceStatistics::add(const StepSums &sums, const bool is_apart)
   {
     ForceStatistics step;
     step.n_steps         = 1.;
-    step.mean_normal     = normal;
-    step.min_normal      = normal;
-    step.max_normal      = normal;
-    step.mean_tangential = tangential;
-    step.mean_edge       = edge;
+    step.mean_normal     = sums.normal;
+    step.min_normal      = sums.normal;
+    step.max_normal      = sums.normal;
+    step.mean_tangential = sums.tangential;
+    step.mean_edge       = sums.edge;
+    step.mean_pressing   = sums.pressing;
+    step.mean_friction   = sums.friction;
     step.n_apart         = is_apart ? 1. : 0.;
     add(step);
   }
@@ -72,6 +74,8 @@ namespace squeal
          mean_tangential,
          square_tangential);
     mean_edge += (other.mean_edge - mean_edge) * m / (n + m);
+    mean_pressing += (other.mean_pressing - mean_pressing) * m / (n + m);
+    mean_friction += (other.mean_friction - mean_friction) * m / (n + m);
     min_normal = std::min(min_normal, other.min_normal);
     max_normal = std::max(max_normal, other.max_normal);
     n_apart += other.n_apart;
@@ -90,6 +94,18 @@ namespace squeal
   ForceStatistics::rms_tangential() const
   {
     return root_mean(square_tangential, n_steps);
+  }
+
+  double
+  ForceStatistics::macroscopic_friction() const
+  {
+    return mean_pressing > 0. ? mean_friction / mean_pressing : no_quotient;
+  }
+
+  double
+  ForceStatistics::leading_edge_factor() const
+  {
+    return mean_pressing > 0. ? mean_edge / mean_pressing : no_quotient;
   }
 
 

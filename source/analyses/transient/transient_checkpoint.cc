@@ -69,8 +69,10 @@ namespace squeal
       {"min_normal", &ForceStatistics::min_normal},
       {"max_normal", &ForceStatistics::max_normal},
       {"mean_edge", &ForceStatistics::mean_edge},
+      {"mean_pressing", &ForceStatistics::mean_pressing},
+      {"mean_friction", &ForceStatistics::mean_friction},
       {"n_apart", &ForceStatistics::n_apart}};
-    static_assert(sizeof(ForceStatistics) == 9 * sizeof(double),
+    static_assert(sizeof(ForceStatistics) == 11 * sizeof(double),
                   "every member of a stretch is kept");
 
     const Fields<TransientRecord> counters = {
