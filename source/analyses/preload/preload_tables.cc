@@ -234,7 +234,10 @@ namespace squeal
   std::string
   LoadSteps::at_full_load(const std::string &name) const
   {
-    return steps.display(steps.n_rows() - 1, steps.column_index(name));
+    const std::size_t last = steps.n_rows() - 1;
+    return steps.is_missing(last, name)
+             ? "not defined"
+             : steps.display(last, steps.column_index(name));
   }
 
 
@@ -258,7 +261,10 @@ namespace squeal
     const auto row = [&](const std::size_t i) {
       nlohmann::ordered_json values;
       for (const auto &one : steps.columns())
-        values[one.name] = steps.real(i, one.name);
+        if (steps.is_missing(i, one.name))
+          values[one.name] = nullptr;
+        else
+          values[one.name] = steps.real(i, one.name);
       return values;
     };
     json.update(row(steps.n_rows() - 1));
