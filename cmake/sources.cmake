@@ -362,6 +362,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/preload/preload_mesh_error.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
+    source/analyses/preload/stiffness_entry_check.cc
     source/analyses/sweep/run_sweep.cc
     source/analyses/sweep/sweep_axis_check.cc
     source/analyses/sweep/sweep_basis_file.cc
