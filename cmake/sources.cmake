@@ -145,6 +145,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_resultant.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
+    source/contact/face_edges.cc
     source/contact/face_overlap.cc
     source/contact/friction_law.cc
     source/contact/imported_geometry.cc
@@ -154,6 +155,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/mortar_integrals.cc
     source/contact/segments.cc
     source/contact/spring_stiffness.cc
+    source/contact/summed_pairs.cc
     source/contact/surface_face.cc
     source/contact/turning_contact.cc
     source/contact/turning_contacts.cc
@@ -367,6 +369,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/preload/preload_mesh_error.cc
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
+    source/analyses/preload/stiffness_entry_check.cc
     source/analyses/sweep/run_sweep.cc
     source/analyses/sweep/stopping_change.cc
     source/analyses/sweep/sweep_axis_check.cc

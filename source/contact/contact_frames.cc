@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/contact/contact_frames.h>
 #include <squeal/contact/mortar_faces.h>
 #include <squeal/discretization/face_quadrature.h>
@@ -28,6 +29,9 @@ namespace squeal
     constexpr double largest_angle = 0.1;
     /** Of the unit square, by which a point may lie beside a target face. */
     constexpr double margin = 1e-4;
+    /** Of the larger of two faces that touch, by which they may be apart beside
+     * their bulges: as allowed_distance() of mortar faces. */
+    constexpr double touching = 1e-4;
     /** Distance over which the other face is looked for, of the box round the
      * contact points. */
     constexpr double reach = 0.1;
@@ -64,14 +68,43 @@ namespace squeal
 
 
 
-    /** What a line through a point meets: distance, normal; far if nothing. */
+    /** What a line through a point meets; far if nothing. */
     struct Hit
     {
       static constexpr double far = 1e300;
 
-      double distance = far;
+      double depth = far; /**< of the point in the target, m; < 0 outside */
       Vector normal;
+      double allowed = 0.; /**< of the depth's size, m */
     };
+
+    /** The largest size and bulge of the faces of a contact's source, m. */
+    struct SourceExtent
+    {
+      double diameter = 0., bulge = 0.;
+    };
+
+    SourceExtent
+    source_extent(const Discretization         &d,
+                  const FaceBasis              &basis,
+                  const ContactParameters      &contact,
+                  const dealii::BoundingBox<3> &around)
+    {
+      const auto        &scene = d.scene();
+      const unsigned int id    = face_id(
+        d.coarse_mesh(), scene, contact.source_body, contact.source_face);
+      double mine[2] = {0., 0.}, most[2];
+      for (const TargetFace &face : target_faces(
+             d, basis, body_index(scene, contact.source_body), around))
+        if (face.id == id)
+          {
+            mine[0] = worst_of(mine[0], face.geometry.diameter());
+            mine[1] = worst_of(mine[1], face.geometry.bulge());
+          }
+      MPI_Allreduce(
+        mine, most, 2, MPI_DOUBLE, MPI_MAX, d.space()->communicator());
+      return {most[0], most[1]};
+    }
 
     /** The nearest of the faces of this rank, with the id @p id, that the line
      * through @p x along @p direction meets and that looks against it. */
@@ -80,7 +113,8 @@ namespace squeal
             const std::vector<std::size_t> &candidates,
             const unsigned int              id,
             const Point                    &x,
-            const Vector                   &direction)
+            const Vector                   &direction,
+            const SourceExtent             &source)
     {
       Hit hit;
       for (const std::size_t k : candidates)
@@ -89,7 +123,7 @@ namespace squeal
           if (targets[k].id != id || !(face.normal() * direction < -0.5))
             continue;
           const auto place = face.project(x, direction);
-          if (!place || !(std::abs(place->distance) < hit.distance))
+          if (!place || !(std::abs(place->distance) < std::abs(hit.depth)))
             continue;
           bool inside = true;
           for (unsigned int c = 0; c < 2; ++c)
@@ -98,7 +132,10 @@ namespace squeal
           if (!inside)
             continue;
           const Vector area = face.frame(place->unit).area_vector();
-          hit               = {std::abs(place->distance), area / area.norm()};
+          hit               = {place->distance,
+                               area / area.norm(),
+                               touching * std::max(source.diameter, face.diameter()) +
+                                 source.bulge + face.bulge()};
         }
       return hit;
     }
@@ -109,15 +146,41 @@ namespace squeal
     {
       std::vector<double> packed;
       for (const Hit &hit : mine)
-        packed.insert(
-          packed.end(),
-          {hit.distance, hit.normal[0], hit.normal[1], hit.normal[2]});
+        packed.insert(packed.end(),
+                      {hit.depth,
+                       hit.allowed,
+                       hit.normal[0],
+                       hit.normal[1],
+                       hit.normal[2]});
       const std::vector<double> all = all_gather(packed, comm);
       std::vector<Hit>          result(mine.size());
-      for (std::size_t k = 0; k < all.size(); k += 4)
-        if (Hit &best = result[k / 4 % mine.size()]; all[k] < best.distance)
-          best = {all[k], Point(all[k + 1], all[k + 2], all[k + 3])};
+      for (std::size_t k = 0; k < all.size(); k += 5)
+        if (Hit &best = result[k / 5 % mine.size()];
+            std::abs(all[k]) < std::abs(best.depth))
+          best = {
+            all[k], Point(all[k + 2], all[k + 3], all[k + 4]), all[k + 1]};
       return result;
+    }
+
+    /** Refuses faces of which one stands in or off the other: without a gap of
+     * their own they would be taken for faces that touch. */
+    void
+    require_touching(const ContactParameters &contact,
+                     const Point             &x,
+                     const Hit               &hit)
+    {
+      if (std::abs(hit.depth) <= hit.allowed)
+        return;
+      throw InputError(
+        "contact " + contact.name + ": at " + text_of(x) +
+        " m the source face '" + contact.source_face + "' of body '" +
+        contact.source_body + "' is " +
+        rounded_text(1e3 * std::abs(hit.depth), 3) +
+        (hit.depth > 0. ? " mm inside body '" : " mm off body '") +
+        contact.target_body +
+        "': move the bodies or mend their meshes until "
+        "the faces touch, within " +
+        rounded_text(1e3 * hit.allowed, 3) + " mm there");
     }
 
     std::vector<Vector>
@@ -140,7 +203,8 @@ namespace squeal
       std::vector<dealii::BoundingBox<3>> boxes;
       for (const auto &target : targets)
         boxes.push_back(bounding_box(target.geometry));
-      const auto tree = dealii::pack_rtree_of_indices(boxes);
+      const auto tree   = dealii::pack_rtree_of_indices(boxes);
+      const auto source = source_extent(d, basis, contact, around);
 
       std::vector<Hit> hits;
       for (std::size_t j = 0; j < points.size(); ++j)
@@ -152,19 +216,20 @@ namespace squeal
                      std::back_inserter(near));
           std::sort(near.begin(), near.end());
           hits.push_back(
-            nearest(targets, near, id, points[j], source_normals[j]));
+            nearest(targets, near, id, points[j], source_normals[j], source));
         }
       std::vector<Vector> result;
       for (const Hit &hit : nearest_of_all(hits, d.space()->communicator()))
         {
-          if (hit.distance == Hit::far)
+          const Point &x = points[result.size()];
+          if (hit.depth == Hit::far)
             throw InputError(
               "contact " + contact.name + ": the target face '" +
               contact.target_face + "' of body '" + contact.target_body +
               "' is not where the source face '" + contact.source_face +
               "' of body '" + contact.source_body +
-              "' looks: the faces do not meet at " +
-              text_of(points[result.size()]) + " m");
+              "' looks: the faces do not meet at " + text_of(x) + " m");
+          require_touching(contact, x, hit);
           result.push_back(unit(hit.normal));
         }
       return result;

@@ -75,19 +75,12 @@ namespace squeal
       return axis;
     }
 
-    /** Nodes where @p direction begins. */
-    std::vector<bool>
-    edge_where_begins(const ContactGeometry &g, const Vector &direction)
+    /** What a force along the unit vector @p a has along @p b. */
+    double
+    component(const Vector &a, const Vector &b)
     {
-      std::vector<double> along;
-      for (const auto &p : g.points)
-        along.push_back(direction * Vector(p));
-      const auto   ends  = std::minmax_element(along.begin(), along.end());
-      const double limit = *ends.first + 1e-6 * (*ends.second - *ends.first);
-      std::vector<bool> result;
-      for (const double s : along)
-        result.push_back(s <= limit);
-      return result;
+      const double c = a * b;
+      return std::abs(c) < least_component ? 0. : c;
     }
 
     /** The part of the coordinate axis y, or x, that lies across @p normal. */
@@ -171,23 +164,40 @@ namespace squeal
   Eigen::MatrixXd
   resultant_rows(const ContactGeometry &g)
   {
-    const ContactFrame mean    = mean_frame(g);
-    const bool         one_way = slides_one_way(g);
-    Eigen::MatrixXd    rows    = Eigen::MatrixXd::Zero(3, 3 * g.points.size());
+    const ContactFrame mean = mean_frame(g);
+    const bool one_way = slides_one_way(g), has_side = looks_to_one_side(g);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3, 3 * g.points.size());
     for (std::size_t j = 0; j < g.points.size(); ++j)
       {
-        rows(2, 3 * j) = 1.;
-        if (!one_way)
-          {
-            rows(0, 3 * j + 2) = rows(1, 3 * j + 1) = 1.;
-            continue;
-          }
         const ContactFrame &frame = g.frames[j];
-        rows(0, 3 * j + 1)        = frame.sliding * mean.transverse;
-        rows(0, 3 * j + 2)        = frame.transverse * mean.transverse;
-        rows(1, 3 * j + 1)        = frame.sliding * mean.sliding;
-        rows(1, 3 * j + 2)        = frame.transverse * mean.sliding;
+        const auto          project =
+          [&](const unsigned int row, const Vector &axis, const bool pressure) {
+            if (pressure)
+              rows(row, 3 * j) = component(frame.normal, axis);
+            rows(row, 3 * j + 1) = component(frame.sliding, axis);
+            rows(row, 3 * j + 2) = component(frame.transverse, axis);
+          };
+        if (one_way)
+          {
+            project(0, mean.transverse, has_side);
+            project(1, mean.sliding, has_side);
+          }
+        else
+          rows(0, 3 * j + 2) = rows(1, 3 * j + 1) = 1.;
+        if (has_side)
+          project(2, mean.normal, true);
+        else
+          rows(2, 3 * j) = 1.;
       }
+    return rows;
+  }
+
+  Eigen::MatrixXd
+  sum_rows(const ContactGeometry &g)
+  {
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, 3 * g.points.size());
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      rows(0, 3 * j) = rows(1, 3 * j + 1) = 1.;
     return rows;
   }
 
@@ -200,29 +210,13 @@ namespace squeal
 
 
 
-  std::vector<bool>
-  leading_edge(const ContactGeometry &g)
-  {
-    return slides_one_way(g) ? edge_where_begins(g, mean_frame(g).sliding)
-                             : std::vector<bool>(g.points.size(), false);
-  }
-
-  std::vector<bool>
-  trailing_edge(const ContactGeometry &g)
-  {
-    return slides_one_way(g) ? edge_where_begins(g, -mean_frame(g).sliding)
-                             : std::vector<bool>(g.points.size(), false);
-  }
-
-
-
   ContactResultant
   contact_resultant(const ContactGeometry &g, const Eigen::VectorXd &forces)
   {
     ContactResultant        r{};
     const ContactFrame      frame = mean_frame(g);
     const std::vector<bool> edge  = leading_edge(g);
-    double                  total = 0., edge_area = 0., edge_force = 0.;
+    double total = 0., pressing = 0., edge_area = 0., edge_force = 0.;
     r.force = resultant_force(g, forces);
     Vector face, moment;
     for (std::size_t j = 0; j < g.points.size(); ++j)
@@ -230,6 +224,7 @@ namespace squeal
         const double n = forces[3 * j], a = g.areas[j];
         r.peak_pressure = std::max(r.peak_pressure, n / a);
         total += a;
+        pressing += n;
         face += a * Vector(g.points[j]);
         moment += n * Vector(g.points[j]);
         if (edge[j])
@@ -238,12 +233,13 @@ namespace squeal
             edge_force += n;
           }
       }
-    r.mean_pressure       = r.force[2] / total;
-    const bool is_pressed = r.force[2] > 0.;
+    // Of a curved face these are not the resultant, whose parts turn.
+    r.mean_pressure       = pressing / total;
+    const bool is_pressed = pressing > 0.;
     r.centre              = {{not_known, not_known}};
     if (is_pressed)
       {
-        const Vector arm = moment / r.force[2] - face / total;
+        const Vector arm = moment / pressing - face / total;
         r.centre         = {{arm * frame.transverse, arm * frame.sliding}};
       }
     r.leading_edge_factor =

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/contact/contact_resultant.h>
+#include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/load_vector.h>
 #include <squeal/model/observed_motions.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/scene/layer_mesh.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -36,14 +45,36 @@ namespace squeal
       return joined;
     }
 
-    /** The load that presses a pair on: of those on the source and on what it
-     * is joined to, else of all, the one whose force against the normal is
-     * largest. Null without loads. */
-    const LoadParameters *
-    pressing_load(const SceneParameters &scene, const ContactPair &pair)
+    /** What a load pushes with, N: its force, and its pressure over the face.
+     */
+    dealii::Tensor<1, 3>
+    resultant_of(const Discretization &d, const LoadParameters &load)
     {
-      const auto n      = mean_frame(pair.geometry).normal;
-      const auto joined = joined_bodies(scene, pair.parameters.source_body);
+      const auto          &scene = d.scene();
+      dealii::Tensor<1, 3> force;
+      for (unsigned int c = 0; c < 3; ++c)
+        force[c] = load.force[c];
+      if (scene.bodies[body_index(scene, load.body)].shape ==
+            BodyParameters::Shape::rigid ||
+          load.pressure == 0.)
+        return force;
+      const FaceQuadrature face = face_quadrature(
+        d, face_id(d.coarse_mesh(), scene, load.body, load.face));
+      for (std::size_t q = 0; q < face.points.size(); ++q)
+        force -= load.pressure * face.areas[q] * face.normals[q];
+      return force;
+    }
+
+    /** The load that presses a pair on: of those on the source and on what it
+     * is joined to, else of all, the one whose resultant against the normal @p
+     * n is largest. Null without loads. */
+    const LoadParameters *
+    pressing_load(const Discretization       &d,
+                  const ContactPair          &pair,
+                  const dealii::Tensor<1, 3> &n)
+    {
+      const auto &scene  = d.scene();
+      const auto  joined = joined_bodies(scene, pair.parameters.source_body);
       const LoadParameters *best = nullptr;
       double                most = 0.;
       for (const bool only_joined : {true, false})
@@ -53,8 +84,7 @@ namespace squeal
               continue;
             if (only_joined && joined.count(load.body) == 0)
               continue;
-            const double force = -(n[0] * load.force[0] + n[1] * load.force[1] +
-                                   n[2] * load.force[2]);
+            const double force = -(n * resultant_of(d, load));
             if (!best || force > most)
               {
                 best = &load;
@@ -64,20 +94,81 @@ namespace squeal
       return best;
     }
 
-    /** Mean motion of the face of @p load against its force. */
+    /** Mean motion of the face of @p load along the normal @p n of a pair: what
+     * an even force of 1 N along it would work on. */
     Block
-    motion_against(const Discretization &d,
-                   const PointEvaluator &evaluator,
-                   LoadParameters        load)
+    motion_along(const Discretization       &d,
+                 const PointEvaluator       &evaluator,
+                 LoadParameters              load,
+                 const dealii::Tensor<1, 3> &n)
     {
-      const double size = std::sqrt(load.force[0] * load.force[0] +
-                                    load.force[1] * load.force[1] +
-                                    load.force[2] * load.force[2]);
-      if (!(size > 0.))
-        return Block::Zero(d.space()->n_owned(), 1);
-      for (double &component : load.force)
-        component /= -size;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          load.force[c]  = n[c];
+          load.moment[c] = 0.;
+        }
+      load.pressure = 0.;
       return load_vector(d, evaluator, load);
+    }
+
+
+
+    using Rows = std::array<Functionals::Row, 3>;
+
+    /** Mean motion of a meshed body along x, y and z: that of its centre of
+     * mass, wherever that lies, as the density of a body is even. @p volume in
+     * m^3. The same on every rank. */
+    Rows
+    mean_motion(const Discretization &d,
+                const unsigned int    body,
+                const double          volume)
+    {
+      const auto             &fe = d.dof_handler().get_fe();
+      const dealii::QGauss<3> quadrature(d.degree() + 1);
+      dealii::FEValues<3>     values(d.mapping(),
+                                 fe,
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_JxW_values);
+      std::vector<dealii::types::global_dof_index>  dofs(fe.dofs_per_cell);
+      std::array<std::map<unsigned int, double>, 3> mine;
+      for (const auto &cell : d.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() == body)
+          {
+            values.reinit(cell);
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              {
+                double share = 0.;
+                for (unsigned int q = 0; q < quadrature.size(); ++q)
+                  share += values.shape_value(i, q) * values.JxW(q) / volume;
+                const unsigned int c = fe.system_to_component_index(i).first;
+                for (const auto &[row, weight] : d.expansion(dofs[i]))
+                  mine[c][row] += share * weight;
+              }
+          }
+      std::vector<double> packed;
+      for (unsigned int c = 0; c < 3; ++c)
+        for (const auto &[row, weight] : mine[c])
+          packed.insert(packed.end(), {double(c), double(row), weight});
+      const auto all = all_gather(packed, d.space()->communicator());
+      Rows       result;
+      for (std::size_t k = 0; k < all.size(); k += 3)
+        result[static_cast<unsigned int>(all[k])].emplace_back(
+          static_cast<unsigned int>(all[k + 1]), all[k + 2]);
+      return result;
+    }
+
+    /** Motion of the centre of gravity of a source body. Of a shoe or an arc it
+     * lies beside the material, where no cell has a motion. */
+    Rows
+    centre_motion_of(const Discretization &d,
+                     const PointEvaluator &evaluator,
+                     const unsigned int    body,
+                     const BodyMatrices   &matrices)
+    {
+      const auto at = evaluator.displacements(body, {matrices.centre}, 1e-4);
+      return at.found[0] ? at.rows[0] : mean_motion(d, body, matrices.volume);
     }
 
 
@@ -95,11 +186,10 @@ namespace squeal
       const RowSpace    &space = *d.space();
       const unsigned int source =
         body_index(scene, pair.parameters.source_body);
-      const double area = std::accumulate(g.areas.begin(), g.areas.end(), 0.);
-      const auto centre = evaluator.displacements(source, {body.centre}, 1e-4);
+      const double area   = std::accumulate(g.areas.begin(), g.areas.end(), 0.);
+      const Rows   centre = centre_motion_of(d, evaluator, source, body);
       for (unsigned int c = 0; c < 3; ++c)
-        add_functional(
-          space, centre.rows[0][c], 1., l.col(PressedModel::centre_x + c));
+        add_functional(space, centre[c], 1., l.col(PressedModel::centre_x + c));
       // The far face may be inside, tied to another body: the contact nodes
       // mirrored at the centre of the source.
       std::vector<dealii::Point<3>> mirrored;
@@ -120,12 +210,17 @@ namespace squeal
                              share,
                              l.col(PressedModel::target_at_contact));
               add_functional(space,
-                             far.found[j] ? far.rows[j][c] : centre.rows[0][c],
+                             far.found[j] ? far.rows[j][c] : centre[c],
                              share,
                              l.col(PressedModel::far_face));
             }
-      if (const LoadParameters *load = pressing_load(scene, pair))
-        l.col(PressedModel::loaded_face) = motion_against(d, evaluator, *load);
+      if (std::count(far.found.begin(), far.found.end(), true) == 0)
+        l.col(PressedModel::far_face)
+          .setConstant(std::numeric_limits<double>::quiet_NaN());
+      const auto normal = mean_frame(g).normal;
+      if (const LoadParameters *load = pressing_load(d, pair, normal))
+        l.col(PressedModel::loaded_face) =
+          motion_along(d, evaluator, *load, normal);
     }
   } // namespace
 

@@ -144,7 +144,9 @@ namespace squeal
       return on_face / mass;
     }
 
-    /** The load whose resultant presses most against the mean normal. */
+    /** Mean motion along @p normal of what carries the load whose resultant
+     * presses most against it: of its nodes, each with its share of that
+     * resultant. */
     Block
     pressing_motion(const ImportedModel        &model,
                     const dealii::Tensor<1, 3> &normal)
@@ -160,9 +162,14 @@ namespace squeal
           if (-(force * normal) <= most)
             continue;
           most = -(force * normal);
-          motion =
-            -Eigen::Map<const Eigen::VectorXd>(load.data(), load.size()) /
-            force.norm();
+          std::map<long, double> shares;
+          for (unsigned int i = 0; i < model.n_dofs; ++i)
+            if (const unsigned int c = component(model, i); c >= 1 && c <= 3)
+              shares[model.labels[i].node] -= load[i] * normal[c - 1] / most;
+          motion.setZero();
+          for (unsigned int i = 0; i < model.n_dofs; ++i)
+            if (const unsigned int c = component(model, i); c >= 1 && c <= 3)
+              motion(i, 0) = normal[c - 1] * shares[model.labels[i].node];
         }
       return motion;
     }
@@ -197,7 +204,10 @@ namespace squeal
           else
             own.col(PressedModel::far_face) =
               far_motion(model, pair.parameters.source_body, normal, centre);
-          own.col(PressedModel::loaded_face) = pressing_motion(model, normal);
+          // All round a shaft there is no such normal.
+          if (const double size = normal.norm(); size > 0.)
+            own.col(PressedModel::loaded_face) =
+              pressing_motion(model, normal / size);
         }
       return l;
     }

@@ -5,6 +5,9 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cmath>
+#include <limits>
+
 namespace squeal
 {
   Eigen::VectorXd
@@ -78,6 +81,22 @@ namespace squeal
           for (const unsigned int along : {1, 2})
             G(3 * i + along, 3 * j + along) = G(3 * i, 3 * j);
       return G;
+    }
+
+    /** Sets the columns of @p observers that hold NaN on some rank to zero, as
+     * no system may be solved with them, and says which hold none. */
+    std::vector<bool>
+    take_known(const RowSpace &space, Block &observers)
+    {
+      const Eigen::VectorXd norms = space.norms(observers);
+      std::vector<bool>     is_known;
+      for (Eigen::Index i = 0; i < observers.cols(); ++i)
+        {
+          is_known.push_back(std::isfinite(norms[i]));
+          if (!is_known.back())
+            observers.col(i).setZero();
+        }
+      return is_known;
     }
 
     void
@@ -158,11 +177,17 @@ namespace squeal
     model.speed_ratio = nodes.speed_ratio();
     if (observers.cols() > 0)
       {
-        const Block responses_of_observers = residual_response(observers);
-        model.observed.modes = inner_products(space, observers, basis.shapes);
+        Block                   known      = observers;
+        const std::vector<bool> is_known   = take_known(space, known);
+        const Block responses_of_observers = residual_response(known);
+        model.observed.modes = inner_products(space, known, basis.shapes);
         model.observed.load =
           inner_products(space, responses_of_observers, load);
         model.observed.contact = B.apply(responses_of_observers).transpose();
+        for (std::size_t i = 0; i < is_known.size(); ++i)
+          if (!is_known[i])
+            model.observed.load.row(i).setConstant(
+              std::numeric_limits<double>::quiet_NaN());
       }
     return model;
   }

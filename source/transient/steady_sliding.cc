@@ -335,7 +335,8 @@ namespace squeal
             throw ComputationError(
               "there is no steady sliding beyond " +
               rounded_text(100. * reached, 4) +
-              " % of the friction of the sliding pairs: it wedges or sprags");
+              " % of the friction of the sliding pairs: it wedges or sprags, "
+              "or it pulls a body off the pair at rest that alone holds it");
         }
       return now;
     }

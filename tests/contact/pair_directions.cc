@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Directions of pairs as wholes: across the sliding two pads of one disc go one
-// way, and a contact all round a shaft has no side and no leading edge.
+// way, and a contact all round a shaft has no side and no leading edge. Of a
+// curved face the resultant is the sum of vectors, and friction over pressure
+// is mu; the leading edge is all of it, wherever the pad stands.
 
 #include <squeal/contact/contact_resultant.h>
+#include <squeal/contact/summed_pairs.h>
 
 #include "check.h"
 
@@ -97,11 +100,143 @@ namespace
       f[3 * i] = 10.;
     return f;
   }
+
+  /** A grid of points over two lengths, in rows of @p n along the second one. */
+  template <typename Place>
+  ContactGeometry
+  face_of(const unsigned int n, const Place &place)
+  {
+    ContactGeometry g;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const dealii::Point<3> x = place(i / (n - 1.), j / (n - 1.));
+          const double           r = std::hypot(x[0], x[1]);
+          add_point(
+            g, x, Vector({0., 0., 1.}), Vector({-x[1] / r, x[0] / r, 0.}));
+          if (i > 0 && j > 0)
+            {
+              const unsigned int last = n * i + j;
+              g.quads.push_back({{last, last - 1, last - n - 1, last - n}});
+            }
+        }
+    return g;
+  }
+
+  /** Above a disc that turns about +z: pads that end straight or along a
+   * radius, with and without pieces between the points. */
+  void
+  check_edges()
+  {
+    constexpr unsigned int n = 5;
+    for (const double shift : {0., 1e-7, 1e-5, 1e-3})
+      for (const bool is_sector : {false, true})
+        {
+          ContactGeometry g = face_of(n, [&](const double a, const double b) {
+            const double r = .08 + .02 * a, angle = .4 * (b - .5);
+            return is_sector ? dealii::Point<3>(
+                                 r * std::cos(angle), r * std::sin(angle), 0.)
+                             : dealii::Point<3>(r, .02 * (b - .5) + shift, 0.);
+          });
+          Eigen::VectorXd f = even_forces(g);
+          double          mean = 0., first = 0.;
+          for (unsigned int k = 0; k < n * n; ++k)
+            {
+              f[3 * k] = 1. + std::hypot(g.points[k][0], g.points[k][1]) +
+                         (k % n == 0 ? 1. : 0.);
+              mean += f[3 * k] / (n * n);
+              first += k % n == 0 ? f[3 * k] / n : 0.;
+            }
+          const auto lead = leading_edge(g), trail = trailing_edge(g);
+          bool       all = true;
+          for (unsigned int k = 0; k < n * n; ++k)
+            all =
+              all && lead[k] == (k % n == 0) && trail[k] == (k % n == n - 1);
+          check(all, "the edges are all of their nodes");
+          check_close(contact_resultant(g, f).leading_edge_factor,
+                      first / mean,
+                      1e-12,
+                      "the factor is that of all of them");
+          g.quads.clear();
+          const auto row = leading_edge(g);
+          for (unsigned int k = 0; k < n * n && !is_sector; ++k)
+            check(row[k] == (k % n == 0), "without pieces: the outermost row");
+        }
+  }
+
+  /** Of half a shaft: the sum of vectors; friction of mu along every sliding
+   * is mu times the pressure. */
+  void
+  check_curved_resultant()
+  {
+    const ContactGeometry g    = sleeve(M_PI);
+    const ContactFrame    mean = mean_frame(g);
+    constexpr double      mu   = .3;
+    Eigen::VectorXd       f    = even_forces(g);
+    Vector                sum;
+    for (std::size_t k = 0; k < g.points.size(); ++k)
+      {
+        f[3 * k] += k;
+        f[3 * k + 1] = mu * f[3 * k];
+        f[3 * k + 2] = 2.;
+        sum += f[3 * k] * g.frames[k].normal +
+               f[3 * k + 1] * g.frames[k].sliding +
+               f[3 * k + 2] * g.frames[k].transverse;
+      }
+    const auto force = resultant_force(g, f);
+    check_close(force[0], sum * mean.transverse, 1e-12, "across");
+    check_close(force[1], sum * mean.sliding, 1e-12, "along");
+    check_close(force[2], sum * mean.normal, 1e-12, "normal");
+    const Eigen::VectorXd sums = sum_rows(g) * f;
+    check_close(sums[1] / sums[0], mu, 1e-12, "friction over pressure");
+    const auto r = contact_resultant(g, f);
+    check_close(r.mean_pressure,
+                sums[0] / (1e-4 * g.points.size()),
+                1e-12,
+                "the mean pressure is that of the nodes");
+    // A flat face has one normal: nothing else is to change there.
+    const ContactGeometry flat    = pad(-1.);
+    Eigen::VectorXd       of_flat = even_forces(flat);
+    of_flat[1] = of_flat[5] = 7.;
+    const auto flat_force   = resultant_force(flat, of_flat);
+    check(flat_force[0] == 7. * flat.frames[1].transverse[0] *
+                             mean_frame(flat).transverse[0] &&
+            flat_force[1] == 7. && flat_force[2] == 40.,
+          "a flat face has the sums of its nodes");
+  }
+
+  /** An abutment at rest that comes first is not what pads are added up by. */
+  void
+  check_sums_of_pairs()
+  {
+    ContactGeometry abutment;
+    add_point(
+      abutment, {.1, .02, 0.}, Vector({0., -1., 0.}), Vector({0., 0., 1.}));
+    ContactParameters rest, upper, lower;
+    rest.name           = "abutment";
+    upper.name          = "upper";
+    lower.name          = "lower";
+    rest.sliding_speed  = 0.;
+    upper.sliding_speed = lower.sliding_speed = 1.;
+    using List                                = std::vector<double>;
+    check(transverse_senses(ContactNodes({rest, upper, lower},
+                                         {abutment, pad(1.), pad(-1.)})) ==
+            List({0., 1., -1.}),
+          "against the first pad, the abutment in front");
+    check(transverse_senses(ContactNodes({upper, lower, rest},
+                                         {pad(1.), pad(-1.), abutment})) ==
+            List({1., -1., 0.}),
+          "and behind");
+  }
+
 } // namespace
 
 int
 main()
 {
+  check_edges();
+  check_curved_resultant();
+  check_sums_of_pairs();
   const ContactGeometry upper = pad(1.), lower = pad(-1.);
   // 5 N outwards on every point of both.
   double sum = 0.;

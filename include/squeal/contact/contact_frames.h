@@ -37,8 +37,10 @@ namespace squeal
    * coordinate axis by rounding are that axis. The same on every rank.
    *
    * Throws InputError that names the contact where the line does not meet the
-   * named target face, where the faces do not look at each other, where V is
-   * not along the face, and where a point lies on the axis.
+   * named target face, where the target face is further from a point, to either
+   * side, than allowed_distance() of mortar faces, where the faces do not look
+   * at each other, where V is not along the face, and where a point lies on the
+   * axis.
    */
   ContactFrames contact_frames(
     const Discretization                    &discretization,

@@ -35,16 +35,25 @@ namespace squeal
   double transverse_sense(const ContactGeometry &first,
                           const ContactGeometry &other);
 
-  /** Resultant of nodal forces by the target on the source, N: along s
-   * (radially outwards under a disc that turns about +z), along t, normal,
-   * compression positive. Where slides_one_way() is false the first two are the
-   * sums of what each node has across and along its own sliding. @p forces:
-   * three a node of this pair. */
+  /** Resultant of nodal forces by the target on the source, N, in
+   * mean_frame(): along s (radially outwards under a disc that turns about +z),
+   * along t and along n, compression positive. On a curved face pressure and
+   * friction both have parts along t and n, so that the resultant is what the
+   * supports and loads of the source hold. Where slides_one_way() is false the
+   * first two are the sums of what each node has across and along its own
+   * sliding. Where looks_to_one_side() is false the third is the sum of the
+   * nodes' normal forces, which have no part in the others. @p forces: three a
+   * node of this pair. */
   std::array<double, 3> resultant_force(const ContactGeometry &geometry,
                                         const Eigen::VectorXd &forces);
 
   /** resultant_force() as a matrix: 3 x three a node. */
   Eigen::MatrixXd resultant_rows(const ContactGeometry &geometry);
+
+  /** The sums of the nodes' normal forces and of what each has along its own
+   * sliding, N, as a matrix: 2 x three a node. Their quotient is mu where all
+   * nodes slip along their sliding, however the face is curved. */
+  Eigen::MatrixXd sum_rows(const ContactGeometry &geometry);
 
   /** The resultant of nodal forces on the contact face and where it acts. */
   struct ContactResultant
@@ -52,8 +61,8 @@ namespace squeal
     std::array<double, 3> force;  /**< resultant_force(), N */
     std::array<double, 2> centre; /**< of pressure, from the centre of the face,
                                      m: along s and t; NaN without contact */
-    double mean_pressure = 0.;    /**< over the whole face, Pa */
-    double peak_pressure = 0.;    /**< of a node, Pa */
+    double mean_pressure = 0.; /**< of normal forces over the whole face, Pa */
+    double peak_pressure = 0.; /**< of a node, Pa */
     /** Mean pressure of the nodes on the edge where the target's surface
      * enters, over that of the face; NaN without contact and where the face
      * looks to no side or slides all round. */
@@ -63,11 +72,14 @@ namespace squeal
   ContactResultant contact_resultant(const ContactGeometry &geometry,
                                      const Eigen::VectorXd &forces);
 
-  /** Nodes on the edge where the target's surface enters; none where
-   * slides_one_way() is false. */
+  /** Nodes on the edges of the face where the target's surface enters: those
+   * whose outward normal is within some 45 degrees of the direction against the
+   * sliding there, edges of slots too. Where points have no pieces between them
+   * (ContactGeometry::quads), or no edge looks there, the outermost row. None
+   * where slides_one_way() is false. */
   std::vector<bool> leading_edge(const ContactGeometry &geometry);
 
-  /** Those on the edge where it leaves, likewise. */
+  /** Those on the edges where it leaves, likewise. */
   std::vector<bool> trailing_edge(const ContactGeometry &geometry);
 
   /** Tractions of the target on the source at every node, Pa, along x, y, z. */

@@ -14,7 +14,8 @@ namespace squeal
                       Eigen::Ref<Eigen::VectorXd> column);
 
   /** The columns l of the motions l^T u that PressedModel::Observer names, one
-   * pair after the other: free unknowns of the discretisation x observers. */
+   * pair after the other: free unknowns of the discretisation x observers. NaN
+   * in a column of a motion that the scene does not have. Collective. */
   Block observed_motions(const Discretization            &discretization,
                          const ContactNodes              &nodes,
                          const std::vector<BodyMatrices> &bodies);

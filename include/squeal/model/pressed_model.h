@@ -40,11 +40,13 @@ namespace squeal
       target_at_contact, /**< of the target at the contact nodes along their
                               normals, mean, m */
       loaded_face,       /**< of the face of the load that presses the pair on,
-                              against the load, mean, m */
+                              along the mean normal, mean, m */
       far_face,          /**< of the source's face away from the contact along
-                              the normals, mean; of its centre where it has
-                              none, m */
-      centre_x,          /**< of the source body's centre, m */
+                              the normals, mean, of its centre at points that
+                              have none, m; NaN where no point has one */
+      centre_x,          /**< of the source body's centre of gravity, m: of the
+                              material there, of the body on the mean where
+                              there is none */
       centre_y,
       centre_z,
       n_observers

@@ -112,7 +112,8 @@ namespace squeal
    * @param pencil     symmetric, viscously damped
    * @param basis      the motions that carry mass
    * @param cut_off    Hz
-   * @param observers  columns l of motions l^T u to be observed
+   * @param observers  columns l of motions l^T u to be observed; one with NaN
+   *                   is not known and gives NaN
    * Throws InputError where the damping is not viscous.
    */
   ReducedContactModel reduce_contact_model(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/contact/contact_resultant.h>
+#include <squeal/contact/summed_pairs.h>
 #include <squeal/output/contact_output.h>
 #include <squeal/results/json_file.h>
 
@@ -26,11 +27,14 @@ namespace squeal
     Columns
     force_columns()
     {
-      return {{"normal_n", Type::real, "N", "resultant of the pressure"},
+      return {{"normal_n",
+               Type::real,
+               "N",
+               "resultant along the mean normal, compression positive"},
               {"tangential_n",
                Type::real,
                "N",
-               "along the sliding, target on source"},
+               "along the mean sliding, target on source"},
               {"radial_n",
                Type::real,
                "N",
@@ -141,16 +145,16 @@ namespace squeal
     sum_cells(const PressedModel &pressed, const SteadySliding &state)
     {
       double      normal = 0., tangential = 0., across = 0.;
-      const auto &pairs = pressed.nodes().pairs();
-      for (const ContactPair &pair : pairs)
-        if (pair.slides() || pressed.speed() == 0.)
+      const auto &pairs  = pressed.nodes().pairs();
+      const auto  senses = transverse_senses(pressed.nodes());
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (is_summed(pressed.nodes(), pairs[i]))
           {
             const auto force =
-              resultant_force(pair.geometry, pair.part(state.forces));
+              resultant_force(pairs[i].geometry, pairs[i].part(state.forces));
             normal += force[2];
             tangential += force[1];
-            across +=
-              transverse_sense(pairs[0].geometry, pair.geometry) * force[0];
+            across += senses[i] * force[0];
           }
       return {normal,
               tangential,
@@ -230,7 +234,10 @@ namespace squeal
   std::string
   LoadSteps::at_full_load(const std::string &name) const
   {
-    return steps.display(steps.n_rows() - 1, steps.column_index(name));
+    const std::size_t last = steps.n_rows() - 1;
+    return steps.is_missing(last, name)
+             ? "not defined"
+             : steps.display(last, steps.column_index(name));
   }
 
 
@@ -254,7 +261,10 @@ namespace squeal
     const auto row = [&](const std::size_t i) {
       nlohmann::ordered_json values;
       for (const auto &one : steps.columns())
-        values[one.name] = steps.real(i, one.name);
+        if (steps.is_missing(i, one.name))
+          values[one.name] = nullptr;
+        else
+          values[one.name] = steps.real(i, one.name);
       return values;
     };
     json.update(row(steps.n_rows() - 1));

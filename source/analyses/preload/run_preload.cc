@@ -3,6 +3,7 @@
 #include <squeal/analyses/preload/loaded_scene.h>
 #include <squeal/analyses/preload/preload_mesh_error.h>
 #include <squeal/analyses/preload/preload_tables.h>
+#include <squeal/analyses/preload/stiffness_entry_check.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
@@ -96,11 +97,13 @@ namespace squeal
           s.ink   = series_ink(pair);
           s.style = ChartSeries::Style::lines_points;
           for (std::size_t i = 0; i < table.n_rows(); ++i)
-            if (table.real(i, "load_share") == 1.)
+            if (const std::string shown =
+                  columns.column(pair, "secant_stiffness_n_per_m");
+                table.real(i, "load_share") == 1. &&
+                !table.is_missing(i, shown))
               {
                 s.x.push_back(table.real(i, "value"));
-                s.y.push_back(table.real(
-                  i, columns.column(pair, "secant_stiffness_n_per_m")));
+                s.y.push_back(table.real(i, shown));
               }
           chart.series.push_back(s);
         }
@@ -304,6 +307,7 @@ namespace squeal
   {
     const Parameters p = loaded_scene(context.parameters);
     Model            model(p, context.timers, {}, Model::Contacts::open);
+    check_stiffness_entry(p, model);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
     if (p.output.export_matrices)

@@ -77,7 +77,7 @@ namespace squeal
         {"frequency_ci_hz", Type::real, "Hz", "of the quarters", 2},
         {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
         {"sigma_full_contact_per_s", Type::real, "1/s", "whole face closed", 4},
-        {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
+        {"macroscopic_friction", Type::real, "", "mean friction over normal"},
         {"phase_deg", Type::real, "deg", "tangential against normal", 4},
         {"repetition", Type::real, "", "of the normal force", 3},
         {"leading_edge_factor",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
@@ -21,6 +22,8 @@ namespace squeal
       piece.n += m;
     }
 
+    constexpr double no_quotient = std::numeric_limits<double>::quiet_NaN();
+
     double
     root_mean(const double square, const double n)
     {
@@ -31,18 +34,17 @@ namespace squeal
 
 
   void
-  ForceStatistics::add(const double normal,
-                       const double tangential,
-                       const double edge,
-                       const bool   is_apart)
+  ForceStatistics::add(const StepSums &sums, const bool is_apart)
   {
     ForceStatistics step;
     step.n_steps         = 1.;
-    step.mean_normal     = normal;
-    step.min_normal      = normal;
-    step.max_normal      = normal;
-    step.mean_tangential = tangential;
-    step.mean_edge       = edge;
+    step.mean_normal     = sums.normal;
+    step.min_normal      = sums.normal;
+    step.max_normal      = sums.normal;
+    step.mean_tangential = sums.tangential;
+    step.mean_edge       = sums.edge;
+    step.mean_pressing   = sums.pressing;
+    step.mean_friction   = sums.friction;
     step.n_apart         = is_apart ? 1. : 0.;
     add(step);
   }
@@ -70,6 +72,8 @@ namespace squeal
     moment_tangential = pulling.moment;
     const double n = n_steps, m = other.n_steps;
     mean_edge += (other.mean_edge - mean_edge) * m / (n + m);
+    mean_pressing += (other.mean_pressing - mean_pressing) * m / (n + m);
+    mean_friction += (other.mean_friction - mean_friction) * m / (n + m);
     min_normal = std::min(min_normal, other.min_normal);
     max_normal = std::max(max_normal, other.max_normal);
     n_apart += other.n_apart;
@@ -88,6 +92,18 @@ namespace squeal
   ForceStatistics::rms_tangential() const
   {
     return root_mean(square_tangential, n_steps);
+  }
+
+  double
+  ForceStatistics::macroscopic_friction() const
+  {
+    return mean_pressing > 0. ? mean_friction / mean_pressing : no_quotient;
+  }
+
+  double
+  ForceStatistics::leading_edge_factor() const
+  {
+    return mean_pressing > 0. ? mean_edge / mean_pressing : no_quotient;
   }
 
 

@@ -69,10 +69,12 @@ namespace squeal
       {"min_normal", &ForceStatistics::min_normal},
       {"max_normal", &ForceStatistics::max_normal},
       {"mean_edge", &ForceStatistics::mean_edge},
+      {"mean_pressing", &ForceStatistics::mean_pressing},
+      {"mean_friction", &ForceStatistics::mean_friction},
       {"n_apart", &ForceStatistics::n_apart},
       {"moment_normal", &ForceStatistics::moment_normal},
       {"moment_tangential", &ForceStatistics::moment_tangential}};
-    static_assert(sizeof(ForceStatistics) == 11 * sizeof(double),
+    static_assert(sizeof(ForceStatistics) == 13 * sizeof(double),
                   "every member of a stretch is kept");
 
     const Fields<TransientRecord> counters = {

@@ -257,13 +257,10 @@ namespace squeal
       f.max_normal                = half.max_normal;
       f.mean_tangential           = half.mean_tangential;
       f.rms_tangential            = half.rms_tangential();
-      // A pad that does not touch in all that time has neither.
-      const bool touches = f.mean_normal > 0.;
-      f.macroscopic_friction =
-        touches ? f.mean_tangential / f.mean_normal : not_known;
-      f.mean_leading_edge_factor =
-        touches ? half.mean_edge / f.mean_normal : not_known;
-      f.rms_acceleration = largest_rms_acceleration(record);
+      const bool touches          = f.mean_normal > 0.;
+      f.macroscopic_friction      = half.macroscopic_friction();
+      f.mean_leading_edge_factor  = half.leading_edge_factor();
+      f.rms_acceleration          = largest_rms_acceleration(record);
       // Pure stick-slip leaves the normal force alone.
       const QuarterVibrations late  = vibrations_of(record.stretches, n / 2, n),
                               early = vibrations_of(record.stretches, 0, n / 2);

@@ -251,7 +251,8 @@ namespace squeal
                         {"macroscopic_friction",
                          Type::real,
                          "",
-                         "mean tangential over mean normal force"},
+                         "mean friction along the sliding over mean normal "
+                                "force"},
                         {"mean_normal_n", Type::real, "N", ""},
                         {"rms_normal_n", Type::real, "N", "about the mean"}});
     const double v = prepared.pressed.speed();
@@ -263,9 +264,7 @@ namespace squeal
         const double share = (k + 0.5) / n_parts;
         table.add_row({share * p.transient.end_time,
                        v * (1. + (p.transient.final_speed_ratio - 1.) * share),
-                       s.mean_normal > 0.
-                         ? Cell(s.mean_tangential / s.mean_normal)
-                         : Cell(),
+                       or_missing(s.macroscopic_friction()),
                        s.mean_normal,
                        s.rms_normal()});
       }

@@ -3,6 +3,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/contact/summed_pairs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,19 +78,6 @@ namespace squeal
 
 
 
-  namespace
-  {
-    /** Whether a pair counts for the resultants: those at rest only where none
-     * slides. */
-    bool
-    counts(const ContactNodes &nodes, const ContactPair &pair)
-    {
-      return pair.slides() || nodes.speed() == 0.;
-    }
-  } // namespace
-
-
-
   TransientRun::TransientRun(const PressedModel              &model,
                              const SteadySliding             &state,
                              const LinearizedMotion          &linearized,
@@ -137,12 +125,15 @@ namespace squeal
   void
   TransientRun::set_sums()
   {
-    sums                 = Eigen::MatrixXd::Zero(steady.forces.size(), 4);
+    sums                 = Eigen::MatrixXd::Zero(steady.forces.size(), 6);
+    senses               = transverse_senses(pressed.nodes());
     double         area  = 0.;
     Eigen::Array2d edges = Eigen::Array2d::Zero(); // leading and trailing
     for (const ContactPair &pair : pressed.nodes().pairs())
-      if (counts(pressed.nodes(), pair))
+      if (is_summed(pressed.nodes(), pair))
         {
+          sums.block(3 * pair.first, 4, 3 * pair.n_nodes(), 2) =
+            sum_rows(pair.geometry).transpose();
           sums.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) =
             resultant_rows(pair.geometry).bottomRows<2>().transpose();
           const std::array<std::vector<bool>, 2> is_at = {
@@ -166,11 +157,17 @@ namespace squeal
 
 
 
-  Eigen::Vector3d
+  StepSums
   TransientRun::force_sums() const
   {
-    const Eigen::Vector4d all = sums.transpose() * motion->forces();
-    return {all[0], all[1], speed_now() < 0. ? all[3] : all[2]};
+    const Eigen::VectorXd all = sums.transpose() * motion->forces();
+    StepSums              now;
+    now.tangential = all[0];
+    now.normal     = all[1];
+    now.edge       = speed_now() < 0. ? all[3] : all[2];
+    now.pressing   = all[4];
+    now.friction   = all[5];
+    return now;
   }
 
 
@@ -282,18 +279,17 @@ namespace squeal
   void
   TransientRun::take_step_forces()
   {
-    const Eigen::Vector3d force = force_sums();
+    const StepSums force = force_sums();
     // Of step 1, 2, ...; in 64 bits, as long runs have 1e8 steps.
     const auto n = static_cast<std::uint64_t>(kept.n_steps);
     kept.stretches[(n - 1) * n_force_stretches / n_steps].add(
-      force[1],
-      force[0],
-      force[2],
+      force,
       std::all_of(status.begin(), status.end(), [](const ContactStatus s) {
         return s == ContactStatus::open;
       }));
     if (n_steps_left() < most_last_steps)
-      kept.last_steps.push_back({motion->time(), force[1], force[0]});
+      kept.last_steps.push_back(
+        {motion->time(), force.normal, force.tangential});
   }
 
 
@@ -336,10 +332,9 @@ namespace squeal
             sample.acceleration[c] = a[centre + c];
           }
         kept.pairs.push_back(sample);
-        if (!counts(pressed.nodes(), pairs[i]))
+        if (!is_summed(pressed.nodes(), pairs[i]))
           continue;
-        s.radial += transverse_sense(pairs[0].geometry, pairs[i].geometry) *
-                    sample.radial;
+        s.radial += senses[i] * sample.radial;
         s.tangential += sample.tangential;
         s.normal += sample.normal;
       }
@@ -360,7 +355,8 @@ namespace squeal
         s.n_open += status[j] == ContactStatus::open;
         s.n_stick += status[j] == ContactStatus::stick;
       }
-    s.leading_edge       = s.normal > 0. ? force_sums()[2] / s.normal : 0.;
+    const StepSums sum   = force_sums();
+    s.leading_edge       = sum.pressing > 0. ? sum.edge / sum.pressing : 0.;
     const EnergyLedger e = motion->ledger();
     s.kinetic            = e.kinetic;
     s.elastic            = e.elastic;

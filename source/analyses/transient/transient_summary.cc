@@ -72,7 +72,7 @@ namespace squeal
         {"min_normal_n", Type::real, "N", ""},
         {"max_normal_n", Type::real, "N", ""},
         {"rms_tangential_n", Type::real, "N", "about the mean"},
-        {"macroscopic_friction", Type::real, "", "mean tangential over normal"},
+        {"macroscopic_friction", Type::real, "", "mean friction over normal"},
         {"phase_deg",
          Type::real,
          "deg",

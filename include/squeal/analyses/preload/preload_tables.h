@@ -29,10 +29,12 @@ namespace squeal
      * is one pair. */
     std::string column(const unsigned int number,
                        const std::string &name) const;
-    /** The value of a column as the table shows it, under the full load. */
+    /** The value of a column as the table shows it, under the full load, "not
+     * defined" where it has none. */
     std::string at_full_load(const std::string &column) const;
 
-    /** preload.json. */
+    /** preload.json; null where a quantity has no value, as a leading edge in a
+     * ring. */
     void write_json(const std::vector<ContactParameters> &contacts,
                     const std::string                    &path) const;
 

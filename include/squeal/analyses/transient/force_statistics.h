@@ -8,6 +8,17 @@
 
 namespace squeal
 {
+  /** Contact forces after one step, sums over the pairs that slide as in
+   * TransientSample, N. */
+  struct StepSums
+  {
+    double normal = 0., tangential = 0.; /**< resultants */
+    double edge = 0.;     /**< pressure at the leading edge over the mean one,
+                             times `pressing` */
+    double pressing = 0.; /**< of the nodes' normal forces */
+    double friction = 0.; /**< of what nodes have along their own sliding */
+  };
+
   /**
    * Statistics of the contact forces after every step of a stretch of a
    * transient. Steps are equally long and weigh alike. Samples would not do: a
@@ -21,18 +32,15 @@ namespace squeal
     double mean_normal = 0., square_normal = 0.;
     double mean_tangential = 0., square_tangential = 0.;
     double min_normal = 0., max_normal = 0.; /**< N; 0 without steps */
-    /** Mean of the leading edge's pressure over the mean one, times the normal
-     * force, N. */
-    double mean_edge = 0.;
-    double n_apart   = 0.; /**< steps in which no node of any pair is closed */
+    /** Means of those in StepSums, N: on a curved face other ones than of the
+     * resultants. */
+    double mean_edge = 0., mean_pressing = 0., mean_friction = 0.;
+    double n_apart = 0.; /**< steps in which no node of any pair is closed */
     /** As SignalPiece::moment, N: what a line through the steps rises by. */
     double moment_normal = 0., moment_tangential = 0.;
 
-    /** Adds one step. Forces in N, @p edge as in `mean_edge`. */
-    void add(const double normal,
-             const double tangential,
-             const double edge,
-             const bool   is_apart);
+    /** Adds one step. */
+    void add(const StepSums &sums, const bool is_apart);
 
     /** Adds all steps of the stretch that follows. */
     void add(const ForceStatistics &other);
@@ -44,6 +52,10 @@ namespace squeal
     /** The forces of the steps, N. */
     SignalPiece normal() const;
     SignalPiece tangential() const;
+    /** Mean friction over mean normal force of the nodes, of the leading edge's
+     * pressure over the mean one; NaN where nothing presses. */
+    double macroscopic_friction() const;
+    double leading_edge_factor() const;
   };
 
   /** Equally long stretches that a run is cut into: its second half, the

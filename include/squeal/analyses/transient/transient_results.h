@@ -95,7 +95,7 @@ namespace squeal
     double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
     double min_normal = 0., max_normal = 0.;
     double mean_tangential = 0., rms_tangential = 0.;
-    double macroscopic_friction = 0.; /**< mean tangential over mean normal */
+    double macroscopic_friction = 0.; /**< mean friction over mean normal */
     double phase = 0.; /**< of the tangential against the normal force at the
                           largest line, deg */
     bool   separates            = false; /**< all nodes open at a time */

@@ -159,10 +159,10 @@ namespace squeal
     void take_frame(const TransientSample &sample);
     void take_node_shares();
     void set_sums();
-    /** Sums of the forces of now: tangential, normal, mean_edge. */
-    Eigen::Vector3d force_sums() const;
-    void            take_step_forces();
-    void            take_accelerations();
+    /** Sums of the forces of now. */
+    StepSums force_sums() const;
+    void     take_step_forces();
+    void     take_accelerations();
     /** Speed of the drive at the end of the last step, m/s. */
     double speed_now() const;
 
@@ -172,10 +172,11 @@ namespace squeal
     const TransientParameters &settings;
     const std::vector<double>  areas; /**< of all nodes */
     std::vector<FaceAxes>      axes;  /**< of each pair */
-    /** Of the forces of all nodes, a column each: the sums of StepForces,
-     * tangential and normal, and ForceStatistics::mean_edge of one step, while
-     * the target slides forwards and while it slides backwards. */
+    /** Of the forces of all nodes, a column each: StepSums::tangential and
+     * normal, edge while the target slides forwards and while it slides
+     * backwards, pressing and friction. */
     Eigen::MatrixXd                      sums;
+    std::vector<double>                  senses; /**< transverse_senses() */
     unsigned int                         n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;
     HistoryStream                       *history;
