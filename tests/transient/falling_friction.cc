@@ -262,7 +262,7 @@ namespace
         const double stated = reduced_step_error(m, l, dt)[k].real();
         check_below(std::abs(rate - l.lambda[k].real() - stated) / error /
                       sigma,
-                    .1,
+                    .2,
                     "what the lag of friction adds is stated");
         if (before > 0.)
           check_below(error, .6 * before, "falls with the step");
