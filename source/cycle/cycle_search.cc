@@ -202,15 +202,21 @@ namespace squeal
 
 
   double
+  error_by_steps(const double with_all, const double with_half)
+  {
+    return 2. * std::abs(with_all - with_half);
+  }
+
+  double
   CycleResult::frequency_error() const
   {
-    return 2. * std::abs(figures.frequency - coarse_figures.frequency);
+    return error_by_steps(figures.frequency, coarse_figures.frequency);
   }
 
   double
   CycleResult::rms_normal_error() const
   {
-    return 2. * std::abs(figures.rms_normal - coarse_figures.rms_normal);
+    return error_by_steps(figures.rms_normal, coarse_figures.rms_normal);
   }
 
   std::string

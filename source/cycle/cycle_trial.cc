@@ -84,7 +84,7 @@ namespace squeal
                                  cycle.figures.rms_normal,
                                  rms_share,
                                  wide_rms_share,
-                                 2. * std::abs(pairs[p] - coarse[p]));
+                                 error_by_steps(pairs[p], coarse[p]));
     return result;
   }
 

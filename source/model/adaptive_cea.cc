@@ -5,6 +5,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/model/adaptive_cea.h>
+#include <squeal/model/finer_modes.h>
 #include <squeal/model/growth_errors.h>
 
 #include <algorithm>
@@ -40,7 +41,9 @@ namespace squeal
     PairErrors
     errors_of_loudest(const Model        &model,
                       const Pencil       &pencil,
-                      const ComplexPairs &pairs)
+                      const ComplexPairs &pairs,
+                      RunLog             &log,
+                      Timers             &timers)
     {
       if (pairs.left.cols() != pairs.right.cols()) // of the direct solver
         return pair_mesh_errors(model, pencil, pairs);
@@ -54,8 +57,8 @@ namespace squeal
       while (n < order.size() && pairs.sigma(order[n]) > 0.)
         ++n;
       order.resize(n);
-      const PairErrors some =
-        pair_mesh_errors(model, pencil, select_pairs(pairs, order));
+      const PairErrors some = pair_errors_with_locking(
+        model, pencil, select_pairs(pairs, order), log, timers);
       PairErrors result = PairErrors::unknown(pairs.size());
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -257,13 +260,16 @@ namespace squeal
             Timers::Section section(timers, "Solve: mesh error of the pairs");
             result.errors =
               is_adaptive(p)
-                ? pair_mesh_errors(model, *result.modes.pencil, pairs)
-                : errors_of_loudest(model, *result.modes.pencil, pairs);
-            take_growth_errors(
-              errors_of_growth(model, pairs, result.errors, before, timers),
-              pairs,
-              result.errors,
-              log);
+                ? pair_errors_with_locking(
+                    model, *result.modes.pencil, pairs, log, timers)
+                : errors_of_loudest(
+                    model, *result.modes.pencil, pairs, log, timers);
+            if (nearly_incompressible_bodies(model.parameters().scene).empty())
+              take_growth_errors(
+                errors_of_growth(model, pairs, result.errors, before, timers),
+                pairs,
+                result.errors,
+                log);
           }
         else
           result.errors = PairErrors::unknown(pairs.size());

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/discretization/point_evaluator.h>
 #include <squeal/eigen/certified_solver.h>
+#include <squeal/model/finer_modes.h>
 #include <squeal/model/growth_errors.h>
 #include <squeal/model/other_degree.h>
 #include <squeal/scene/modulus_table.h>
@@ -17,8 +19,10 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
-    /** Of the band beyond the growing pairs, in which they are sought again. */
-    constexpr double reach = 0.15;
+    /** Of the band beyond the pairs, in which they are sought again; below it
+     * where the second solution is the finer one, whose frequencies are lower.
+     */
+    constexpr double reach = 0.15, reach_to_finer = 0.3;
     /** Least squared cosine of the shapes of a pair found again. Two modes
      * that lock in share half of each of theirs. */
     constexpr double least_likeness = 0.3;
@@ -76,21 +80,32 @@ namespace squeal
       return shapes;
     }
 
-    /** Pairs of the lower degree about those of @p pairs that grow. */
     ComplexPairs
-    pairs_of(const OtherDegree     &coarse,
+    growing(const ComplexPairs &pairs)
+    {
+      std::vector<int> numbers;
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        if (pairs.sigma(k) > 0.)
+          numbers.push_back(k);
+      return select_pairs(pairs, numbers);
+    }
+
+    /** Pairs of another degree about those of @p pairs, from @p below of their
+     * lowest frequency under it on. */
+    ComplexPairs
+    pairs_of(const OtherDegree     &other,
              const ComplexPairs    &pairs,
+             const double           below,
              const EigenParameters &p)
     {
       double lowest = std::numeric_limits<double>::infinity(), highest = 0.;
       for (unsigned int k = 0; k < pairs.size(); ++k)
-        if (pairs.sigma(k) > 0.)
-          {
-            lowest  = std::min(lowest, pairs.frequency(k));
-            highest = std::max(highest, pairs.frequency(k));
-          }
+        {
+          lowest  = std::min(lowest, pairs.frequency(k));
+          highest = std::max(highest, pairs.frequency(k));
+        }
       CertifiedOptions options;
-      options.lowest_frequency    = (1. - reach) * lowest;
+      options.lowest_frequency    = (1. - below) * lowest;
       options.highest_frequency   = (1. + reach) * highest;
       options.residual_tolerance  = std::max(1e-6, p.residual_tolerance);
       options.error_tolerance     = std::max(1e-6, p.error_tolerance);
@@ -98,11 +113,11 @@ namespace squeal
       ModeOptions of_modes;
       of_modes.tolerance = p.mode_tolerance;
       const ShiftedInverse inverse(
-        *coarse.pencil, std::pow(2. * M_PI * options.highest_frequency, 2));
-      UndampedModes modes = undamped_modes(*coarse.pencil, inverse, of_modes);
+        *other.pencil, std::pow(2. * M_PI * options.highest_frequency, 2));
+      UndampedModes modes = undamped_modes(*other.pencil, inverse, of_modes);
       if (modes.shapes.cols() == 0)
         return {};
-      CertifiedSolver solver(*coarse.pencil, inverse, modes);
+      CertifiedSolver solver(*other.pencil, inverse, modes);
       modes.release_start();
       return solver.solve(options);
     }
@@ -121,6 +136,18 @@ namespace squeal
             (best < 0 || coarse[i].real() > coarse[best].real()))
           best = i;
       return best;
+    }
+
+    /** The error @p growth of a growth rate, no smaller than its share of that
+     * of the frequency, @p frequency in rad/s. */
+    double
+    at_least_by_frequency(const double  growth,
+                          const double  frequency,
+                          const Complex lambda)
+    {
+      const double floor =
+        least_share * lambda.real() * std::abs(frequency) / std::abs(lambda);
+      return std::copysign(std::max(std::abs(growth), floor), growth);
     }
 
     /** What the coarser one of two eigenvalues tells of the error of the finer
@@ -150,10 +177,8 @@ namespace squeal
           ? std::copysign(std::max(std::abs(of_cells), std::abs(change.imag())),
                           of_cells)
           : of_cells;
-      const double left = change.real() * ratio;
-      const double floor =
-        least_share * lambda.real() * std::abs(of_cells) / std::abs(lambda);
-      return {std::copysign(std::max(std::abs(left), floor), left), frequency};
+      return {at_least_by_frequency(change.real() * ratio, of_cells, lambda),
+              frequency};
     }
 
     Eigen::VectorXcd
@@ -163,16 +188,94 @@ namespace squeal
                                         Complex(std::nan(""), std::nan("")));
     }
 
+    /** Moduli that follow the frequency would be needed in the second solution
+     * too. */
+    bool
+    can_be_solved_twice(const Model &model)
+    {
+      return !ModulusTables(model.parameters().scene).depend_on_frequency();
+    }
+
     /** Whether two solutions of the model can tell growth rates. */
     bool
     has_errors(const Model &model, const ComplexPairs &pairs)
     {
       const Discretization *d = model.discretization();
-      // With moduli that follow the frequency the second solution would need
-      // them too: the estimate of the cells stands.
-      return d && d->has_mesh() &&
-             !ModulusTables(model.parameters().scene).depend_on_frequency() &&
+      return d && d->has_mesh() && can_be_solved_twice(model) &&
              pairs.lambda.real().maxCoeff() > 0.;
+    }
+
+    /** Errors of @p pairs against those of @p finer. */
+    Eigen::VectorXcd
+    against_finer(const ComplexPairs    &pairs,
+                  const ComplexPairs    &finer,
+                  const Eigen::MatrixXd &likeness,
+                  const double           factor)
+    {
+      Eigen::VectorXcd result = all_unknown(pairs);
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        {
+          Eigen::Index i = 0;
+          if (likeness.col(k).maxCoeff(&i) < least_likeness)
+            continue;
+          // Of two partners the one that grows is that of the one that grows.
+          if (pairs.sigma(k) > 0.)
+            i = found_again(finer.lambda, likeness.col(k));
+          const Complex left = factor * (finer.lambda[i] - pairs.lambda[k]);
+          result[k]          = {
+                     pairs.sigma(k) > 0.
+                       ? at_least_by_frequency(left.real(), left.imag(), pairs.lambda[k])
+                       : left.real(),
+            left.imag()};
+        }
+      return result;
+    }
+
+    /** Of pairs whose errors have come from one degree more. */
+    Eigen::VectorXcd
+    those_that_grow(const ComplexPairs &pairs, const PairErrors &errors)
+    {
+      Eigen::VectorXcd result = all_unknown(pairs);
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        if (pairs.sigma(k) > 0.)
+          result[k] = errors.lambda[k];
+      return result;
+    }
+
+    bool
+    cells_lock(const Model &model)
+    {
+      return !nearly_incompressible_bodies(model.parameters().scene).empty();
+    }
+
+    /** Of all @p pairs against one degree more; NaN of those not found again. */
+    Eigen::VectorXcd
+    pair_errors_by_next_degree(const Model        &model,
+                               const ComplexPairs &pairs,
+                               Timers             &timers)
+    {
+      if (!can_be_solved_twice(model))
+        return all_unknown(pairs);
+      const unsigned int degree = model.discretization()->degree();
+      Timers::Section    section(timers, "Solve: pairs of the next degree");
+      const OtherDegree  fine = with_degree(model, degree + 1, timers);
+      ComplexPairs       finer;
+      try
+        {
+          finer =
+            pairs_of(fine, pairs, reach_to_finer, model.parameters().eigen);
+        }
+      catch (const ComputationError &)
+        {
+          return all_unknown(pairs);
+        }
+      if (finer.size() == 0)
+        return all_unknown(pairs);
+      const Eigen::MatrixXd likeness =
+        (shapes_at_corners(*fine.space, fine.system, finer.right).adjoint() *
+         coarser_pairs(model, pairs).shapes)
+          .cwiseAbs2();
+      return against_finer(pairs, finer, likeness, 0.5 * (degree + 1.));
     }
   } // namespace
 
@@ -197,6 +300,8 @@ namespace squeal
                 const CoarserPairs &coarser,
                 const double        least)
   {
+    if (cells_lock(model))
+      return those_that_grow(pairs, errors);
     Eigen::VectorXcd result = all_unknown(pairs);
     if (!has_errors(model, pairs) || coarser.lambda.size() == 0)
       return result;
@@ -222,6 +327,8 @@ namespace squeal
                                 const PairErrors   &errors,
                                 Timers             &timers)
   {
+    if (cells_lock(model))
+      return those_that_grow(pairs, errors);
     const Eigen::VectorXcd unknown = all_unknown(pairs);
     if (!has_errors(model, pairs) || model.discretization()->degree() < 2)
       return unknown;
@@ -231,7 +338,8 @@ namespace squeal
     ComplexPairs       coarse;
     try
       {
-        coarse = pairs_of(lower, pairs, model.parameters().eigen);
+        coarse =
+          pairs_of(lower, growing(pairs), reach, model.parameters().eigen);
       }
     catch (const ComputationError &)
       {
@@ -246,5 +354,36 @@ namespace squeal
       {coarse.lambda,
        shapes_at_corners(*lower.space, lower.system, coarse.right)},
       degree > 1 ? least_ratio : least_ratio_linear);
+  }
+
+
+
+  PairErrors
+  pair_errors_with_locking(const Model        &model,
+                           const Pencil       &pencil,
+                           const ComplexPairs &pairs,
+                           RunLog             &log,
+                           Timers             &timers)
+  {
+    PairErrors errors = pair_mesh_errors(model, pencil, pairs);
+    if (!cells_lock(model) || errors.lambda.array().isNaN().all())
+      return errors;
+    const std::string body =
+      nearly_incompressible_bodies(model.parameters().scene).front();
+    errors.lambda        = pair_errors_by_next_degree(model, pairs, timers);
+    const auto n_unknown = errors.lambda.array().isNaN().count();
+    if (n_unknown == 0)
+      log.info("  " + body +
+               " hardly changes its volume: mesh errors of pairs are those "
+               "against one degree more");
+    else
+      log.warning(
+        body + " hardly changes its volume: the mesh errors of " +
+        std::to_string(n_unknown) + " of " + std::to_string(pairs.size()) +
+        " pairs are left empty, as " +
+        (can_be_solved_twice(model)
+           ? "the pairs were not found again with one degree more"
+           : "moduli that follow the frequency have no second solution"));
+    return errors;
   }
 } // namespace squeal

@@ -258,6 +258,24 @@ namespace squeal
         }
       return A;
     }
+
+    /** What a relative change of the slopes dmu/dv adds to A, over it. */
+    Eigen::MatrixXd
+    change_by_slope(const ReducedContactModel &model,
+                    const SteadySliding       &steady,
+                    const NodalFriction       &friction,
+                    const double               speed)
+    {
+      // Across the sliding A is not linear in them.
+      constexpr double increment = 1e-3;
+      const auto       matrix    = [&](const double factor) {
+        NodalFriction other = friction;
+        other.slope *= factor;
+        return state_matrix(ClosedContact(model, steady, other, speed));
+      };
+      return (matrix(1. + increment) - matrix(1. - increment)) /
+             (2. * increment);
+    }
   } // namespace
 
 
@@ -274,6 +292,13 @@ namespace squeal
     const Eigen::Index    n_s    = closed.rows.across.size();
     result.across                = A.bottomRightCorner(n_s, n_s);
     result.rows_across           = closed.rows.across;
+    result.by_slope              = Eigen::VectorXcd::Zero(result.lambda.size());
+    if (!friction.slope.isZero(0.))
+      result.by_slope =
+        (result.left * change_by_slope(model, steady, friction, speed))
+          .cwiseProduct(result.right.transpose())
+          .rowwise()
+          .sum();
     return result;
   }
 
@@ -286,18 +311,19 @@ namespace squeal
                   const double               speed,
                   const LinearizedMotion    &linear)
   {
-    // Of the flexibility, in which the state matrix is not linear.
+    // Of the matrices, in which the state matrix is not linear.
     constexpr double      increment = 1e-5;
     const Eigen::MatrixXd A =
       state_matrix(ClosedContact(model, steady, friction, speed));
     ReducedContactModel other = model;
-    // Of every eigenvalue for a change of the flexibility.
-    const auto derivative = [&](const Eigen::MatrixXd &change) {
+    // Of every eigenvalue for a change of the flexibility or participation.
+    const auto derivative = [&](Eigen::MatrixXd ReducedContactModel::*matrix,
+                                const Eigen::MatrixXd                &change) {
       Eigen::VectorXcd result = Eigen::VectorXcd::Zero(linear.lambda.size());
       if (change.size() == 0 || change.isZero(0.))
         return result;
-      const double share = increment * model.flexibility.norm() / change.norm();
-      other.flexibility  = model.flexibility + share * change;
+      const double share = increment * (model.*matrix).norm() / change.norm();
+      other.*matrix      = model.*matrix + share * change;
       const Eigen::MatrixXd changed =
         state_matrix(ClosedContact(other, steady, friction, speed)) - A;
       result = (linear.left * changed)
@@ -305,10 +331,15 @@ namespace squeal
                  .rowwise()
                  .sum() /
                share;
+      other.*matrix = model.*matrix;
       return result;
     };
-    return -linear.lambda.cwiseProduct(derivative(model.residual_damping)) -
-           linear.lambda.cwiseProduct(linear.lambda)
-             .cwiseProduct(derivative(model.residual_inertia));
+    constexpr auto G               = &ReducedContactModel::flexibility,
+                   Psi             = &ReducedContactModel::participation;
+    const Eigen::VectorXcd by_rate = derivative(G, model.residual_damping) +
+                                     derivative(Psi, model.residual_coupling),
+                           by_accel = derivative(G, model.residual_inertia);
+    return -linear.lambda.cwiseProduct(by_rate +
+                                       linear.lambda.cwiseProduct(by_accel));
   }
 } // namespace squeal

@@ -29,7 +29,9 @@ namespace squeal
     for (unsigned int j = 0; j < n_nodes(); ++j)
       if (of_nodes[j])
         sign.segment(3 * j + 1, 2).setConstant(-1.);
-    participation = (sign.asDiagonal() * participation).eval();
+    for (Eigen::MatrixXd *x : {&participation, &residual_coupling})
+      if (x->size() > 0)
+        *x = (sign.asDiagonal() * *x).eval();
     for (Eigen::MatrixXd *x :
          {&flexibility, &residual_inertia, &residual_damping})
       if (x->size() > 0)
@@ -167,6 +169,7 @@ namespace squeal
         model.flexibility            = std::move(residual.flexibility);
         model.residual_inertia       = std::move(residual.inertia);
         model.residual_damping       = std::move(residual.damping);
+        model.residual_coupling      = std::move(residual.coupling);
       }
     else
       model.flexibility = flexibility_of_sliding(residual_response, B, nodes);

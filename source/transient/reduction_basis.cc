@@ -177,8 +177,27 @@ namespace squeal
     if (pencil.is_rayleigh_damped(alpha, beta))
       result.damping = alpha * result.inertia + beta * G;
     else
-      result.damping = products(
-        x, [this](const Block &y) { return pencil.multiply_damping(y); });
+      {
+        result.damping = products(
+          x, [this](const Block &y) { return pencil.multiply_damping(y); });
+        result.coupling = damping_of_basis(x);
+      }
+    return result;
+  }
+
+  Eigen::MatrixXd
+  ResidualResponse::damping_of_basis(const Block &x) const
+  {
+    const Eigen::Index n = basis.shapes.cols();
+    Eigen::MatrixXd    result(x.cols(), n);
+    for (Eigen::Index first = 0; first < n; first += columns_at_once)
+      {
+        const Eigen::Index m        = std::min(columns_at_once, n - first);
+        result.middleCols(first, m) = inner_products(
+          space,
+          x,
+          pencil.multiply_damping(Block(basis.shapes.middleCols(first, m))));
+      }
     return result;
   }
 

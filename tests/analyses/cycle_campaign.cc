@@ -57,6 +57,23 @@ namespace
             ", different " + std::to_string(o.n_different));
   }
 
+  /** Cycles are the same within their errors, twice the difference to half the
+   * steps. */
+  void
+  errors_by_half_the_steps()
+  {
+    check(error_by_steps(3., 2.5) == 1., "twice the difference");
+    CycleResult a = cycle(3000., 50., .9), b = cycle(3012., 53., .9);
+    is({a, b}, "several stable limit cycles", 1, 2);
+    for (CycleResult *c : {&a, &b})
+      {
+        c->coarse_figures.frequency += 3.;
+        c->coarse_figures.rms_normal += .75;
+      }
+    check(a.frequency_error() == 6., "of the frequency");
+    is({a, b}, "stable limit cycle", 0, 1);
+  }
+
   void
   outcomes()
   {
@@ -259,6 +276,7 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check(argc > 2, "arguments: the program and the folder of parameter files");
+  errors_by_half_the_steps();
   outcomes();
   points(argv[1], argv[2]);
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Estimated errors of bodies that hardly change their volume are within a
-// factor 3 of the true ones, from a Poisson ratio of 0.3 to 0.4999.
+// factor 3 of the true ones, from a Poisson ratio of 0.3 to 0.4999, of modes
+// and of complex pairs with friction.
 
 #include "scenes.h"
 #include "worst.h"
 
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
+#include <squeal/model/adaptive_cea.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/mode_solution.h>
 
@@ -59,6 +61,77 @@ namespace
       }
   }
 
+  /** A soft pad that is pressed on a block, held at its back. */
+  Parameters
+  pad_on_block()
+  {
+    Parameters p;
+    auto      &s = p.scene;
+    s.bodies     = {
+          make_block("base", {{0., 0., -.01}}, {{.03, .03, .01}}, {{3, 3, 1}}),
+          make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, {{2, 2, 2}})};
+    s.bodies[1].young_modulus = 1e8;
+    s.bodies[1].density       = 2000.;
+    s.supports = {make_clamp("base", "z_min"), make_clamp("pad", "z_max")};
+    ContactParameters c;
+    c.name                    = "c";
+    c.source_body             = "pad";
+    c.source_face             = "z_min";
+    c.target_body             = "base";
+    c.target_face             = "z_max";
+    c.formulation             = ContactParameters::Formulation::mortar;
+    c.friction_coefficient    = .3;
+    s.contacts                = {c};
+    p.eigen.highest_frequency = 16000.;
+    return p;
+  }
+
+  MeshedCea
+  solve_pairs(const Parameters &p)
+  {
+    Timers        timers;
+    RunLog        log(false);
+    squeal::Model model(p, timers);
+    return solve_cea_adaptively(model, log, timers);
+  }
+
+  /** Frequencies of complex pairs beside those of two degrees more. */
+  void
+  test_pairs()
+  {
+    Parameters p = pad_on_block();
+    for (const double nu : {.49, .4999})
+      {
+        p.scene.bodies[1].poisson_ratio = nu;
+        p.discretization.degree         = 2;
+        p.discretization.estimate_error = true;
+        const MeshedCea coarse          = solve_pairs(p);
+        p.discretization.degree         = 4;
+        p.discretization.estimate_error = false;
+        const ComplexPairs  fine        = solve_pairs(p).solution.pairs;
+        const ComplexPairs &pairs       = coarse.solution.pairs;
+        unsigned int        n_known     = 0;
+        for (unsigned int k = 0; k < pairs.size() && k < fine.size(); ++k)
+          {
+            const double stated = coarse.errors.lambda[k].imag();
+            if (std::isnan(stated))
+              continue;
+            ++n_known;
+            const double exact = fine.lambda[k].imag() - pairs.lambda[k].imag();
+            std::cout << "pad on block, nu = " << nu << ": "
+                      << pairs.frequency(k) << " Hz, " << pairs.sigma(k)
+                      << " 1/s, off by " << exact / (2. * M_PI)
+                      << " Hz, stated " << stated / (2. * M_PI) << " Hz"
+                      << std::endl;
+            check(stated / exact > 1. / 3. && stated / exact < 3.,
+                  "pad on block, nu = " + number(nu) + ", pair at " +
+                    number(pairs.frequency(k)) + " Hz: stated over true " +
+                    number(stated / exact));
+          }
+        check(n_known >= 4, "the errors of the pairs are known");
+      }
+  }
+
   void
   test_materials()
   {
@@ -93,6 +166,7 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   test_materials();
+  test_pairs();
   Parameters disc;
   disc.scene.bodies            = {make_annulus({{8, 2, 1}})};
   disc.scene.supports          = {make_clamp("disc", "inner")};

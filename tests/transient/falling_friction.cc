@@ -9,6 +9,7 @@
 
 #include <squeal/transient/implicit_transient.h>
 #include <squeal/transient/reduced_transient.h>
+#include <squeal/transient/time_step_error.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -258,6 +259,11 @@ namespace
                     rate,
                     sigma,
                     error);
+        const double stated = reduced_step_error(m, l, dt)[k].real();
+        check_below(std::abs(rate - l.lambda[k].real() - stated) / error /
+                      sigma,
+                    .2,
+                    "what the lag of friction adds is stated");
         if (before > 0.)
           check_below(error, .6 * before, "falls with the step");
         before_2 = before;

@@ -12,6 +12,12 @@
 
 namespace squeal
 {
+  /** Error of a number that is @p with_all steps, and @p with_half of them: twice
+   * the difference. Where forces jump, what a step misses hangs on where in it
+   * the jump lies, and the difference of two numbers of steps is small by
+   * chance as often as not (doc/theory/limit_cycles.md). */
+  double error_by_steps(const double with_all, const double with_half);
+
   /** Of one growing pair: the periodic motion that it leads to. */
   struct CycleResult
   {
@@ -34,10 +40,7 @@ namespace squeal
     }
     std::string status() const;
 
-    /** @name By the steps: twice the difference to half of them. Where forces
-     * jump, what a step misses hangs on where in it the jump lies, and the
-     * difference of two numbers of steps is small by chance as often as not
-     * (doc/theory/limit_cycles.md). */
+    /** @name By the steps, see error_by_steps(). */
     //@{
     double frequency_error() const;  /**< Hz */
     double rms_normal_error() const; /**< N */

@@ -6,6 +6,7 @@
 
 namespace squeal
 {
+  class RunLog;
   class Timers;
 
   /** Pairs of a coarser model of the same coarse mesh. */
@@ -48,7 +49,8 @@ namespace squeal
    * @param pairs  right vectors are used
    * @param errors of the pairs, for the frequencies
    * @return of lambda, 1/s, one a pair: NaN for those that do not grow or are
-   * not found again.
+   * not found again. Of bodies that hardly change their volume those of
+   * @p errors, see pair_errors_with_locking().
    */
   Eigen::VectorXcd growth_errors(const Model        &model,
                                  const ComplexPairs &pairs,
@@ -63,6 +65,22 @@ namespace squeal
                                                  const ComplexPairs &pairs,
                                                  const PairErrors   &errors,
                                                  Timers             &timers);
+
+  /**
+   * pair_mesh_errors(), and where a body hardly changes its volume, so that its
+   * cells do not know the errors of the pairs, in the place of those what a
+   * solution of the same mesh with one degree more changes, times (p + 1)/2, as
+   * errors_by_next_degree() of the modes. The shares of the cells stay.
+   *
+   * A pair is found again by its shape as in growth_errors(), one that does not
+   * grow by the largest likeness. Errors that are not known are NaN, and @p log
+   * warns of them.
+   */
+  PairErrors pair_errors_with_locking(const Model        &model,
+                                      const Pencil       &pencil,
+                                      const ComplexPairs &pairs,
+                                      RunLog             &log,
+                                      Timers             &timers);
 } // namespace squeal
 
 #endif

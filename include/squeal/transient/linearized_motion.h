@@ -30,6 +30,9 @@ namespace squeal
      * right angles, at a coalescence the most that double precision tells
      * apart, 4.5e15. */
     Eigen::VectorXd condition;
+    /** What a relative change of all slopes dmu/d|v_t| adds to each eigenvalue,
+     * over it, 1/s; zero with constant friction. */
+    Eigen::VectorXcd by_slope;
     /** What lambda across the sliding has part in its own rate, 1/s. */
     Eigen::MatrixXd across;
     /** Which of all nodal forces those are. */

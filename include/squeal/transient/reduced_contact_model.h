@@ -40,6 +40,8 @@ namespace squeal
     /** What the flexibility leaves out, see ResidualFlexibility; empty where
      * the model is that of steady sliding. */
     Eigen::MatrixXd residual_inertia, residual_damping;
+    /** 3 nodes x modes; empty too where the damping leaves nothing of it. */
+    Eigen::MatrixXd residual_coupling;
     Eigen::VectorXd load;        /**< phi^T f at full load */
     Eigen::VectorXd load_motion; /**< residual motion of the nodes, m */
     Eigen::VectorXd initial_gap; /**< of every node, m */

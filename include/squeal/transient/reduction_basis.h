@@ -36,13 +36,19 @@ namespace squeal
 
   /** What forces on functionals B move there by the motions that a basis leaves
    * out, quasi-statically, and to the next order: with x = A B^T,
-   * B u = (flexibility - lambda damping - lambda^2 inertia) f for e^(lambda t).
+   * B u = (flexibility - lambda damping - lambda^2 inertia) f
+   *       + (participation - lambda coupling) q
+   * for e^(lambda t) and the coordinates q of the basis, which feel f by the
+   * transpose of that participation.
    */
   struct ResidualFlexibility
   {
     Eigen::MatrixXd flexibility; /**< B A B^T, m/N, symmetric */
     Eigen::MatrixXd inertia;     /**< x^T M x, m s^2/N */
     Eigen::MatrixXd damping;     /**< x^T C x, m s/N */
+    /** x^T C phi of the whole basis; empty where the damping is that of the
+     * whole model by its mass and stiffness, which leaves it zero. */
+    Eigen::MatrixXd coupling;
   };
 
   /** Static responses to forces without their share in a basis, on a factor
@@ -68,6 +74,8 @@ namespace squeal
     /** Without the share of the modes. */
     Block without_modes(const Block &forces) const;
     void  subtract_ritz_vectors(const Block &forces, Block &x) const;
+    /** x^T C phi. */
+    Eigen::MatrixXd damping_of_basis(const Block &x) const;
     /** x^T A x of a symmetric operator. */
     Eigen::MatrixXd products(
       const Block                               &x,

@@ -7,7 +7,9 @@
 namespace squeal
 {
   /** @name What steps of @p dt seconds add to lambda = sigma + i omega of the
-   * linear motion, 1/s, to leading order in dt: doc/theory.md. */
+   * linear motion, 1/s, to leading order in dt: doc/theory/steady_sliding.md.
+   * @p by_slope: as in LinearizedMotion. A coefficient of friction that depends
+   * on the slip rate is that of the step before. */
   //@{
   /** Of the reduced integrator, for every pair of @p linear: contact forces
    * that are linear within a step, and slip rates across the sliding that are
@@ -17,14 +19,18 @@ namespace squeal
                                       const double               dt);
 
   /** Of the implicit integrator: (lambda dt)^2 / 12 of lambda. */
-  std::complex<double> implicit_step_error(const std::complex<double> lambda,
-                                           const double               dt);
+  std::complex<double> implicit_step_error(
+    const std::complex<double> lambda,
+    const double               dt,
+    const std::complex<double> by_slope = 0.);
 
   /** Of the explicit integrator, without what the lag of the bodies' damping
    * adds. */
-  std::complex<double> explicit_step_error(const std::complex<double> lambda,
-                                           const double               dt,
-                                           const double               beta_2);
+  std::complex<double> explicit_step_error(
+    const std::complex<double> lambda,
+    const double               dt,
+    const double               beta_2,
+    const std::complex<double> by_slope = 0.);
   //@}
 } // namespace squeal
 

@@ -48,8 +48,8 @@ namespace squeal
       const double size = std::max(a.figures.rms_normal, b.figures.rms_normal);
       for (std::size_t p = 0; p < fine_a.size(); ++p)
         if (std::abs(fine_a[p] - fine_b[p]) >
-            same_rms * size + std::abs(fine_a[p] - coarse_a[p]) +
-              std::abs(fine_b[p] - coarse_b[p]))
+            same_rms * size + error_by_steps(fine_a[p], coarse_a[p]) +
+              error_by_steps(fine_b[p], coarse_b[p]))
           return false;
       return true;
     }
@@ -58,15 +58,13 @@ namespace squeal
     bool
     are_same(const CycleResult &a, const CycleResult &b)
     {
-      const auto error = [](const CycleResult &c) {
-        return std::abs(c.figures.frequency - c.coarse_figures.frequency);
-      };
       const double times_a = a.figures.repetitions(),
                    times_b = b.figures.repetitions();
       return agree(times_a * a.figures.frequency,
                    times_b * b.figures.frequency,
                    same_frequency,
-                   times_a * error(a) + times_b * error(b)) &&
+                   times_a * a.frequency_error() +
+                     times_b * b.frequency_error()) &&
              have_same_forces(a, b);
     }
 

@@ -113,10 +113,11 @@ namespace squeal
     mesh_errors(const Model        &model,
                 const ModeSolution &modes,
                 const ComplexPairs &pairs,
-                Timers             &timers)
+                RunContext         &context)
     {
-      Timers::Section section(timers, "Solve: mesh error of the pairs");
-      return pair_mesh_errors(model, *modes.pencil, pairs);
+      Timers::Section section(context.timers, "Solve: mesh error of the pairs");
+      return pair_errors_with_locking(
+        model, *modes.pencil, pairs, context.log, context.timers);
     }
 
     std::complex<double>
@@ -157,7 +158,7 @@ namespace squeal
       double frequency_error = std::nan(""), growth_error = std::nan("");
       if (here.discretization.estimate_error)
         {
-          const PairErrors errors = mesh_errors(model, modes, loudest, timers);
+          const PairErrors errors = mesh_errors(model, modes, loudest, context);
           frequency_error         = errors.lambda[0].imag() / (2. * M_PI);
           if (loudest.sigma(0) > std::max(loudest_before, 0.))
             {

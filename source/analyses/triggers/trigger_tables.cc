@@ -60,21 +60,9 @@ namespace squeal
     }
 
     double
-    frequency_error(const CycleResult &c)
-    {
-      return std::abs(c.figures.frequency - c.coarse_figures.frequency);
-    }
-
-    double
     rms(const CycleResult &c)
     {
       return c.figures.rms_normal;
-    }
-
-    double
-    rms_error(const CycleResult &c)
-    {
-      return std::abs(c.figures.rms_normal - c.coarse_figures.rms_normal);
     }
 
     /** The largest in size beside the trivial one. */
@@ -214,10 +202,10 @@ namespace squeal
         of_cycle({"unstable_frequency_error_hz",
                   Type::real,
                   "Hz",
-                  "difference to half the steps",
+                  "twice the difference to half the steps",
                   3},
                  cycle,
-                 frequency_error),
+                 &CycleResult::frequency_error),
         of_cycle({"unstable_line_hz",
                   Type::real,
                   "Hz",
@@ -232,10 +220,10 @@ namespace squeal
         of_cycle({"unstable_rms_normal_error_n",
                   Type::real,
                   "N",
-                  "difference to half the steps",
+                  "twice the difference to half the steps",
                   3},
                  cycle,
-                 rms_error),
+                 &CycleResult::rms_normal_error),
         of_cycle(
           {"unstable_multiplier_real",
            Type::real,
@@ -252,7 +240,7 @@ namespace squeal
            Type::real,
            "",
            "the larger of what the trivial one is off and of the "
-           "difference to half the steps",
+           "twice the difference to half the steps",
            3},
           cycle,
           [](const CycleResult &c) { return c.multipliers.uncertainty(); }),
@@ -314,10 +302,10 @@ namespace squeal
         of_cycle({"stable_frequency_error_hz",
                   Type::real,
                   "Hz",
-                  "difference to half the steps",
+                  "twice the difference to half the steps",
                   3},
                  cycle,
-                 frequency_error),
+                 &CycleResult::frequency_error),
         of_cycle({"stable_line_hz",
                   Type::real,
                   "Hz",
@@ -332,10 +320,10 @@ namespace squeal
         of_cycle({"stable_rms_normal_error_n",
                   Type::real,
                   "N",
-                  "difference to half the steps",
+                  "twice the difference to half the steps",
                   3},
                  cycle,
-                 rms_error),
+                 &CycleResult::rms_normal_error),
         {{"stability", Type::text, "", "by its Floquet multipliers"},
          [](const R &r) {
            return is_of_squeal(r) ? Cell(r.stable.multipliers.stability())
@@ -352,7 +340,7 @@ namespace squeal
            Type::real,
            "",
            "the larger of what the trivial one is off and of the "
-           "difference to half the steps",
+           "twice the difference to half the steps",
            3},
           cycle,
           [](const CycleResult &c) { return c.multipliers.uncertainty(); })};

@@ -84,12 +84,14 @@ namespace squeal::tribology
                "repeating history by the damage curves of Manson and Halford, "
                "by which cycles of different height do more together than "
                "alone.");
-    schema.add("Averaging length",
-               f.averaging_length,
-               Allowed::number(0.),
-               "Edge of the square over which damage is averaged; 0: none, "
-               "and the result depends on the mesh at the pad's edges.",
-               "m");
+    schema.add(
+      "Averaging length",
+      f.averaging_length,
+      Allowed::number(0.),
+      "Length over which stresses are averaged, with normal weights of "
+      "deviation length/4; 0: none, "
+      "and the result depends on the mesh at the pad's edges.",
+      "m");
     schema.add("Application time",
                f.application_time,
                Allowed::positive(),
