@@ -60,14 +60,16 @@ namespace squeal
         reduced_step_error(prepared.pressed.model(), prepared.linear, t.step());
       for (const unsigned int k : prepared.branches)
         {
-          const auto lambda = prepared.linear.lambda[k];
-          const auto error  = [&]() {
+          const std::complex<double> lambda   = prepared.linear.lambda[k],
+                                     by_slope = prepared.linear.by_slope[k];
+          const auto error                    = [&]() {
             switch (t.integrator)
               {
               case Integrator::implicit:
-                return implicit_step_error(lambda, t.step());
+                return implicit_step_error(lambda, t.step(), by_slope);
               case Integrator::explicit_:
-                return explicit_step_error(lambda, t.step(), t.beta_2);
+                return explicit_step_error(
+                  lambda, t.step(), t.beta_2, by_slope);
               case Integrator::reduced:
                 return std::complex<double>(reduced[k]);
               }
