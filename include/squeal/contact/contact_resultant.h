@@ -36,11 +36,11 @@ namespace squeal
                           const ContactGeometry &other);
 
   /** Resultant of nodal forces by the target on the source, N, in
-   * mean_frame(): along s (radially outwards under a disc that turns about +z),
-   * along t and along n, compression positive. On a curved face pressure and
-   * friction both have parts along t and n, so that the resultant is what the
-   * supports and loads of the source hold. Where slides_one_way() is false the
-   * first two are the sums of what each node has across and along its own
+   * mean_frame(): along s (radially outwards of a pad on a disc turning about
+   * +z), along t and along n, compression positive. On a curved face pressure
+   * and friction both have parts along t and n, so that the resultant is what
+   * the supports and loads of the source hold. Where slides_one_way() is false
+   * the first two are the sums of what each node has across and along its own
    * sliding. Where looks_to_one_side() is false the third is the sum of the
    * nodes' normal forces, which have no part in the others. @p forces: three a
    * node of this pair. */

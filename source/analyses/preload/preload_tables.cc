@@ -38,7 +38,7 @@ namespace squeal
               {"radial_n",
                Type::real,
                "N",
-               "across the sliding (outwards on a disc), target on source",
+               "across the sliding, along t x n, target on source",
                3},
               {"n_open", Type::integer, "", "open nodes"},
               {"n_slip", Type::integer, "", "slipping nodes"},

@@ -88,7 +88,7 @@ namespace squeal
        {"radial_n",
         Type::real,
         "N",
-        "across the sliding (outwards on a disc), on the source"},
+        "across the sliding, along t x n, on the source"},
        {"n_open", Type::integer, "", "open nodes"},
        {"n_stick", Type::integer, "", "sticking nodes"},
        {"leading_edge_factor", Type::real, "", ""},
