@@ -38,10 +38,11 @@ namespace squeal
       std::vector<FigureRung> rungs;
       std::size_t             finest = 0;
 
-      /** How far a figure of a rung is from that of the finest one, relative;
-       * of an error, that itself. NaN where one of them is not there. */
+      /** How far a figure of one of the rungs is from that of the finest one,
+       * relative; of an error, that itself. NaN where one of them is not there.
+       */
       double
-      error_of(const FigureRung &rung, const RunFigure &figure) const
+      error_of(const RunFigure &figure) const
       {
         if (figure.is_error)
           return std::abs(figure.value);
@@ -162,7 +163,7 @@ namespace squeal
                   const RunFigure     &figure)
     {
       const RunFigures &s     = rung.solution;
-      const double      error = climbed.error_of(rung, figure);
+      const double      error = climbed.error_of(figure);
       return {setting_text(climbed.ladder, rung.setting),
               s.n_unknowns,
               s.n_modes > 0 ? Cell(s.n_modes) : Cell(),
@@ -223,7 +224,7 @@ namespace squeal
       WorkPrecisionSeries series{choice_name(climbed.ladder), {}, {}, {}, {}};
       for (std::size_t k = 0; k < climbed.rungs.size(); ++k)
         for (const RunFigure &figure : climbed.rungs[k].solution.figures)
-          if (const double error = climbed.error_of(climbed.rungs[k], figure);
+          if (const double error = climbed.error_of(figure);
               figure.name == name && climbed.counts(k, figure) && error > 0. &&
               std::isfinite(error))
             {
