@@ -26,8 +26,13 @@ namespace
   {
     std::vector<ForceStatistics> stretches(n_force_stretches);
     for (unsigned int k = 0; k < n_steps; ++k)
-      stretches[std::size_t(k) * n_force_stretches / n_steps].add(
-        force((k + .5) / n_steps), .3 * force((k + .5) / n_steps), 0., false);
+      {
+        StepSums sums;
+        sums.normal     = force((k + .5) / n_steps);
+        sums.tangential = .3 * sums.normal;
+        stretches[std::size_t(k) * n_force_stretches / n_steps].add(sums,
+                                                                    false);
+      }
     return stretches;
   }
 
