@@ -239,7 +239,8 @@ namespace squeal
                 ? "; pairs there that do not grow are not in the tables: " +
                     how_to_see(solution, p)
                 : "");
-    return (lambda.imag() == 0.
+    // Rounding leaves a frequency where there is none.
+    return (std::abs(lambda.imag()) < 1e-9 * std::abs(lambda)
               ? std::string("divergence: a motion grows without vibration")
               : "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
                   " Hz grows") +
