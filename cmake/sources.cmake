@@ -52,6 +52,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_means.cc
     source/parameters/check_parameters.cc
     source/parameters/check_response.cc
+    source/parameters/check_scatter.cc
     source/parameters/check_scene.cc
     source/parameters/check_sweep.cc
     source/parameters/check_ties.cc

@@ -45,6 +45,11 @@ namespace squeal
     /** Axes of a sweep: entries, ranges and that every value is allowed. */
     void check_sweep(const Parameters &parameters);
 
+    /** How one of its axes scatters: said in full, and by what has an effect.
+     */
+    void check_scatter(const SweepParameters     &sweep,
+                       const SweepAxisParameters &axis);
+
     /** What needs the mesh of a model is refused for matrices. */
     void check_imported(const Parameters &parameters);
 
