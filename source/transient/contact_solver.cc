@@ -270,6 +270,9 @@ namespace squeal
         // digits are too few, from now on.
         if (n_slow > 1)
           {
+            // Nor is there a better one than a new one in double precision.
+            if (is_new && !is_single && residual <= reachable)
+              return true;
             if (is_new)
               is_single = false;
             invert();

@@ -72,9 +72,9 @@ namespace
         // rings on the contact does so for ever.
         m.omega_squared[1] = 1.;
         m.damping[0]       = 2. / std::sqrt(m.flexibility(0, 0));
-        // Rounding of motions of 1 m is some 1e-10 of the force in steps of
+
         // 5e-4 s.
-        const PeriodMap map(m, friction(), 1., 1e-9);
+        const PeriodMap map(m, friction(), 1., 1e-11);
         MotionState     start{
           Eigen::Vector4d(-m.flexibility(0, 0), 0., 0., 0.),
           Eigen::Vector4d(0., 0., -belt / m.participation(1, 2), 0.),
@@ -83,7 +83,7 @@ namespace
         start = map.run(start, 1.86 * period, 1.86 * n).end();
         ShootingSettings settings;
         settings.n_steps          = n;
-        settings.tolerance        = 1e-7;
+        settings.tolerance        = 1e-8;
         const PeriodicMotion last = shoot(map, start, 1.02 * period, settings);
         check(last.status == CycleStatus::converged,
               "shooting: converged, " + std::to_string(n) + " steps, to " +
