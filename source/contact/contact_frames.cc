@@ -183,8 +183,9 @@ namespace squeal
         rounded_text(1e3 * hit.allowed, 3) + " mm there");
     }
 
-    std::vector<Vector>
-    target_normals(const Discretization      &d,
+    /** What the source looks at from each of its points, on every rank. */
+    std::vector<Hit>
+    hits_of_source(const Discretization      &d,
                    const ContactParameters   &contact,
                    const std::vector<Point>  &points,
                    const std::vector<Vector> &source_normals)
@@ -218,21 +219,16 @@ namespace squeal
           hits.push_back(
             nearest(targets, near, id, points[j], source_normals[j], source));
         }
-      std::vector<Vector> result;
-      for (const Hit &hit : nearest_of_all(hits, d.space()->communicator()))
-        {
-          const Point &x = points[result.size()];
-          if (hit.depth == Hit::far)
-            throw InputError(
-              "contact " + contact.name + ": the target face '" +
-              contact.target_face + "' of body '" + contact.target_body +
-              "' is not where the source face '" + contact.source_face +
-              "' of body '" + contact.source_body +
-              "' looks: the faces do not meet at " + text_of(x) + " m");
-          require_touching(contact, x, hit);
-          result.push_back(unit(hit.normal));
-        }
-      return result;
+      const auto all_hits = nearest_of_all(hits, d.space()->communicator());
+      for (std::size_t j = 0; j < points.size(); ++j)
+        if (all_hits[j].depth == Hit::far)
+          throw InputError(
+            "contact " + contact.name + ": the target face '" +
+            contact.target_face + "' of body '" + contact.target_body +
+            "' is not where the source face '" + contact.source_face +
+            "' of body '" + contact.source_body +
+            "' looks: the faces do not meet at " + text_of(points[j]) + " m");
+      return all_hits;
     }
 
 
@@ -317,27 +313,30 @@ namespace squeal
                  const std::vector<Vector> &source_normals)
   {
     AssertDimension(points.size(), source_normals.size());
-    const auto         &scene = d.scene();
-    std::vector<Vector> normals;
+    const auto      &scene = d.scene();
+    std::vector<Hit> hits;
     if (is_meshed(scene, contact.target_body) &&
         is_meshed(scene, contact.source_body))
-      normals = target_normals(d, contact, points, source_normals);
-    else
-      for (const Vector &n : source_normals)
-        normals.push_back(unit(-n));
+      hits = hits_of_source(d, contact, points, source_normals);
 
     ContactFrames result;
     double        mean = 0.;
     for (std::size_t j = 0; j < points.size(); ++j)
       {
-        require_opposite(contact, points[j], source_normals[j], normals[j]);
+        const Vector normal =
+          unit(hits.empty() ? -source_normals[j] : hits[j].normal);
+        require_opposite(contact, points[j], source_normals[j], normal);
         const Vector V = velocity(scene, contact, points[j]);
-        result.frames.push_back(frame_of(contact, points[j], normals[j], V));
+        result.frames.push_back(frame_of(contact, points[j], normal, V));
         result.speed_ratio.push_back(V.norm());
         mean += V.norm() / points.size();
       }
     for (double &ratio : result.speed_ratio)
       ratio /= mean;
+    // Faces that are tilted or bent are told as that, not by how far they are
+    // apart somewhere.
+    for (std::size_t j = 0; j < hits.size(); ++j)
+      require_touching(contact, points[j], hits[j]);
     return result;
   }
 } // namespace squeal
