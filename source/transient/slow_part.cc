@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
   namespace
   {
     constexpr std::size_t values_per_coefficient = 8;
+    /** Of a sum of squares. */
+    constexpr double rounding = 16. * std::numeric_limits<double>::epsilon();
 
     /** Legendre's polynomials up to a degree at @p x, from -1 to 1, and their
      * slopes. */
@@ -80,8 +83,10 @@ namespace squeal
           continue;
         a.row(2 * i + 1) = of_line * 2. / total * p.slopes;
         b[2 * i + 1]     = piece.moment / of_line;
-        // Rounding can leave less than nothing of a straight piece.
-        beside[i] -= std::min(piece.square, b[2 * i + 1] * b[2 * i + 1]);
+        beside[i] -= b[2 * i + 1] * b[2 * i + 1];
+        // Rounding of what is taken away is all that a straight piece leaves.
+        if (beside[i] < rounding * piece.square)
+          beside[i] = 0.;
       }
     const Eigen::VectorXd rest = left_over(a, b);
     std::vector<double>   result;
