@@ -70,12 +70,13 @@ namespace squeal
     const Pencil        pencil(model.linearized().system,
                         at_rest(model.parameters().scene));
     const UndampedModes modes = undamped_modes(pencil, 1e-2 * limit);
-    // Rounding of a stiffness that is large beside the limit leaves more of a
-    // free motion than a share of 1e-9.
-    constexpr double free = 1e-7;
-    Eigen::Index     n    = 0;
+    // Of a stiffness that is large beside the limit rounding leaves more than a
+    // share of it: then the residual is as large as what it is compared with.
+    constexpr double all_rounding = 0.5;
+    Eigen::Index     n            = 0;
     while (n < modes.omega_squared.size() &&
-           modes.omega_squared[n] < free * limit)
+           (modes.omega_squared[n] < 1e-9 * limit ||
+            modes.residual[n] > all_rounding))
       ++n;
     return modes.shapes.leftCols(n);
   }
