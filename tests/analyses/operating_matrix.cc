@@ -213,7 +213,8 @@ namespace
        {"set Friction coefficient = 0.3",
         "set Friction coefficient = 0.3\n    set Friction direction = slip"}});
     write_text("turning.prm",
-               brake + "subsection Operating matrix\n"
+               brake + "set Overwrite = true\n"
+                       "subsection Operating matrix\n"
                        " set Both directions = true\nend\n");
     const Outcome o = run_program({program, "turning.prm"});
     check(o.code == 0, "a disc that turns both ways: " + o.errors);
