@@ -2,8 +2,10 @@
 #include <squeal/tribology/images/path_evidence.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace squeal::tribology
@@ -21,11 +23,19 @@ namespace squeal::tribology
     constexpr int    fewest_inside = 3;   // samples of a half that count
     constexpr int    tile          = 160; // pixels, fits a cache
 
-    cv::Point
-    step_along(const int heading)
+    using Headings = std::array<cv::Point, n_headings>;
+
+    /** One step along each heading, pixels. */
+    Headings
+    steps_along()
     {
-      const double a = CV_PI * heading / n_directions;
-      return {cvRound(step * std::cos(a)), cvRound(step * std::sin(a))};
+      Headings steps;
+      for (int h = 0; h < n_headings; ++h)
+        {
+          const double a = CV_PI * h / n_directions;
+          steps[h] = {cvRound(step * std::cos(a)), cvRound(step * std::sin(a))};
+        }
+      return steps;
     }
 
 
@@ -60,7 +70,7 @@ namespace squeal::tribology
         for (int h = 0; h < n_headings; ++h)
           {
             ahead[h] = cv::Mat::zeros(rows, cols, CV_16S);
-            whole[h].create(rows, cols, CV_16S);
+            farther[h].create(rows, cols, CV_16S);
           }
       }
 
@@ -121,7 +131,7 @@ namespace squeal::tribology
       samples_inside(const cv::Point &p, const int heading) const
       {
         const cv::Rect  image({0, 0}, size);
-        const cv::Point d = step_along(heading);
+        const cv::Point d = along[heading];
         int             n = 0;
         while (n < n_steps && image.contains(p + (n + 1) * d))
           ++n;
@@ -163,46 +173,53 @@ namespace squeal::tribology
             }
       }
 
-      /** One more sample in front of each heading. */
+      /** One more sample in front of each heading: of the pixel there, and of
+       * what lies ahead of it along this heading or, at a cost, a neighbour. */
       void
       advance(const int k)
       {
-        // What lies farther out than the remaining steps does not matter.
-        const int      border = k * step, before = border - step;
-        const cv::Rect inner(before,
-                             before,
-                             ahead[0].cols - 2 * before,
-                             ahead[0].rows - 2 * before);
-        for (int h = 0; h < n_headings; ++h)
-          cv::add(
-            local[h % n_directions](inner), ahead[h](inner), whole[h](inner));
         const auto cost = std::int16_t(turn_cost * OrientedContrast::per_unit);
+        // What lies farther out than the remaining steps does not matter.
+        const int border = k * step;
         for (int h = 0; h < n_headings; ++h)
           {
-            const int left     = (h + n_headings - 1) % n_headings,
-                      right    = (h + 1) % n_headings;
-            const cv::Point d0 = step_along(h), d1 = step_along(left),
-                            d2 = step_along(right);
+            const int left  = (h + n_headings - 1) % n_headings,
+                      right = (h + 1) % n_headings;
             for (int y = border; y < ahead[h].rows - border; ++y)
               {
-                const auto at = [&](const cv::Mat &m, const cv::Point &d) {
-                  return m.ptr<std::int16_t>(y + d.y) + d.x;
-                };
-                const std::int16_t *s = at(whole[h], d0),
-                                   *a = at(whole[left], d1),
-                                   *b = at(whole[right], d2);
-                std::int16_t *out     = ahead[h].ptr<std::int16_t>(y);
+                const auto [s, s_on] = sample_and_rest(y, h);
+                const auto [a, a_on] = sample_and_rest(y, left);
+                const auto [b, b_on] = sample_and_rest(y, right);
+                std::int16_t *out    = farther[h].ptr<std::int16_t>(y);
                 for (int x = border; x < ahead[h].cols - border; ++x)
-                  out[x] = std::max<std::int16_t>(
-                    s[x], std::int16_t(std::max(a[x], b[x]) - cost));
+                  {
+                    const auto on = std::int16_t(s[x] + s_on[x]);
+                    const auto turn =
+                      std::int16_t(std::max(std::int16_t(a[x] + a_on[x]),
+                                            std::int16_t(b[x] + b_on[x])) -
+                                   cost);
+                    out[x] = std::max(on, turn);
+                  }
               }
           }
+        ahead.swap(farther);
       }
 
+      /** Rows of contrasts one step from row @p y along @p heading, and of the
+       * sums ahead of there. */
+      std::pair<const std::int16_t *, const std::int16_t *>
+      sample_and_rest(const int y, const int heading) const
+      {
+        const cv::Point d = along[heading];
+        return {local[heading % n_directions].ptr<std::int16_t>(y + d.y) + d.x,
+                ahead[heading].ptr<std::int16_t>(y + d.y) + d.x};
+      }
+
+      const Headings                    along = steps_along();
       cv::Rect                          inside;
       cv::Size                          size;
       std::array<cv::Mat, n_directions> local;
-      std::array<cv::Mat, n_headings>   ahead, whole;
+      std::array<cv::Mat, n_headings>   ahead, farther;
     };
   } // namespace
 

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <tuple>
 #include <vector>
 
 namespace squeal::tribology
@@ -14,14 +17,117 @@ namespace squeal::tribology
   namespace
   {
     constexpr int    n_ridge_directions = RidgeField::n_directions;
-    constexpr double half_length        = 3.;  // of a line, in its deviations
-    constexpr double flank_distance     = 2.;  // in deviations
-    constexpr double second_width       = 1.5; // of a level, over the first
-    constexpr float  mean_flank    = 0.2F;     // weight beside the lesser flank
-    constexpr float  heaviest_tail = 3.F;      // 90th percentile over median
-    constexpr double noise_block   = 64.;      // pixels of the finest level
+    constexpr double half_length        = 3.; // of a line, in its deviations
+    // Samples are at least a deviation apart.
+    constexpr std::size_t most_taps      = 2 * std::size_t(half_length) + 1;
+    constexpr double      flank_distance = 2.;  // in deviations
+    constexpr double      second_width   = 1.5; // of a level, over the first
+    constexpr float       mean_flank = 0.2F;   // weight beside the lesser flank
+    constexpr float       heaviest_tail = 3.F; // 90th percentile over median
+    constexpr int         strip         = 32;  // rows, fits a cache
+    constexpr double      nothing_yet   = -32768.; // below all stored contrasts
+    constexpr double      noise_block   = 64.;     // pixels of the finest level
     // Of the noise of the median block.
     constexpr float quietest_block = 0.3F, loudest_block = 3.F;
+
+
+    /** Bits of |values|, which are in the order of the sizes. */
+    using Sizes = std::vector<std::int32_t>;
+
+
+
+    float
+    size_of_bits(const std::int32_t bits)
+    {
+      float size;
+      std::memcpy(&size, &bits, sizeof size);
+      return size;
+    }
+
+
+
+    /** Appends the size of every second value to @p sizes. */
+    void
+    append_sizes(const float *values, const int n_values, Sizes &sizes)
+    {
+      const std::size_t before = sizes.size();
+      sizes.resize(before + std::size_t(n_values + 1) / 2);
+      std::int32_t *size = sizes.data() + before;
+      for (int x = 0; x < n_values; x += 2)
+        {
+          const float value = std::abs(values[x]);
+          std::memcpy(size++, &value, sizeof value);
+        }
+    }
+
+
+
+    /** That of rank @p nth, counted from zero, below @p upper, which at least
+     * so many do not exceed. Halving what it can be counts all sizes for every
+     * bit, many at once, which takes less time than to sort them in part. */
+    std::int32_t
+    size_of_rank(const Sizes &sizes, const int nth, std::int32_t upper)
+    {
+      std::int32_t lower = 0;
+      while (lower < upper)
+        {
+          const std::int32_t middle  = lower + (upper - lower) / 2;
+          int                n_up_to = 0;
+          for (const std::int32_t size : sizes)
+            n_up_to += size <= middle ? 1 : 0;
+          if (n_up_to > nth)
+            upper = middle;
+          else
+            lower = middle + 1;
+        }
+      return lower;
+    }
+
+
+
+    /** From the 90th percentile, at most by a heavy tail above the median. */
+    float
+    spread(const Sizes &sizes)
+    {
+      const auto largest = *std::max_element(sizes.begin(), sizes.end());
+      const auto tail =
+        size_of_rank(sizes, int(9 * sizes.size() / 10), largest);
+      const int   half       = int(sizes.size() / 2);
+      const float by_tail    = size_of_bits(tail) / 1.645F;
+      const auto  limited_by = [](const std::int32_t median) {
+        return heaviest_tail * size_of_bits(median) / 0.6745F;
+      };
+      // Mostly the median does not limit anything, which one count tells.
+      int n_that_limit = 0;
+      for (const std::int32_t size : sizes)
+        n_that_limit += limited_by(size) < by_tail ? 1 : 0;
+      return n_that_limit <= half ? by_tail
+                                  : limited_by(size_of_rank(sizes, half, tail));
+    }
+
+
+
+    /** Noise by row of blocks, to interpolate between where it is needed: an
+     * image of it would take longer to write and read than to compute. */
+    struct NoiseRows
+    {
+      cv::Mat grid; // CV_32F, a row for each row of blocks
+      int     n_rows = 0;
+
+      /** The next rows of blocks beside row @p y of the image, and the share of
+       * the second. */
+      std::tuple<const float *, const float *, float>
+      beside(const int y) const
+      {
+        const auto place =
+          float((y + 0.5) / (double(n_rows) / grid.rows) - 0.5);
+        const int row = cvFloor(place);
+        return {grid.ptr<float>(std::max(row, 0)),
+                grid.ptr<float>(std::min(row + 1, grid.rows - 1)),
+                place - float(row)};
+      }
+    };
+
 
 
     /** Spread of |values| by block from their 90th percentile, which is 1.645
@@ -29,33 +135,26 @@ namespace squeal::tribology
      * those that cracks themselves make; interpolated. A block never counts as
      * much quieter than the others, nor as much louder: a dense network of
      * cracks would pass for noise. */
-    cv::Mat
+    NoiseRows
     local_noise(const cv::Mat &values, const double block)
     {
-      const int          nx = std::max(1, cvRound(values.cols / block));
-      const int          ny = std::max(1, cvRound(values.rows / block));
-      cv::Mat1f          grid(ny, nx);
-      std::vector<float> sample;
+      const int nx = std::max(1, cvRound(values.cols / block));
+      const int ny = std::max(1, cvRound(values.rows / block));
+      cv::Mat1f grid(ny, nx);
+      Sizes     sizes;
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i)
           {
-            sample.clear();
+            sizes.clear();
             const int x1 = (i + 1) * values.cols / nx;
             const int y1 = (j + 1) * values.rows / ny;
             for (int y = j * values.rows / ny; y < y1; y += 2)
               {
-                const float *row = values.ptr<float>(y);
-                for (int x = i * values.cols / nx + (y / 2) % 2; x < x1; x += 2)
-                  sample.push_back(std::abs(row[x]));
+                const int x = i * values.cols / nx + (y / 2) % 2;
+                append_sizes(values.ptr<float>(y) + x, x1 - x, sizes);
               }
-            if (sample.empty())
-              continue;
-            const auto nth    = sample.begin() + (9 * sample.size()) / 10;
-            const auto middle = sample.begin() + sample.size() / 2;
-            std::nth_element(sample.begin(), middle, sample.end());
-            std::nth_element(middle, nth, sample.end());
-            grid(j, i) =
-              std::min(*nth / 1.645F, heaviest_tail * *middle / 0.6745F);
+            if (!sizes.empty())
+              grid(j, i) = spread(sizes);
           }
       std::vector<float> all(grid.begin(), grid.end());
       std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
@@ -65,8 +164,10 @@ namespace squeal::tribology
       cv::min(grid, std::max(loudest_block * usual, 1e-3F), grid);
       cv::GaussianBlur(
         grid, grid, cv::Size(3, 3), 0., 0., cv::BORDER_REPLICATE);
-      cv::Mat noise;
-      cv::resize(grid, noise, values.size(), 0., 0., cv::INTER_LINEAR);
+      NoiseRows noise;
+      noise.n_rows = values.rows;
+      cv::resize(
+        grid, noise.grid, cv::Size(values.cols, ny), 0., 0., cv::INTER_LINEAR);
       return noise;
     }
 
@@ -88,7 +189,7 @@ namespace squeal::tribology
     keep_larger(cv::Mat &largest, const cv::Mat &values)
     {
       if (largest.empty())
-        largest = values.clone();
+        largest = values;
       else
         cv::max(largest,
                 values.size() == largest.size()
@@ -125,23 +226,79 @@ namespace squeal::tribology
           smooth, padded, wide, wide, wide, wide, cv::BORDER_REFLECT_101);
       }
 
-      /** Contrast over noise, limited, as stored in OrientedContrast; before
-       * that the larger of it and what is there goes to @p unlimited. */
-      cv::Mat
-      contrast(const double angle, cv::Mat &unlimited)
+      /** Contrast over noise, limited, as stored in OrientedContrast, goes to
+       * @p largest where it is larger; before the limits to @p unlimited. */
+      void
+      contrast(const double angle, cv::Mat &largest, cv::Mat &unlimited)
       {
-        average(angle);
         const int nx = cvRound(-flank * std::sin(angle));
         const int ny = cvRound(flank * std::cos(angle));
         mixed.create(size, CV_32F);
         mean.create(size, CV_32F);
+        const std::vector<cv::Point> taps = taps_along(angle);
+        for (int y = 0; y < size.height; y += strip)
+          compare_strip(y, std::min(y + strip, size.height), taps, nx, ny);
+        constexpr auto  lowest  = float(OrientedContrast::least);
+        constexpr auto  highest = float(OrientedContrast::most);
+        const NoiseRows noise   = local_noise(mean, block);
+        cv::Mat         limited(1, size.width, CV_32F), stored;
         for (int y = 0; y < size.height; ++y)
           {
-            const float *c  = line.ptr<float>(y + margin) + margin;
-            const float *a  = line.ptr<float>(y + margin + ny) + margin + nx;
-            const float *b  = line.ptr<float>(y + margin - ny) + margin - nx;
-            float       *m  = mixed.ptr<float>(y);
-            float       *mm = mean.ptr<float>(y);
+            float *m = mixed.ptr<float>(y), *u = unlimited.ptr<float>(y);
+            float *l                          = limited.ptr<float>();
+            const auto [before, after, share] = noise.beside(y);
+            for (int x = 0; x < size.width; ++x)
+              m[x] /= before[x] * (1.F - share) + after[x] * share;
+            silence_border(m, y, std::abs(nx), std::abs(ny));
+            for (int x = 0; x < size.width; ++x)
+              {
+                u[x] = std::max(u[x], m[x]);
+                l[x] = std::min(std::max(m[x], lowest), highest);
+              }
+            limited.convertTo(stored, CV_16S, OrientedContrast::per_unit);
+            cv::Mat row = largest.row(y);
+            cv::max(row, stored, row);
+          }
+      }
+
+    private:
+      /** Places that are averaged for the first pixel of a row of lines. */
+      std::vector<cv::Point>
+      taps_along(const double angle) const
+      {
+        const int              border = wide - margin;
+        std::vector<cv::Point> taps;
+        for (int i = 0; i < n_taps; ++i)
+          {
+            const double u = (i - 0.5 * (n_taps - 1)) * step;
+            taps.emplace_back(border + cvRound(u * std::cos(angle)),
+                              border + cvRound(u * std::sin(angle)));
+          }
+        return taps;
+      }
+
+
+
+      /** Rows @p begin to @p end of the means and weighted means over both
+       * flanks. A strip of averages stays in the cache. */
+      void
+      compare_strip(const int                     begin,
+                    const int                     end,
+                    const std::vector<cv::Point> &taps,
+                    const int                     nx,
+                    const int                     ny)
+      {
+        line.create(strip + 2 * margin, size.width + 2 * margin, CV_32F);
+        for (int y = 0; y < end - begin + 2 * margin; ++y)
+          average_row<most_taps>(taps, begin + y, line.ptr<float>(y));
+        for (int y = begin; y < end; ++y)
+          {
+            const int    row = y - begin + margin;
+            const float *c   = line.ptr<float>(row) + margin;
+            const float *a   = line.ptr<float>(row + ny) + margin + nx;
+            const float *b   = line.ptr<float>(row - ny) + margin - nx;
+            float       *m   = mixed.ptr<float>(y);
+            float       *mm  = mean.ptr<float>(y);
             for (int x = 0; x < size.width; ++x)
               {
                 const float both  = 0.5F * (a[x] + b[x]) - c[x];
@@ -150,56 +307,32 @@ namespace squeal::tribology
                 m[x] = mean_flank * both + (1.F - mean_flank) * least;
               }
           }
-        constexpr auto lowest  = float(OrientedContrast::least);
-        constexpr auto highest = float(OrientedContrast::most);
-        const cv::Mat  noise   = local_noise(mean, block);
-        if (unlimited.empty())
-          unlimited = cv::Mat(size, CV_32F, cv::Scalar(-1e9));
-        for (int y = 0; y < size.height; ++y)
-          {
-            float       *m = mixed.ptr<float>(y), *u = unlimited.ptr<float>(y);
-            const float *n = noise.ptr<float>(y);
-            for (int x = 0; x < size.width; ++x)
-              m[x] /= n[x];
-            silence_border(m, y, std::abs(nx), std::abs(ny));
-            for (int x = 0; x < size.width; ++x)
-              {
-                u[x] = std::max(u[x], m[x]);
-                m[x] = std::min(std::max(m[x], lowest), highest);
-              }
-          }
-        cv::Mat stored;
-        mixed.convertTo(stored, CV_16S, OrientedContrast::per_unit);
-        return stored;
       }
 
-    private:
-      /** Average over a line centred at each pixel, with the margin. */
+
+
+      /** Averages over a line centred at each pixel of a row, with the margin.
+       * A number of taps that is known when this is compiled takes half the
+       * time. */
+      template <std::size_t n>
       void
-      average(const double angle)
+      average_row(const std::vector<cv::Point> &taps,
+                  const int                     y,
+                  float                        *averages) const
       {
-        const int      border = wide - margin;
-        const cv::Size inner(padded.cols - 2 * border,
-                             padded.rows - 2 * border);
-        line.create(inner, CV_32F);
-        std::vector<cv::Point> taps;
-        const float            share = 1.F / n_taps;
-        for (int i = 0; i < n_taps; ++i)
+        if constexpr (n > 1)
+          if (taps.size() != n)
+            return average_row<n - 2>(taps, y, averages);
+        std::array<const float *, n> values;
+        for (std::size_t i = 0; i < n; ++i)
+          values[i] = padded.ptr<float>(y + taps[i].y) + taps[i].x;
+        constexpr float share = 1.F / n;
+        for (int x = 0; x < line.cols; ++x)
           {
-            const double u = (i - 0.5 * (n_taps - 1)) * step;
-            taps.emplace_back(border + cvRound(u * std::cos(angle)),
-                              border + cvRound(u * std::sin(angle)));
-          }
-        for (int y = 0; y < inner.height; ++y)
-          {
-            float *row = line.ptr<float>(y);
-            std::fill(row, row + inner.width, 0.F);
-            for (const cv::Point &tap : taps)
-              {
-                const float *value = padded.ptr<float>(y + tap.y) + tap.x;
-                for (int x = 0; x < inner.width; ++x)
-                  row[x] += share * value[x];
-              }
+            float sum = 0.F;
+            for (const float *value : values)
+              sum += share * value[x];
+            averages[x] = sum;
           }
       }
 
@@ -237,13 +370,15 @@ namespace squeal::tribology
     {
       LineFilter narrow(level, narrowest, block),
         wide(level, second_width * narrowest, block);
+      unlimited = cv::Mat(level.size(), CV_32F, cv::Scalar(-1e9));
       OrientedContrast contrast;
       for (int t = 0; t < n_ridge_directions; ++t)
         {
           const double angle = CV_PI * t / n_ridge_directions;
-          cv::max(narrow.contrast(angle, unlimited),
-                  wide.contrast(angle, unlimited),
-                  contrast.planes[t]);
+          contrast.planes[t] =
+            cv::Mat(level.size(), CV_16S, cv::Scalar(nothing_yet));
+          narrow.contrast(angle, contrast.planes[t], unlimited);
+          wide.contrast(angle, contrast.planes[t], unlimited);
         }
       return contrast;
     }
