@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/results/chart.h>
+#include <squeal/results/frequency_unit.h>
 #include <squeal/results/plots.h>
 #include <squeal/results/table.h>
 
@@ -42,24 +43,14 @@ namespace squeal
              " Hz";
     }
 
-    /** kHz for brakes, Hz for lumped scenes. */
-    struct FrequencyUnit
+    FrequencyUnit
+    unit_of(const std::vector<PlottedPair> &pairs)
     {
-      explicit FrequencyUnit(const std::vector<PlottedPair> &pairs)
-      {
-        double highest = 0.;
-        for (const PlottedPair &pair : pairs)
-          highest = std::max(highest, pair.frequency);
-        if (highest > 0. && highest < 1000.)
-          {
-            factor = 1.;
-            label  = "frequency in Hz";
-          }
-      }
-
-      double      factor = 1e-3;
-      std::string label  = "frequency in kHz";
-    };
+      double highest = 0.;
+      for (const PlottedPair &pair : pairs)
+        highest = std::max(highest, pair.frequency);
+      return FrequencyUnit(highest);
+    }
 
     std::string
     pair_text(const PlottedPair &pair)
@@ -152,7 +143,7 @@ namespace squeal
                 const std::string              &path,
                 const std::string              &title)
   {
-    const FrequencyUnit unit(pairs);
+    const FrequencyUnit unit   = unit_of(pairs);
     ChartSeries         stable = series("stable", Ink::blue, Marker::circle);
     ChartSeries         unstable =
       series("unstable", Ink::vermillion, Marker::triangle);
@@ -195,7 +186,7 @@ namespace squeal
                      const std::string              &path,
                      const std::string              &title)
   {
-    const FrequencyUnit unit(pairs);
+    const FrequencyUnit unit      = unit_of(pairs);
     const double        threshold = -std::abs(threshold_percent);
     ChartSeries         stable    = series("stable", Ink::blue, Marker::circle);
     ChartSeries         weak =
@@ -314,7 +305,7 @@ namespace squeal
                        const std::string              &path,
                        const std::string              &title)
   {
-    const FrequencyUnit unit(pairs);
+    const FrequencyUnit unit = unit_of(pairs);
     ChartSeries         residual =
       series("residual, relative", Ink::sky, Marker::square);
     ChartSeries estimate = series(

@@ -5,6 +5,7 @@
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/frequency_unit.h>
 #include <squeal/results/universal_file.h>
 
 #include <algorithm>
@@ -38,10 +39,10 @@ namespace squeal
       charts[1].y.lower = -180.;
       charts[1].y.upper = 180.;
       charts[1].legend  = Chart::Legend::none;
-      const bool in_khz = grid.frequencies.back() >= 1000.;
+      const FrequencyUnit unit(grid.frequencies.back());
       for (auto &chart : charts)
         {
-          chart.x.label = in_khz ? "frequency in kHz" : "frequency in Hz";
+          chart.x.label = unit.label;
           if (!grid.is_even)
             chart.x.scale = AxisSettings::Scale::logarithmic;
         }
@@ -57,7 +58,7 @@ namespace squeal
           for (std::size_t k = 0; k < grid.frequencies.size(); ++k)
             {
               const std::complex<double> h = states[s].values[k](i, j);
-              const double x = (in_khz ? 1e-3 : 1.) * grid.frequencies[k];
+              const double               x = unit.factor * grid.frequencies[k];
               if (std::abs(h) > 0.)
                 {
                   magnitude.x.push_back(x);

@@ -6,6 +6,7 @@
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
+#include <squeal/results/frequency_unit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,15 +76,29 @@ namespace squeal
                                Ink::sky,
                                Ink::black};
 
+    /** Of all lines, which one picture shows. */
+    FrequencyUnit
+    unit_of(const SweepSolution &solution)
+    {
+      double highest = 0.;
+      for (const SweepLine &line : solution.lines)
+        for (const auto &p : line.points)
+          for (unsigned int i = 0; i < p.pairs.size(); ++i)
+            highest = std::max(highest, p.pairs.frequency(i));
+      return FrequencyUnit(highest);
+    }
+
     /** Frequency of every branch; what is unstable is marked, with the peaks of
      * ranges, which are often narrower than the grid. */
     Chart
-    frequency_chart(const SweepModel &model, const SweepLine &line)
+    frequency_chart(const SweepModel    &model,
+                    const SweepLine     &line,
+                    const FrequencyUnit &unit)
     {
       Chart chart;
       chart.title   = line_title(model, line);
       chart.x.label = axis_label(model, 0);
-      chart.y.label = "frequency in kHz";
+      chart.y.label = unit.label;
       ChartSeries unstable =
         series("unstable", Ink::vermillion, Style::points, Marker::triangle);
       for (int b = 0; b < n_branches(line); ++b)
@@ -93,7 +108,7 @@ namespace squeal
             if (const int i = p.pair_of(b); i >= 0)
               {
                 s.x.push_back(p.coordinate);
-                s.y.push_back(1e-3 * p.pairs.frequency(i));
+                s.y.push_back(unit.factor * p.pairs.frequency(i));
                 if (p.asked && is_grown(p, i))
                   {
                     unstable.x.push_back(s.x.back());
@@ -106,7 +121,7 @@ namespace squeal
       for (const UnstableRange &range : line.ranges)
         {
           unstable.x.push_back(range.peak_at);
-          unstable.y.push_back(1e-3 * range.peak_frequency);
+          unstable.y.push_back(unit.factor * range.peak_frequency);
         }
       if (!unstable.x.empty())
         chart.series.push_back(unstable);
@@ -163,12 +178,14 @@ namespace squeal
 
     /** Paths of the branches that become unstable in the plane of lambda. */
     Chart
-    locus_chart(const SweepModel &model, const SweepLine &line)
+    locus_chart(const SweepModel    &model,
+                const SweepLine     &line,
+                const FrequencyUnit &unit)
     {
       Chart chart;
       chart.title   = line_title(model, line);
       chart.x.label = "sigma in 1/s";
-      chart.y.label = "frequency in kHz";
+      chart.y.label = unit.label;
       chart.lines   = {{true, 0., "", Ink::black, false}};
       Strip growth;
       growth.lower   = 0.;
@@ -191,7 +208,7 @@ namespace squeal
               if (const int i = p.pair_of(b); i >= 0)
                 {
                   s.x.push_back(p.pairs.sigma(i));
-                  s.y.push_back(1e-3 * p.pairs.frequency(i));
+                  s.y.push_back(unit.factor * p.pairs.frequency(i));
                 }
             chart.series.push_back(s);
           }
@@ -317,29 +334,32 @@ namespace squeal
         draw_charts(charts, 900 * n_columns, 650 * n_rows, n_columns), path);
       report.figure(path + ".png", caption, n_columns == 1);
     };
-    std::vector<Chart> frequencies, sigmas, loci;
+    const FrequencyUnit unit = unit_of(solution);
+    std::vector<Chart>  frequencies, sigmas, loci;
     for (const auto &line : solution.lines)
       {
         if (frequencies.size() == most_panels)
           break;
-        frequencies.push_back(frequency_chart(model, line));
+        frequencies.push_back(frequency_chart(model, line, unit));
         sigmas.push_back(sigma_chart(model, line));
         if (!line.exceptional.empty())
-          loci.push_back(locus_chart(model, line));
+          loci.push_back(locus_chart(model, line, unit));
       }
-    draw("frequencies",
-         "Frequencies in kHz of all pairs over the axis, a line for each "
-         "branch, a panel for each value of the other axes; triangles: points "
-         "of the grid where the pair is unstable",
-         frequencies);
+    draw(
+      "frequencies",
+      "Frequencies in " + unit.name +
+        " of all pairs over the axis, a line for each "
+        "branch, a panel for each value of the other axes; triangles: points "
+        "of the grid where the pair is unstable",
+      frequencies);
     draw("sigma",
          "Growth rates sigma in 1/s of the branches that are unstable "
          "somewhere: above the line at 0 they squeal",
          sigmas);
     if (!loci.empty())
       draw("locus",
-           "Paths of the pairs that coalesce, frequency in kHz over sigma in "
-           "1/s; tinted: unstable",
+           "Paths of the pairs that coalesce, " + unit.label +
+             " over sigma in 1/s; tinted: unstable",
            loci);
     if (model.grid().n_axes() == 2)
       draw(
