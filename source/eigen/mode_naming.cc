@@ -377,10 +377,16 @@ namespace squeal
     const bool may_lack_disc =
       !may_have_disc ||
       naming::may_fall_short(share(discs), naming::disc_share);
+    double all_solids = 0.;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (bodies[b].solid)
+        all_solids += energy_shares[b];
     const bool may_have_solid =
-      naming::may_exceed(share(solids), naming::solid_share);
+      naming::may_exceed(share(solids), naming::solid_share) ||
+      naming::may_exceed(all_solids, naming::solids_share);
     const bool may_lack_solid =
-      naming::may_fall_short(share(solids), naming::solid_share);
+      naming::may_fall_short(share(solids), naming::solid_share) &&
+      naming::may_fall_short(all_solids, naming::solids_share);
 
     // A name has one of the two at least.
     std::vector<std::pair<const DiscPart *, const SolidPart *>> found;

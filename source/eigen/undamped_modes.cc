@@ -417,7 +417,9 @@ namespace squeal
           rounded_text(largest_coupling, 1) +
           " is the most that passes): lower Eigenvalues/Highest frequency, of "
           "which " +
-          std::to_string(n_below) + " modes lie below");
+          std::to_string(n_below) +
+          " modes lie below; unknowns of imported matrices that have no mass "
+          "may cause it, too: condense them statically before");
       modes.n_certified = n_below;
     }
   } // namespace

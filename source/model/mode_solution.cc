@@ -5,6 +5,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/eigen/free_motion.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/linear_solver.h>
 #include <squeal/model/mode_solution.h>
@@ -242,12 +243,15 @@ namespace squeal
   std::string
   free_motions(const Model &model, const ModeSolution &solution)
   {
-    unsigned int n = 0;
-    while (n < solution.modes.omega_squared.size() &&
-           solution.modes.omega_squared[n] < 1e-9 * solution.inverse->shift())
-      ++n;
+    std::vector<int> free_modes;
+    for (Eigen::Index i = 0; i < solution.modes.omega_squared.size(); ++i)
+      if (is_free_motion(solution.modes.omega_squared[i],
+                         solution.inverse->shift()))
+        free_modes.push_back(i);
+    unsigned int n = free_modes.size();
     // The sum over all of them does not depend on how they are combined.
-    Eigen::VectorXd shares = solution.energy_shares.leftCols(n).rowwise().sum();
+    Eigen::VectorXd shares =
+      solution.energy_shares(Eigen::all, free_modes).rowwise().sum();
     // Of turning bodies elastic motions may have lost their stiffness too.
     if (n > 0 && has_turning_body(model.parameters().scene))
       {

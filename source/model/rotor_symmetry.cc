@@ -200,6 +200,24 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Whether the target of a contact turns: a block on which friction has a
+     * direction that is fixed in space slides straight, but bodies of other
+     * shapes may be discs seen at the pad only. */
+    bool
+    target_turns(const SceneParameters &scene, const ContactParameters &contact)
+    {
+      const auto &body = scene.bodies[body_index(scene, contact.target_body)];
+      return body.shape != BodyParameters::Shape::block ||
+             contact.friction_direction ==
+               ContactParameters::FrictionDirection::slip ||
+             body.rotation_speed != 0.;
+    }
+  } // namespace
+
+
+
   std::string
   frozen_rotors(const Discretization &d)
   {
@@ -210,6 +228,7 @@ namespace squeal
       {
         if (contact.target_body == "ground" ||
             contact.state == ContactParameters::State::stick ||
+            !target_turns(scene, contact) ||
             !seen.insert(contact.target_body).second)
           continue;
         const auto  rotor = glued_to(scene, contact.target_body);

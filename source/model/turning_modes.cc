@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/free_motion.h>
 #include <squeal/model/turning_modes.h>
 
 #include <Eigen/Eigenvalues>
@@ -73,12 +74,12 @@ namespace squeal
     // Of a stiffness that is large beside the limit rounding leaves more than a
     // share of it: then the residual is as large as what it is compared with.
     constexpr double all_rounding = 0.5;
-    Eigen::Index     n            = 0;
-    while (n < modes.omega_squared.size() &&
-           (modes.omega_squared[n] < 1e-9 * limit ||
-            modes.residual[n] > all_rounding))
-      ++n;
-    return modes.shapes.leftCols(n);
+    std::vector<int> free;
+    for (Eigen::Index i = 0; i < modes.omega_squared.size(); ++i)
+      if (is_free_motion(modes.omega_squared[i], limit) ||
+          modes.residual[i] > all_rounding)
+        free.push_back(i);
+    return modes.shapes(Eigen::all, free);
   }
 
 

@@ -128,7 +128,8 @@ namespace squeal
             read_physical_names();
           else if (section == "$Entities")
             read_entities();
-          else if (section == "$Nodes")
+          // Version 2 with Mesh.SaveParametric: more numbers behind x, y, z.
+          else if (section == "$Nodes" || section == "$ParametricNodes")
             read_nodes();
           else if (section == "$Elements")
             read_elements();

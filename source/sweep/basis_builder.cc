@@ -3,6 +3,7 @@
 #include <squeal/base/memory.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/free_motion.h>
 #include <squeal/sweep/basis_builder.h>
 
 #include <Eigen/Eigenvalues>
@@ -397,9 +398,8 @@ namespace squeal
                              const double         shift) const
   {
     unsigned int n = 0;
-    while (n < modes.omega_squared.size() &&
-           modes.omega_squared[n] < 1e-9 * shift)
-      ++n;
+    for (const double omega_squared : modes.omega_squared)
+      n += is_free_motion(omega_squared, shift);
     // lambda = 0 is defective there: what it becomes is rounding.
     if (n > 0 && options.band.lowest == 0.)
       throw InputError(

@@ -41,6 +41,11 @@ namespace squeal
     constexpr Limit disc_share{0.005, 1.6};
     /** Energy share from which another body is part of a name. */
     constexpr Limit solid_share{0.3, 1.3};
+    /** Sum of the energy shares of all bodies that are no discs from which the
+     * largest of them are part of a name: a pad of several bodies may have most
+     * of the energy though none of its bodies has a large share. Where they
+     * have more than half of it the limit is passed beyond its band. */
+    constexpr Limit solids_share{0.38, 1.3};
     /** Share of its motions that slices of a body must move as a whole for it
      * to be named by that. Of a body that is only sheared or breathes the means
      * are rounding: they would name it by chance. */

@@ -25,8 +25,8 @@ namespace squeal
                                 const UndampedModes &modes,
                                 const double         highest);
 
-  /** Modes of the bodies at rest below 1e-9 of @p limit, (rad/s)^2: motions
-   * that nothing holds. */
+  /** Modes of the bodies at rest for which is_free_motion() of @p limit,
+   * (rad/s)^2: motions that nothing holds. */
   Block free_motions_at_rest(const Model &model, const double limit);
 
   /** "the bodies turn faster than ..." with the critical speed, where the

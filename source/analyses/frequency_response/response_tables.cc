@@ -192,6 +192,23 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Name of mode @p k; the second and later modes of one name have their
+     * number in it too, so that a shape can be found by its title. */
+    std::string
+    title_of(const StateResponse &state, const unsigned int k)
+    {
+      const std::string &name = state.names[k].text;
+      unsigned int       n    = 1;
+      for (unsigned int i = 0; i < k; ++i)
+        n += state.names[i].text == name;
+      return n == 1 ? name : name + " #" + std::to_string(n);
+    }
+  } // namespace
+
+
+
   Table
   response_check_table(const Parameters                 &p,
                        const ResponseGrid               &grid,
@@ -403,7 +420,7 @@ namespace squeal
       for (unsigned int k = 0; k < state.pairs.size(); ++k)
         {
           UniversalShape shape;
-          shape.title      = state.names[k].text;
+          shape.title      = title_of(state, k);
           shape.number     = k + 1;
           shape.eigenvalue = state.pairs.lambda[k];
           shape.nodes      = numbers;
