@@ -14,6 +14,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/range_mean_picture.cc
     source/damage/sample_spacing.cc
     source/damage/subsurface.cc
+    source/damage/subsurface_window.cc
     source/damage/surface.cc
     source/driver/context.cc
     source/driver/correlation_tables.cc
