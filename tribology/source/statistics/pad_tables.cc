@@ -108,25 +108,16 @@ namespace squeal::tribology
 
 
 
-    /** Mean edge of the cells along y over that along x. */
-    double
-    aspect_of(const ContactGrid &grid)
-    {
-      const auto &first = grid.place(grid.order().front()),
-                 &last  = grid.place(grid.order().back());
-      const double x    = (last[0] - first[0]) / (grid.n_x() - 1.),
-                   y    = (last[1] - first[1]) / (grid.n_y() - 1.);
-      return grid.n_x() > 1 && grid.n_y() > 1 ? y / x : 1.;
-    }
-
-
-
     GridMap
     on_grid(const ContactGrid &grid, const std::vector<double> &by_node)
     {
-      GridMap map{grid.n_x(), grid.n_y(), {}, aspect_of(grid)};
+      GridMap map{grid.n_x(), grid.n_y(), {}};
       for (const std::size_t node : grid.order())
         map.values.push_back(by_node[node]);
+      for (std::size_t i = 0; i < map.n_x; ++i)
+        map.xs.push_back(grid.place(grid.order()[i])[0]);
+      for (std::size_t j = 0; j < map.n_y; ++j)
+        map.ys.push_back(grid.place(grid.order()[j * map.n_x])[1]);
       return map;
     }
 
@@ -385,8 +376,7 @@ namespace squeal::tribology
                                 ? on_grid(*pad.grid, damage.reals(name))
                                 : map_of_feature(name)});
         }
-      pad.causes = shared_causes(pad.grid->n_x(),
-                                 pad.grid->n_y(),
+      pad.causes = shared_causes(pad.coverage,
                                  p.shared_causes,
                                  sliding.leading_edge,
                                  measured);
