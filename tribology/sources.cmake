@@ -87,6 +87,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/cell_lags.cc
     source/statistics/conditional_link.cc
     source/statistics/covariance_family.cc
+    source/statistics/feature_rows.cc
     source/statistics/group_comparison.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc
