@@ -60,6 +60,7 @@ namespace
     CorrelationParameters p;
     p.damage_tables  = {"damage.csv"};
     p.feature_tables = {"features.csv"};
+    p.indices        = {"index"};
     return p;
   }
 

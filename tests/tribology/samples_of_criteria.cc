@@ -62,7 +62,7 @@ main()
   const std::string part = note(slow, 256);
   check(part.find("the last 256 of 5000 samples, in which the pressure of node "
                   "1 varies by ") != std::string::npos &&
-          part.find(" of 1.8 MPa: raise 'Subsurface/Samples'") !=
+          part.find(" of 1.80 MPa: raise 'Subsurface/Samples'") !=
             std::string::npos,
         "samples that hold no period: " + part);
   check(note(slow, 400).empty(), "a period is enough");
@@ -70,7 +70,7 @@ main()
   const auto quiet = [](const std::size_t i) {
     return i < 4500 ? .9 * std::sin(2. * M_PI * i / 20.) : 0.;
   };
-  check(note(quiet, 256).find("varies by 0 of 1.8 MPa") != std::string::npos,
+  check(note(quiet, 256).find("varies by 0") != std::string::npos,
         "squeal that ends before the last samples");
   check(note(quiet, 1000).empty(), "samples that reach back to it");
 }
