@@ -14,6 +14,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/range_mean_picture.cc
     source/damage/sample_spacing.cc
     source/damage/subsurface.cc
+    source/damage/subsurface_window.cc
     source/damage/surface.cc
     source/driver/context.cc
     source/driver/correlation_tables.cc
@@ -86,6 +87,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/cell_lags.cc
     source/statistics/conditional_link.cc
     source/statistics/covariance_family.cc
+    source/statistics/feature_rows.cc
     source/statistics/group_comparison.cc
     source/statistics/link_test.cc
     source/statistics/pad_tables.cc

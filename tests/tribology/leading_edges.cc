@@ -169,13 +169,13 @@ namespace
     const std::vector<SharedCause> all = {
       SharedCause::position, SharedCause::rim, SharedCause::edges};
     const Eigen::MatrixXd plain =
-      shared_causes(n_x, n_y, all, LeadingEdge::lowest_y).values;
+      shared_causes({n_x, n_y, {}}, all, LeadingEdge::lowest_y).values;
     const Eigen::MatrixXd over =
-      shared_causes(n_x, n_y, all, LeadingEdge::highest_y).values;
+      shared_causes({n_x, n_y, {}}, all, LeadingEdge::highest_y).values;
     const Eigen::MatrixXd swapped =
-      shared_causes(n_y, n_x, all, LeadingEdge::lowest_x).values;
+      shared_causes({n_y, n_x, {}}, all, LeadingEdge::lowest_x).values;
     const Eigen::MatrixXd both =
-      shared_causes(n_y, n_x, all, LeadingEdge::highest_x).values;
+      shared_causes({n_y, n_x, {}}, all, LeadingEdge::highest_x).values;
     bool are_same = true;
     for (std::size_t j = 0; j < n_y; ++j)
       for (std::size_t i = 0; i < n_x; ++i)

@@ -249,9 +249,14 @@ namespace
                                    "2,0,0.002,1e-5,3\n3,0.01,0.002,1e-5,5\n";
     std::ofstream("features.csv") << "x_m,y_m,feature\n0,0,1\n";
     const PadMaps pad = read();
-    check_close(pad.indices.at("index").aspect, .2, 1e-12, "edges of cells");
-    check_close(
-      pad.features.at("feature").aspect, .2, 1e-12, "in all maps of a pad");
+    for (const GridMap &map :
+         {pad.indices.at("index"), pad.features.at("feature")})
+      {
+        check_close(map.spacing()[0], .01, 1e-12, "along x");
+        check_close(map.spacing()[1], .002, 1e-12, "along y");
+        check(map.place(3) == std::array<double, 2>{{.01, .002}},
+              "places of nodes");
+      }
   }
 
 

@@ -117,8 +117,7 @@ namespace
   {
     explicit Pad(const std::size_t                 n,
                  const std::vector<MeasuredCause> &measured = {})
-      : causes(shared_causes(n,
-                             n,
+      : causes(shared_causes({n, n, {}},
                              parameters().shared_causes,
                              LeadingEdge::lowest_y,
                              measured))

@@ -101,11 +101,11 @@ namespace squeal::tribology
                       const ContactGrid                      &grid,
                       const std::function<void(std::size_t)> &progress)
   {
-    const std::size_t   n = grid.n_nodes();
-    const std::uint64_t n_samples =
-      std::min<std::uint64_t>(p.n_samples, window.n);
-    HistorySamples s;
-    reader.read(window.first + window.n - n_samples, n_samples, s);
+    const std::size_t   n         = grid.n_nodes();
+    const HistoryWindow seen      = subsurface_window(window, p);
+    const std::uint64_t n_samples = seen.n;
+    HistorySamples      s;
+    reader.read(seen.first, n_samples, s);
     Eigen::MatrixXd tractions(3 * n, n_samples);
     for (std::size_t i = 0; i < n_samples; ++i)
       for (std::size_t k = 0; k < n; ++k)

@@ -145,8 +145,7 @@ namespace squeal::tribology
         report.paragraph(
           "Stresses under each node from the tractions of all nodes, over "
           "the last " +
-          std::to_string(
-            std::min<std::uint64_t>(p.subsurface.n_samples, study.window.n)) +
+          std::to_string(subsurface_window(study.window, p.subsurface).n) +
           " samples, " +
           (study.subsurface[0].is_in_block ? in_a_block : in_a_half_space) +
           what_is_an_index(p.subsurface));

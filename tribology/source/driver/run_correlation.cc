@@ -253,6 +253,8 @@ namespace squeal::tribology
       json["shared_causes"] = pads[0].causes.names;
     for (const std::string &line : warnings_of_thin_cells(pads, p))
       context.log.warning(line);
+    for (const std::string &line : warnings_of_coarse_features(pads, p))
+      context.log.warning(line);
     for (const std::string &line : warnings_of_assumed_edges(pads, p))
       context.log.warning(line);
     for (const std::string &line : warnings_of_few_cells(links))

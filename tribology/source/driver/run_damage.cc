@@ -155,8 +155,12 @@ namespace squeal::tribology
     evaluate_below_the_face(Context &context, DamageStudy &study)
     {
       const TribologyParameters &p = context.parameters;
-      Timers::Section section(context.timers, "Evaluate: subsurface");
-      Progress        progress(context.log, "subsurface", study.grid.n_nodes());
+      Timers::Section   section(context.timers, "Evaluate: subsurface");
+      const std::string note = note_on_subsurface_window(
+        study.reader, study.window, p.subsurface, p.history.chunk);
+      if (!note.empty())
+        context.log.warning(study.reader.path() + ": " + note);
+      Progress progress(context.log, "subsurface", study.grid.n_nodes());
       study.subsurface = evaluate_subsurface(
         study.reader,
         study.window,

@@ -14,7 +14,7 @@ namespace squeal::tribology
         n_columns = std::max(n_columns, column + 1);
         n_rows    = std::max(n_rows, row + 1);
       }
-    counts = sums(on_rectangle(Eigen::VectorXd::Ones(cells.size())));
+    counts = sums(Eigen::VectorXd::Ones(cells.size()));
   }
 
 
@@ -24,18 +24,19 @@ namespace squeal::tribology
   {
     Eigen::MatrixXd map = Eigen::MatrixXd::Zero(n_columns, n_rows);
     for (std::size_t i = 0; i < cells.size(); ++i)
-      map(cells[i][0], cells[i][1]) = values(i);
+      map(cells[i][0], cells[i][1]) += values(i);
     return map;
   }
 
 
 
   Eigen::VectorXd
-  CellLags::sums(const Eigen::MatrixXd &values) const
+  CellLags::sums(const Eigen::VectorXd &of_cells) const
   {
-    const Eigen::Index wide = values.rows(), high = values.cols();
-    Eigen::VectorXd    result(wide * high + (wide - 1) * (high - 1));
-    Eigen::Index       lag = 0;
+    const Eigen::MatrixXd values = on_rectangle(of_cells);
+    const Eigen::Index    wide = values.rows(), high = values.cols();
+    Eigen::VectorXd       result(wide * high + (wide - 1) * (high - 1) + 1);
+    Eigen::Index          lag = 0;
     for (Eigen::Index down = 0; down < high; ++down)
       for (Eigen::Index right = down == 0 ? 0 : 1 - wide; right < wide; ++right)
         {
@@ -46,6 +47,10 @@ namespace squeal::tribology
                 std::max<Eigen::Index>(0, right), down, n, high - down))
               .sum();
         }
+    // the square of a place's sum holds each pair of its cells twice
+    const double own = of_cells.squaredNorm();
+    result(lag)      = .5 * (result(0) - own);
+    result(0)        = own;
     return result;
   }
 
@@ -67,7 +72,7 @@ namespace squeal::tribology
   double
   CellLags::variance(const Eigen::VectorXd &x, const Eigen::VectorXd &y) const
   {
-    return variance_of(sums(on_rectangle(x)), sums(on_rectangle(y)));
+    return variance_of(sums(x), sums(y));
   }
 
 
@@ -77,7 +82,7 @@ namespace squeal::tribology
   {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(counts.size());
     for (Eigen::Index c = 0; c < basis.cols(); ++c)
-      all += sums(on_rectangle(basis.col(c)));
+      all += sums(basis.col(c));
     return variance_of(all, all);
   }
 } // namespace squeal::tribology

@@ -38,6 +38,15 @@ namespace squeal::tribology
 
 
 
+    /** Number of the nearest place on a lattice of steps. */
+    std::size_t
+    on_lattice(const double distance, const double step)
+    {
+      return static_cast<std::size_t>(std::lround(distance / step));
+    }
+
+
+
     /** How much more the slope varies because index and residuals scatter more
      * at the same cells; at least 1. */
     double
@@ -177,7 +186,9 @@ namespace squeal::tribology
     std::vector<CellPlace>     places;
     std::vector<CellColumnRow> squares;
     // distances are those on the pad, over the mean edge of a block
-    const double    stretch = std::sqrt(grid.aspect);
+    const auto [wide, high] = grid.spacing();
+    const double    length  = edge * std::sqrt(wide * high);
+    const auto      origin  = grid.place(0);
     Eigen::MatrixXd means   = Eigen::MatrixXd::Zero(n, causes.cols());
     for (Eigen::Index i = 0; i < n; ++i)
       {
@@ -185,14 +196,19 @@ namespace squeal::tribology
         const double weight = 1. / blocks[i].size();
         for (const std::size_t cell : blocks[i])
           {
-            place[0] += weight * (cell % grid.n_x);
-            place[1] += weight * (cell / grid.n_x);
+            const auto at = grid.place(cell);
+            place[0] += weight * at[0] / length;
+            place[1] += weight * at[1] / length;
             means.row(i) += weight * causes.row(cell);
           }
-        places.push_back(
-          {{place[0] / edge / stretch, place[1] / edge * stretch}});
+        places.push_back(place);
+        // the block's own corner, whether or not that cell is known
         const std::size_t first = blocks[i].front();
-        squares.push_back({{first % grid.n_x / edge, first / grid.n_x / edge}});
+        const auto        corner =
+          grid.place(first % grid.n_x / edge * edge +
+                     first / grid.n_x / edge * edge * grid.n_x);
+        squares.push_back({{on_lattice(corner[0] - origin[0], edge * wide),
+                            on_lattice(corner[1] - origin[1], edge * high)}});
       }
     if (n <= fewest)
       return;

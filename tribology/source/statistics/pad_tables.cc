@@ -3,6 +3,7 @@
 #include <squeal/results/table.h>
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/statistics/association.h>
+#include <squeal/tribology/statistics/feature_rows.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 #include <squeal/tribology/statistics/sliding_of_pad.h>
 
@@ -108,25 +109,16 @@ namespace squeal::tribology
 
 
 
-    /** Mean edge of the cells along y over that along x. */
-    double
-    aspect_of(const ContactGrid &grid)
-    {
-      const auto &first = grid.place(grid.order().front()),
-                 &last  = grid.place(grid.order().back());
-      const double x    = (last[0] - first[0]) / (grid.n_x() - 1.),
-                   y    = (last[1] - first[1]) / (grid.n_y() - 1.);
-      return grid.n_x() > 1 && grid.n_y() > 1 ? y / x : 1.;
-    }
-
-
-
     GridMap
     on_grid(const ContactGrid &grid, const std::vector<double> &by_node)
     {
-      GridMap map{grid.n_x(), grid.n_y(), {}, aspect_of(grid)};
+      GridMap map{grid.n_x(), grid.n_y(), {}};
       for (const std::size_t node : grid.order())
         map.values.push_back(by_node[node]);
+      for (std::size_t i = 0; i < map.n_x; ++i)
+        map.xs.push_back(grid.place(grid.order()[i])[0]);
+      for (std::size_t j = 0; j < map.n_y; ++j)
+        map.ys.push_back(grid.place(grid.order()[j * map.n_x])[1]);
       return map;
     }
 
@@ -176,28 +168,6 @@ namespace squeal::tribology
 
 
 
-    /** The node in whose cell a place lies. */
-    std::size_t
-    node_at(const ContactGrid &grid,
-            const double       x,
-            const double       y,
-            const std::string &where)
-    {
-      for (std::size_t k = 0; k < grid.n_nodes(); ++k)
-        {
-          const Patch &c     = grid.cell(k);
-          const double slack = 1e-6 * (c.x_max - c.x_min);
-          if (x >= c.x_min - slack && x <= c.x_max + slack &&
-              y >= c.y_min - slack && y <= c.y_max + slack)
-            return k;
-        }
-      throw InputError(where + "(" + shortest_text(x) + ", " +
-                       shortest_text(y) +
-                       ") m lies in no cell of the damage table");
-    }
-
-
-
     /** What takes places of features to those of the nodes. Images are known
      * from the centre of the pad on; a transient's nodes stand where the pad
      * stands on the disc. Zero where all features lie on the face as they are,
@@ -232,24 +202,32 @@ namespace squeal::tribology
 
 
 
-    /** A feature on the cells: the mean of the rows in a cell, by their
-     * coverage if the table has it. */
+    /** Rows of features on the nodal cells, with the part of each row's cell
+     * that was seen. */
+    struct SeenRows
+    {
+      std::vector<std::size_t> rows; /**< of the table */
+      FeatureRows              lie;  /**< numbers of @p rows */
+      std::vector<double>      coverages;
+    };
+
+    /** A feature on the cells: the mean of the rows of a cell, by the area of
+     * it that each of them has seen. */
     GridMap
-    feature_map(const ContactGrid              &grid,
-                const Table                    &table,
-                const std::vector<std::size_t> &rows,
-                const std::vector<std::size_t> &nodes,
-                const std::vector<double>      &coverages,
-                const std::string              &name)
+    feature_map(const ContactGrid &grid,
+                const Table       &table,
+                const SeenRows    &seen,
+                const std::string &name)
     {
       std::vector<double> sums(grid.n_nodes(), 0.), weights(grid.n_nodes(), 0.);
-      for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const FeatureRows::Share &share : seen.lie.shares)
         {
-          const double value = table.real(rows[i], name), weight = coverages[i];
+          const double value  = table.real(seen.rows[share.row], name),
+                       weight = share.part * seen.coverages[share.row];
           if (std::isfinite(value) && weight > 0.)
             {
-              sums[nodes[i]] += weight * value;
-              weights[nodes[i]] += weight;
+              sums[share.node] += weight * value;
+              weights[share.node] += weight;
             }
         }
       for (std::size_t k = 0; k < sums.size(); ++k)
@@ -259,18 +237,16 @@ namespace squeal::tribology
 
 
 
-    /** The part of each cell that rows tell about. */
+    /** The part of each cell that rows have seen. */
     std::vector<double>
-    seen_parts(const ContactGrid              &grid,
-               const std::vector<std::size_t> &nodes,
-               const std::vector<double>      &coverages)
+    seen_parts(const ContactGrid &grid, const SeenRows &seen)
     {
-      std::vector<double> seen(grid.n_nodes(), 0.);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        seen[nodes[i]] += coverages[i];
-      for (double &part : seen)
+      std::vector<double> parts(grid.n_nodes(), 0.);
+      for (const FeatureRows::Share &share : seen.lie.shares)
+        parts[share.node] += share.part * seen.coverages[share.row];
+      for (double &part : parts)
         part = std::min(1., part);
-      return seen;
+      return parts;
     }
 
 
@@ -293,6 +269,33 @@ namespace squeal::tribology
         if (is_thin(pad, cell, least))
           feature.values[cell] = NAN;
       return feature;
+    }
+
+
+
+    /** The rows of a table of features that count, on the nodal cells about
+     * @p points. */
+    SeenRows
+    seen_rows(const ContactGrid                        &grid,
+              const std::vector<std::array<double, 3>> &points,
+              const Table                              &features,
+              const std::string                        &file)
+    {
+      auto [rows, of_pad] = rows_of_pad(features, file);
+      const auto centre   = pad_centre(points, features, rows, of_pad);
+      SeenRows   seen;
+      std::vector<std::array<double, 2>> at;
+      for (const std::size_t row : rows)
+        {
+          at.push_back({{features.real(row, "x_m") + centre[0],
+                         features.real(row, "y_m") + centre[1]}});
+          seen.coverages.push_back(coverage(features, row, file));
+        }
+      seen.rows = std::move(rows);
+      seen.lie  = share_rows(grid, at, [&](const std::size_t row) {
+        return file + ":" + std::to_string(seen.rows[row] + 2) + ": ";
+      });
+      return seen;
     }
 
 
@@ -343,26 +346,16 @@ namespace squeal::tribology
               "' is not known in every cell" +
               (p.indices.empty() ? ": name the others in 'Indices'" : ""));
         }
-      const auto [rows, of_pad] = rows_of_pad(features, feature_file);
-      std::vector<std::size_t> nodes;
-      std::vector<double>      coverages;
-      const auto centre = pad_centre(points, features, rows, of_pad);
-      for (const std::size_t row : rows)
-        {
-          nodes.push_back(
-            node_at(*pad.grid,
-                    features.real(row, "x_m") + centre[0],
-                    features.real(row, "y_m") + centre[1],
-                    feature_file + ":" + std::to_string(row + 2) + ": "));
-          coverages.push_back(coverage(features, row, feature_file));
-        }
-      std::vector<double> seen = seen_parts(*pad.grid, nodes, coverages);
+      const SeenRows rows =
+        seen_rows(*pad.grid, points, features, feature_file);
+      pad.coarseness           = rows.lie.coarseness;
+      std::vector<double> seen = seen_parts(*pad.grid, rows);
       pad.coverage             = on_grid(*pad.grid, seen);
       for (std::size_t k = 0; k < seen.size(); ++k)
         seen[k] *= pad.grid->area(k);
       pad.seen                  = on_grid(*pad.grid, seen);
       const auto map_of_feature = [&](const std::string &name) {
-        return feature_map(*pad.grid, features, rows, nodes, coverages, name);
+        return feature_map(*pad.grid, features, rows, name);
       };
       for (const std::string &name : feature_columns(features, p))
         {
@@ -385,11 +378,8 @@ namespace squeal::tribology
                                 ? on_grid(*pad.grid, damage.reals(name))
                                 : map_of_feature(name)});
         }
-      pad.causes = shared_causes(pad.grid->n_x(),
-                                 pad.grid->n_y(),
-                                 p.shared_causes,
-                                 sliding.leading_edge,
-                                 measured);
+      pad.causes = shared_causes(
+        pad.coverage, p.shared_causes, sliding.leading_edge, measured);
       return pad;
     }
   } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
+#include <squeal/tribology/statistics/feature_rows.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
 #include <cmath>
@@ -32,6 +33,23 @@ namespace squeal::tribology
     std::vector<std::string> warnings;
     for (const auto &[key, text] : lines)
       warnings.push_back(text);
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_coarse_features(const std::vector<PadMaps>  &pads,
+                              const CorrelationParameters &p)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      if (pads[i].coarseness > FeatureRows::coarse)
+        warnings.push_back(
+          "pad " + std::to_string(i + 1) + ": the cells of '" +
+          p.feature_tables[i] + "' are " + rounded_text(pads[i].coarseness, 2) +
+          " times as long as those of the nodes: each tells of the nodes next "
+          "to its centre only; take finer 'Cells' of images");
     return warnings;
   }
 

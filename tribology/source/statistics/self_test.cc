@@ -46,9 +46,8 @@ namespace squeal::tribology
   SelfTest::SelfTest(const CorrelationParameters &p)
     : parameters(p)
     , plateaus(lowest_part(n, p.seed))
-    , causes(shared_causes(n, n, p.shared_causes, LeadingEdge::lowest_y))
-    , causes_with_plateaus(shared_causes(n,
-                                         n,
+    , causes(shared_causes({n, n, {}}, p.shared_causes, LeadingEdge::lowest_y))
+    , causes_with_plateaus(shared_causes({n, n, {}},
                                          p.shared_causes,
                                          LeadingEdge::lowest_y,
                                          {{"plateaus", plateaus}}))

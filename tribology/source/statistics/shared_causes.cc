@@ -17,66 +17,92 @@ namespace squeal::tribology
     /** Rings of cells from the rim on that have a term each. */
     constexpr std::size_t n_rings = 6;
 
+    /** Where a cell lies along one axis of the grid. */
+    struct OnAxis
+    {
+      std::size_t n, k;          /**< cells; number of this one */
+      double      before, after; /**< distances from the outermost cells */
+      double      length;        /**< of all cells */
+
+      /** The same seen from the other end. */
+      OnAxis
+      reversed() const
+      {
+        return {n, n - 1 - k, after, before, length};
+      }
+
+      /** -1 to 1. */
+      double
+      centred() const
+      {
+        return n > 1 ? (before - after) / (before + after) : 0.;
+      }
+    };
+
+    OnAxis
+    on_axis(const std::size_t          n,
+            const std::size_t          k,
+            const std::vector<double> &at,
+            const double               spacing)
+    {
+      const double before = at.empty() ? double(k) : at[k] - at.front(),
+                   after  = at.empty() ? double(n - 1 - k) : at.back() - at[k];
+      return {n, k, before, after, n * spacing};
+    }
+
+
+
     /** Where a cell lies, seen along the sliding direction. */
     struct Place
     {
-      std::size_t n_across, n_along;
-      std::size_t i, j; /**< across; from the leading edge on */
-
-      /** Across and along, -1 to 1. */
-      double
-      across() const
-      {
-        return n_across > 1 ? 2. * i / (n_across - 1.) - 1. : 0.;
-      }
-
-      double
-      along() const
-      {
-        return n_along > 1 ? 2. * j / (n_along - 1.) - 1. : 0.;
-      }
+      OnAxis across, along; /**< the latter from the leading edge on */
 
       /** Cells between this one and the rim. */
       std::size_t
       rim() const
       {
-        return std::min(std::min(i, n_across - 1 - i),
-                        std::min(j, n_along - 1 - j));
+        return std::min(std::min(across.k, across.n - 1 - across.k),
+                        std::min(along.k, along.n - 1 - along.k));
       }
 
       double
       rim_decay() const
       {
-        return std::exp(-double(rim()) /
-                        (decay_part * std::min(n_across, n_along)));
+        const double distance = std::min(std::min(across.before, across.after),
+                                         std::min(along.before, along.after));
+        return std::exp(-distance /
+                        (decay_part * std::min(across.length, along.length)));
       }
 
       double
       leading_decay() const
       {
-        return std::exp(-double(j) / (decay_part * n_along));
+        return std::exp(-along.before / (decay_part * along.length));
       }
     };
 
 
 
     Place
-    place(const std::size_t n_x,
-          const std::size_t n_y,
+    place(const GridMap    &grid,
           const std::size_t cell,
           const LeadingEdge leading)
     {
-      const std::size_t column = cell % n_x, row = cell / n_x;
+      const auto   spacing = grid.spacing();
+      const OnAxis column =
+                     on_axis(grid.n_x, cell % grid.n_x, grid.xs, spacing[0]),
+                   row =
+                     on_axis(grid.n_y, cell / grid.n_x, grid.ys, spacing[1]);
       switch (leading)
         {
         case LeadingEdge::lowest_y:
-          return {n_x, n_y, column, row};
+          return {column, row};
         case LeadingEdge::highest_y:
-          return {n_x, n_y, column, n_y - 1 - row};
+          return {column, row.reversed()};
         case LeadingEdge::lowest_x:
-          return {n_y, n_x, row, column};
+          return {row, column};
         case LeadingEdge::highest_x:
-          return {n_y, n_x, row, n_x - 1 - column};
+          return {row, column.reversed()};
         case LeadingEdge::automatic:
           break;
         }
@@ -93,11 +119,17 @@ namespace squeal::tribology
       switch (cause)
         {
         case SharedCause::position:
-          return {[](const Place &p) { return p.along(); },
-                  [](const Place &p) { return p.along() * p.along(); },
-                  [](const Place &p) { return p.across(); },
-                  [](const Place &p) { return p.across() * p.across(); },
-                  [](const Place &p) { return p.along() * p.across(); }};
+          return {[](const Place &p) { return p.along.centred(); },
+                  [](const Place &p) {
+                    return p.along.centred() * p.along.centred();
+                  },
+                  [](const Place &p) { return p.across.centred(); },
+                  [](const Place &p) {
+                    return p.across.centred() * p.across.centred();
+                  },
+                  [](const Place &p) {
+                    return p.along.centred() * p.across.centred();
+                  }};
         case SharedCause::rim:
           {
             // any function of the distance near the rim, a decay deeper in
@@ -109,17 +141,20 @@ namespace squeal::tribology
             return rings;
           }
         case SharedCause::edges:
-          return {[](const Place &p) { return p.j == 0; },
-                  [](const Place &p) { return p.j == 1; },
-                  [](const Place &p) { return p.j == 2; },
+          return {[](const Place &p) { return p.along.k == 0; },
+                  [](const Place &p) { return p.along.k == 1; },
+                  [](const Place &p) { return p.along.k == 2; },
                   [](const Place &p) { return p.leading_decay(); },
-                  [](const Place &p) { return p.leading_decay() * p.across(); },
                   [](const Place &p) {
-                    return p.leading_decay() * p.across() * p.across();
+                    return p.leading_decay() * p.across.centred();
                   },
-                  [](const Place &p) { return p.j == p.n_along - 1; },
-                  [](const Place &p) { return p.i == 0; },
-                  [](const Place &p) { return p.i == p.n_across - 1; }};
+                  [](const Place &p) {
+                    return p.leading_decay() * p.across.centred() *
+                           p.across.centred();
+                  },
+                  [](const Place &p) { return p.along.k == p.along.n - 1; },
+                  [](const Place &p) { return p.across.k == 0; },
+                  [](const Place &p) { return p.across.k == p.across.n - 1; }};
         }
       return {};
     }
@@ -172,14 +207,13 @@ namespace squeal::tribology
 
 
   SharedCauses
-  shared_causes(const std::size_t                 n_x,
-                const std::size_t                 n_y,
+  shared_causes(const GridMap                    &grid,
                 const std::vector<SharedCause>   &choice,
                 const LeadingEdge                 leading_edge,
                 const std::vector<MeasuredCause> &measured)
   {
     SharedCauses      causes;
-    const std::size_t n                  = n_x * n_y;
+    const std::size_t n                  = grid.n_x * grid.n_y;
     causes.leading_edge                  = leading_edge;
     std::vector<Eigen::VectorXd> columns = {Eigen::VectorXd::Ones(n)};
     for (const SharedCause cause : choice)
@@ -189,7 +223,7 @@ namespace squeal::tribology
           {
             columns.emplace_back(n);
             for (std::size_t cell = 0; cell < n; ++cell)
-              columns.back()(cell) = term(place(n_x, n_y, cell, leading_edge));
+              columns.back()(cell) = term(place(grid, cell, leading_edge));
           }
       }
     for (const MeasuredCause &cause : measured)
@@ -213,7 +247,7 @@ namespace squeal::tribology
     GridMap leading{map.n_x, map.n_y, {}}, rim = leading;
     for (std::size_t cell = 0; cell < map.size(); ++cell)
       {
-        const Place p = place(map.n_x, map.n_y, cell, leading_edge);
+        const Place p = place(map, cell, leading_edge);
         leading.values.push_back(p.leading_decay());
         rim.values.push_back(p.rim_decay());
       }

@@ -14,20 +14,23 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Class of the distance of two cells: whole cells, rounded. */
+    /** Class of the distance of two cells: whole mean cells, rounded. A class
+     * of its own, 0, is a cell with itself, as cells of a graded grid may lie
+     * nearer to each other than half a mean one. */
     Eigen::MatrixXi
     distance_classes(const GridMap &map, const std::vector<std::size_t> &cells)
     {
-      const std::size_t n = cells.size();
-      Eigen::MatrixXi   classes(n, n);
+      const std::size_t n     = cells.size();
+      const auto [wide, high] = map.spacing();
+      const double    edge    = std::sqrt(wide * high);
+      Eigen::MatrixXi classes(n, n);
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j)
           {
-            const double dx =
-              double(cells[i] % map.n_x) - double(cells[j] % map.n_x);
-            const double dy =
-              double(cells[i] / map.n_x) - double(cells[j] / map.n_x);
-            classes(i, j) = static_cast<int>(std::lround(std::hypot(dx, dy)));
+            const auto a = map.place(cells[i]), b = map.place(cells[j]);
+            const long whole =
+              std::lround(std::hypot(a[0] - b[0], a[1] - b[1]) / edge);
+            classes(i, j) = i == j ? 0 : std::max(1, static_cast<int>(whole));
           }
       return classes;
     }
@@ -67,6 +70,32 @@ namespace squeal::tribology
       return s;
     }
   } // namespace
+
+
+
+  std::array<double, 2>
+  GridMap::place(const std::size_t cell) const
+  {
+    const std::size_t i = cell % n_x, j = cell / n_x;
+    return {{xs.empty() ? double(i) : xs[i], ys.empty() ? double(j) : ys[j]}};
+  }
+
+
+
+  std::array<double, 2>
+  GridMap::spacing() const
+  {
+    const auto mean = [](const std::vector<double> &at) {
+      return at.empty()      ? 1.
+             : at.size() > 1 ? (at.back() - at.front()) / (at.size() - 1.)
+                             : 0.;
+    };
+    const double wide = mean(xs), high = mean(ys), other = wide + high;
+    if (wide > 0. && high > 0.)
+      return {{wide, high}};
+    return other > 0. ? std::array<double, 2>{{other, other}}
+                      : std::array<double, 2>{{1., 1.}};
+  }
 
 
 

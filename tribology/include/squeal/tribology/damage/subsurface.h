@@ -7,6 +7,7 @@
 #include <squeal/tribology/damage/history_damage.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace squeal::tribology
@@ -37,6 +38,19 @@ namespace squeal::tribology
     const FatigueParameters                &fatigue,
     const ContactGrid                      &grid,
     const std::function<void(std::size_t)> &progress = {});
+
+  /** The last samples of @p window, on which the criteria are evaluated. */
+  HistoryWindow subsurface_window(const HistoryWindow        &window,
+                                  const SubsurfaceParameters &subsurface);
+
+  /** One line where these samples leave out more than 2 % of the largest range
+   * that a traction or pressure of a node has in the whole window, as where
+   * they hold no period or the vibration ends before; else nothing. Reads the
+   * window in pieces of @p n_chunk samples. */
+  std::string note_on_subsurface_window(const HistoryReader        &reader,
+                                        const HistoryWindow        &window,
+                                        const SubsurfaceParameters &subsurface,
+                                        std::size_t                 n_chunk);
 
   /** Six rows for each point (node, depth), three columns (traction x, y,
    * pressure) for each node: of a half-space, or of a block. */

@@ -9,13 +9,14 @@
 
 namespace squeal::tribology
 {
-  /** Column and row of a cell. */
+  /** Column and row of a cell on a lattice of even steps. */
   using CellColumnRow = std::array<std::size_t, 2>;
 
   /**
    * Pairs of cells of a grid by the lag between them, along both axes and with
    * its sign: what two maps have in common in any direction, as bands and waves
-   * do.
+   * do. Several cells of a graded grid may stand at one place of the lattice:
+   * pairs of them are a lag of their own.
    */
   class CellLags
   {
@@ -36,11 +37,12 @@ namespace squeal::tribology
     double variance_in(const Eigen::MatrixXd &basis) const;
 
   private:
-    /** Values on the rectangle round all cells, 0 elsewhere. */
+    /** Sums of the values at each place of the rectangle round all cells. */
     Eigen::MatrixXd on_rectangle(const Eigen::VectorXd &values) const;
 
-    /** Sums over the pairs of each lag, half of the lags, 0 first. */
-    Eigen::VectorXd sums(const Eigen::MatrixXd &values) const;
+    /** Sums over the pairs of each lag, half of the lags: first each cell with
+     * itself, last different cells at one place. */
+    Eigen::VectorXd sums(const Eigen::VectorXd &of_cells) const;
 
     double variance_of(const Eigen::VectorXd &a,
                        const Eigen::VectorXd &b) const;

@@ -21,20 +21,24 @@ namespace squeal::tribology
     GridMap                        seen;     /**< area of features, m^2 */
     GridMap                        coverage; /**< part of each cell seen */
     SharedCauses                   causes;   /**< taken out of both */
-    bool                           is_silent = false;
+    /** Spacing of the features' cells over that of the nodes; NaN where the
+     * features lie at nodes or on no even lattice. */
+    double coarseness = NAN;
+    bool   is_silent  = false;
     /** Whether neither the table nor the parameters tell the leading edge. */
     bool is_edge_assumed = false;
   };
 
   /**
    * Reads a damage table and a table of features for each pad. Rows of features
-   * belong to the nodal cell in which their place (x_m, y_m) lies; several rows
-   * in a cell count with their coverage. Of a table with a column "image" only
-   * the rows "pad" count, and there must be some. The damage table must cover a
-   * rectangular grid. Columns that are covariates are shared causes, and
-   * neither indices nor features. The leading edge is that of each table, see
-   * sliding_of_pad(). Throws InputError for a missing column, for a place that
-   * lies in no cell and for a coverage that is no part of a cell.
+   * are shared among the nodal cells by area, see share_rows(); several rows in
+   * a cell count with the area of it that each of them has seen. Of a table
+   * with a column "image" only the rows "pad" count, and there must be some.
+   * The damage table must cover a rectangular grid. Columns that are covariates
+   * are shared causes, and neither indices nor features. The leading edge is
+   * that of each table, see sliding_of_pad(). Throws InputError for a missing
+   * column, for a place that lies in no cell and for a coverage that is no part
+   * of a cell.
    */
   std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
 
@@ -58,6 +62,12 @@ namespace squeal::tribology
 
   /** Pads with cells that are seen too little to count in links. */
   std::vector<std::string> warnings_of_thin_cells(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Pads whose features lie on cells that are more than half as large again
+   * as those of the nodes: each counts at the nodes next to its centre. */
+  std::vector<std::string> warnings_of_coarse_features(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
 

@@ -34,8 +34,9 @@ namespace squeal::tribology
   };
 
   /**
-   * The causes that @p choice names, as columns of a regression on a grid of
-   * @p n_x times @p n_y cells, x fastest. The sliding direction points from
+   * The causes that @p choice names, as columns of a regression on the cells of
+   * @p grid, whose values do not matter. Distances are those between its
+   * columns and rows. The sliding direction points from
    * @p leading_edge, which is not automatic, to the edge on the other side:
    *
    * position  u, u^2, v, v^2, u v, u along the sliding direction, v across it
@@ -48,8 +49,7 @@ namespace squeal::tribology
    * Each measured map enters with its square. Throws std::logic_error for
    * the edge "automatic", which tells no place.
    */
-  SharedCauses shared_causes(std::size_t                       n_x,
-                             std::size_t                       n_y,
+  SharedCauses shared_causes(const GridMap                    &grid,
                              const std::vector<SharedCause>   &choice,
                              LeadingEdge                       leading_edge,
                              const std::vector<MeasuredCause> &measured = {});

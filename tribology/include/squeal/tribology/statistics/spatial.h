@@ -16,13 +16,22 @@ namespace squeal::tribology
   {
     std::size_t         n_x = 0, n_y = 0;
     std::vector<double> values;
-    double aspect = 1.; /**< edge of a cell along y over that along x */
+    /** Places of the columns along x and of the rows along y, ascending, in m;
+     * none: the cells are squares with an edge of 1. */
+    std::vector<double> xs = {}, ys = {};
 
     std::size_t
     size() const
     {
       return values.size();
     }
+
+    /** x and y of a cell, in the unit of the columns and rows. */
+    std::array<double, 2> place(std::size_t cell) const;
+
+    /** Mean distances of neighbouring columns and of neighbouring rows, in the
+     * same unit; where there is but one, the distance is that of the others. */
+    std::array<double, 2> spacing() const;
   };
 
   /** Cells where both maps are known. */
@@ -36,9 +45,9 @@ namespace squeal::tribology
    * Number of independent pairs that carry as much information on the
    * correlation of two maps as their cells do, whose neighbours are alike:
    * 1 + 1/var(r) with var(r) = tr(B S_x B S_y) / (tr(B S_x) tr(B S_y)), B the
-   * centring matrix and S the covariances by classes of distance, estimated
-   * from the maps (Clifford, Richardson, Hemon 1989; Dutilleul 1993). At most
-   * the number of cells.
+   * centring matrix and S the covariances by classes of distance (on the pad,
+   * each as wide as a mean cell), estimated from the maps (Clifford,
+   * Richardson, Hemon 1989; Dutilleul 1993). At most the number of cells.
    */
   double effective_sample_size(const GridMap &x, const GridMap &y);
 
