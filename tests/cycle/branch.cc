@@ -571,7 +571,7 @@ namespace
                  start_at              = 1.05 * critical;
     Start start                        = start_of(m, maps, start_at, 256);
     start.settings.lower               = .5 * critical;
-    start.settings.upper               = 1.1 * critical;
+    start.settings.upper               = 1.3 * critical;
     start.settings.largest_step        = .2;
     const CycleBranch b =
       follow_branch(maps, start.motion, start_at, start.settings);
