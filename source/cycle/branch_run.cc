@@ -24,6 +24,34 @@ namespace squeal
       return result;
     }
 
+    /** Largest angle, rad, between the friction of a node where it slips first
+     * in the period and later in it. Along one line friction in slip is linear
+     * in the normal force; where it turns, mu lambda_n s/|s| is not. */
+    double
+    friction_turn_of(const Orbit &orbit)
+    {
+      double result = 0.;
+      for (std::size_t j = 0; j < orbit.status.front().size(); ++j)
+        {
+          std::optional<Eigen::Vector2d> first;
+          for (unsigned int i = 0; i < orbit.n_steps(); ++i)
+            {
+              const Eigen::Vector2d friction =
+                orbit.states[i + 1].forces.segment<2>(3 * j + 1);
+              if (orbit.status[i][j] != ContactStatus::slip ||
+                  !(friction.norm() > 0.))
+                continue;
+              if (!first)
+                first = friction;
+              const double across =
+                (*first)[0] * friction[1] - (*first)[1] * friction[0];
+              result = std::max(
+                result, std::atan2(std::abs(across), first->dot(friction)));
+            }
+        }
+      return result;
+    }
+
     /** Whether an odd number of real multipliers is beyond 1, without the
      * trivial one. */
     bool
@@ -123,6 +151,7 @@ namespace squeal
     BranchPoint result;
     result.parameter         = parameter;
     result.n_changes         = changes_of(motion.orbit);
+    result.friction_turn     = friction_turn_of(motion.orbit);
     result.multipliers       = floquet_multipliers(map, motion);
     result.figures           = cycle_figures(map, motion);
     result.multipliers.error = settings.multiplier_error;
@@ -194,7 +223,7 @@ namespace squeal
       return (side.sign < 0. ? is_low : is_high)
                ? std::optional<BranchEnd>(BranchEnd::range)
                : std::nullopt;
-    if (last.n_changes == 0)
+    if (last.n_changes == 0 && last.friction_turn <= onset_turn)
       return BranchEnd::onset;
     if (is_low || is_high)
       return BranchEnd::range;

@@ -197,6 +197,17 @@ namespace squeal
         result.coarse.status = CycleStatus::aperiodic;
       return result;
     }
+    /** The rms of a force whose harmonics have the differences of those of @p a
+     * and @p b, as far as both go. */
+    double
+    rms_of_difference(const std::vector<double> &a,
+                      const std::vector<double> &b)
+    {
+      double sum = 0.;
+      for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+        sum += .5 * (a[k] - b[k]) * (a[k] - b[k]);
+      return std::sqrt(sum);
+    }
   } // namespace
 
 
@@ -216,7 +227,11 @@ namespace squeal
   double
   CycleResult::rms_normal_error() const
   {
-    return error_by_steps(figures.rms_normal, coarse_figures.rms_normal);
+    return std::max(
+      error_by_steps(figures.rms_normal, coarse_figures.rms_normal),
+      error_by_steps(rms_of_difference(figures.normal_harmonics,
+                                       coarse_figures.normal_harmonics),
+                     0.));
   }
 
   std::string

@@ -292,6 +292,15 @@ namespace squeal
 
 
 
+  std::complex<double>
+  FloquetMultipliers::outermost() const
+  {
+    for (const std::complex<double> m : values)
+      if (m != trivial)
+        return m;
+    return 1.;
+  }
+
   bool
   FloquetMultipliers::is_stable() const
   {

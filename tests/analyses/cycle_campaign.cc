@@ -5,6 +5,7 @@
 // Arguments: the program and the folder of parameter files.
 
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 
 #include "brief_runs.h"
 
@@ -72,6 +73,32 @@ namespace
       }
     check(a.frequency_error() == 6., "of the frequency");
     is({a, b}, "stable limit cycle", 0, 1);
+    // One harmonic grows by as much power as the other loses.
+    CycleResult c                     = cycle(3000., std::sqrt(12.5), .9);
+    c.figures.normal_harmonics        = {4., 3., .1};
+    c.coarse_figures.normal_harmonics = {3., 4.};
+    check_close(c.rms_normal_error(), 2., 1e-12, "of the harmonics");
+  }
+
+  /** What is said of an unstable cycle with the multiplier @p m. */
+  void
+  is_left(const std::complex<double> m, const std::string &text)
+  {
+    CycleResult c        = cycle(3000., 50., std::abs(m));
+    c.multipliers.values = Eigen::Vector3cd(m, std::conj(m), 1.);
+    const std::string s  = cycle_sentence(c);
+    check(s.find(text) != std::string::npos, text + ": " + s);
+  }
+
+  void
+  ways_of_leaving()
+  {
+    is_left(-1.0159, "period doubling");
+    is_left({.3, 1.1}, "torus");
+    is_left(1.2, "fold");
+    check(cycle_sentence(cycle(3000., 50., .9)).find("disturbances") ==
+            std::string::npos,
+          "nothing leaves a stable cycle");
   }
 
   void
@@ -277,6 +304,7 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check(argc > 2, "arguments: the program and the folder of parameter files");
   errors_by_half_the_steps();
+  ways_of_leaving();
   outcomes();
   points(argv[1], argv[2]);
 }

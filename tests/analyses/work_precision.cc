@@ -214,6 +214,23 @@ main(int argc, char **argv)
         "frequencies are given in Hz: " +
           std::to_string(higher.real(0, "error_rel")));
 
+  // Of numbers that do not stand for the values one by one errors are those of
+  // others.
+  const Outcome fewer = run_program({program,
+                                     "--quiet",
+                                     "--set",
+                                     "Analysis = work precision",
+                                     "--set",
+                                     "Work precision/Ladders = degree",
+                                     "--set",
+                                     "Work precision/Values = 1",
+                                     "--set",
+                                     "Work precision/Reference = 0.001",
+                                     "brake.prm"});
+  check(fewer.code != 0 &&
+          fewer.errors.find("there are 1 numbers") != std::string::npos,
+        "one number for several values is refused: " + fewer.errors);
+
   const Table own = ladder("2, 1", "eigenvalue", "");
   check(own.real(0, "error_rel") == 0. && own.real(1, "error_rel") > 1e-3,
         "the finest rung stands for the truth, wherever it stands");

@@ -31,13 +31,18 @@ namespace squeal
   /** Why a branch goes no further. */
   enum class BranchEnd
   {
-    range,  /**< the parameter is at its end or has left it */
-    points, /**< there are as many as were asked for */
-    onset,  /**< no node changes its status any more: beyond, the motion is the
-               linear one, of any smaller size at one parameter */
-    turn,   /**< it turns too sharply, however short the steps */
+    range,    /**< the parameter is at its end or has left it */
+    points,   /**< there are as many as were asked for */
+    onset,    /**< no node changes its status any more and no friction turns by
+                 more than onset_turn: beyond, the motion is the linear one, of any
+                 smaller size at one parameter */
+    turn,     /**< it turns too sharply, however short the steps */
     not_found /**< the iterations do not converge */
   };
+
+  /** Friction that turns by less over a period, rad, leaves the motion linear:
+   * what the turn adds to Coulomb's law is of the square of this. */
+  constexpr double onset_turn = 0.02;
 
   struct BranchPoint
   {
@@ -52,6 +57,9 @@ namespace squeal
     bool turns_back = false, is_fold = false;
     /** Changes of status of all nodes in a period. */
     unsigned int n_changes = 0;
+    /** Largest angle, rad, between the friction forces of a slipping node after
+     * the first step and after another one of the period. */
+    double friction_turn = 0.;
   };
 
   /** Periodic motions along the branch, from one end to the other. */

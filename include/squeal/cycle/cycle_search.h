@@ -42,8 +42,11 @@ namespace squeal
 
     /** @name By the steps, see error_by_steps(). */
     //@{
-    double frequency_error() const;  /**< Hz */
-    double rms_normal_error() const; /**< N */
+    double frequency_error() const; /**< Hz */
+    /** N: of the difference of the harmonics that both numbers of steps have,
+     * which is not smaller than that of the rms: harmonics that grow and others
+     * that fall with the steps leave an rms that hardly changes by chance. */
+    double rms_normal_error() const;
     //@}
   };
 

@@ -90,6 +90,10 @@ namespace squeal
     /** Of the others, in size. */
     double largest = 0.;
 
+    /** The first of the largest in size without the trivial one; 1 if there is
+     * no other. */
+    std::complex<double> outermost() const;
+
     /** What the largest is uncertain by: its difference to half the steps. */
     double error = 0.;
 

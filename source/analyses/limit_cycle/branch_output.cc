@@ -80,6 +80,17 @@ namespace squeal
                              "largest_multiplier_error",
                              "trivial_multiplier_error"})
       columns.push_back(common<BranchPoint>(name));
+    columns.push_back({{"largest_multiplier_angle_deg",
+                        Type::real,
+                        "deg",
+                        "of the largest multiplier in the complex plane: 0 as "
+                        "at a fold, 180 as at a period doubling",
+                        4},
+                       [](const BranchPoint &x) {
+                         return Cell(
+                           std::abs(std::arg(x.multipliers.outermost())) *
+                           180. / M_PI);
+                       }});
     columns.push_back(
       {{"is_fold",
         Type::integer,
@@ -89,6 +100,14 @@ namespace squeal
     columns.push_back(
       {{"n_changes", Type::integer, "", "changes of status in a period"},
        [](const BranchPoint &x) { return Cell(x.n_changes); }});
+    columns.push_back(
+      {{"friction_turn_rad",
+        Type::real,
+        "rad",
+        "largest angle that the friction of a slipping node "
+        "turns by in a period",
+        4},
+       [](const BranchPoint &x) { return Cell(x.friction_turn); }});
     for (const char *name :
          {"n_opening", "n_sticking", "residual", "n_iterations"})
       columns.push_back(common<BranchPoint>(name));

@@ -221,7 +221,7 @@ namespace squeal
           of({"rms_normal_error_n",
               Type::real,
               "N",
-              "twice the difference to half the steps",
+              "twice the difference of the harmonics to half the steps",
               3},
            &PointRow::heard,
            [](const CycleResult &c) { return c.rms_normal_error(); }),

@@ -60,7 +60,7 @@ namespace squeal
               found({"rms_normal_error_n",
                      Type::real,
                      "N",
-                     "twice the difference to half the steps",
+                     "twice the difference of the harmonics to half the steps",
                      3},
                     [](const CycleResult &c) { return c.rms_normal_error(); }),
               found({"min_normal_n", Type::real, "N", "least normal force"},
@@ -179,6 +179,28 @@ namespace squeal
         3,
         1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / shown))));
       return rounded_text(value, std::min(digits, 8));
+    }
+
+    /** What unstable cycles are left by. */
+    std::string
+    way_of_leaving(const FloquetMultipliers &multipliers)
+    {
+      const std::complex<double> m = multipliers.outermost();
+      if (m.imag() != 0.)
+        return "disturbances grow with a second frequency: a pair of "
+               "multipliers "
+               "of size " +
+               rounded_text(std::abs(m), 4) + " at +-" +
+               rounded_text(std::abs(std::arg(m)) * 180. / M_PI, 3) +
+               " degrees (torus)";
+      const std::string number = "a multiplier of " + rounded_text(m.real(), 4);
+      return m.real() < 0.
+               ? "disturbances change their sign every period: " + number +
+                   " (period doubling); a longer 'Limit cycle/Run time' may "
+                   "lead "
+                   "to a cycle of twice the period"
+               : "disturbances grow to one side: " + number +
+                   ", as beyond a fold";
     }
   } // namespace
 
@@ -339,7 +361,9 @@ namespace squeal
            " Hz, rms of the normal force " +
            (pairs.empty() ? "" : "of " + pairs[f.loudest] + " ") +
            rounded(f.rms_normal, dr) + " +- " + rounded_text(dr, 2) +
-           " N (errors by half the steps; mesh and cut-off not estimated)";
+           " N (errors by half the steps; mesh and cut-off not estimated)" +
+           (c.multipliers.is_unstable() ? "; " + way_of_leaving(c.multipliers)
+                                        : "");
   }
 
 

@@ -10,6 +10,7 @@
 #include <squeal/model/cea_solution.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
+#include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/results/cost_at_error.h>
 #include <squeal/results/plots.h>
@@ -217,6 +218,35 @@ namespace squeal
         });
     }
 
+    /** Given numbers stand for the values of the band one by one: with fewer of
+     * them, or more, errors would be those of values that belong to others.
+     * Throws InputError where the finest rung has another number of values;
+     * coarser ones are named in the log. */
+    void
+    check_reference(const std::size_t        n_given,
+                    const std::vector<Rung> &rungs,
+                    RunLog                  &log)
+    {
+      const Rung &finest = finest_of(rungs);
+      if (finest.values.size() != n_given)
+        prm::refuse_entry(
+          "Work precision",
+          "Reference",
+          "there are " + std::to_string(n_given) +
+            " numbers, but the finest rung (" +
+            setting_text(finest.ladder, finest.setting) + ") has " +
+            std::to_string(finest.values.size()) +
+            " values between the frequencies of 'Eigenvalues': give "
+            "one number for each of them");
+      for (const Rung &rung : rungs)
+        if (rung.values.size() != n_given)
+          log.warning(setting_text(rung.ladder, rung.setting) + ": " +
+                      std::to_string(rung.values.size()) +
+                      " values in the band and " + std::to_string(n_given) +
+                      " numbers of 'Work precision/Reference'; its error is "
+                      "that of values that belong to others");
+    }
+
     /** What each ladder must spend for the error @p goal, and the same as
      * sentences for the log. */
     Table
@@ -337,6 +367,8 @@ namespace squeal
         "Work precision/Values: the ladder gave no values in the "
         "band");
 
+    if (!p.reference.empty())
+      check_reference(p.reference.size(), rungs, context.log);
     // The finest rung stands for the truth and is not shown.
     const Rung   *finest = p.reference.empty() ? &finest_of(rungs) : nullptr;
     const Measure measure(p.quantity,
