@@ -60,6 +60,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/line_smoothing.cc
     source/images/metadata.cc
     source/images/micrograph.cc
+    source/images/mosaic.cc
     source/images/path_evidence.cc
     source/images/rater_masks.cc
     source/images/rating.cc

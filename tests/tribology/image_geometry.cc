@@ -3,7 +3,7 @@
 // Registration, mosaics, sections and length of lines against known answers.
 #include <squeal/base/exceptions.h>
 #include <squeal/tribology/images/centre_line.h>
-#include <squeal/tribology/images/registration.h>
+#include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/specimen.h>
 
@@ -108,6 +108,123 @@ namespace
 
 
 
+  /** Frames of one picture, named a0, a1, ..., by their corners there; stage
+   * positions are @p stage times as far away in x and y. */
+  std::vector<Micrograph>
+  frames_of(const cv::Mat                &grey,
+            const cv::Size               &size,
+            const std::vector<cv::Point> &corners,
+            const cv::Point2d            &stage)
+  {
+    std::vector<Micrograph> frames;
+    for (const cv::Point &corner : corners)
+      {
+        Micrograph m;
+        m.path       = "a" + std::to_string(frames.size());
+        m.grey       = grey(cv::Rect(corner, size)).clone();
+        m.frame      = {{0, 0}, size};
+        m.pixel_size = 2.;
+        m.metadata.stage =
+          cv::Point2d(2. * stage.x * corner.x, 2. * stage.y * corner.y);
+        frames.push_back(m);
+      }
+    return frames;
+  }
+
+
+
+  /** Frames that do not show the same are no mosaic. */
+  void
+  check_mismatch(const cv::Mat &grey)
+  {
+    const cv::Size               size(600, 460);
+    const std::vector<cv::Point> corners = {
+      {0, 0}, {420, 0}, {0, 300}, {420, 300}};
+    check(
+      join_frames(frames_of(grey, size, corners, {1., 1.})).warnings.empty(),
+      "frames that match have no warning");
+    for (const auto &[stage, word] :
+         {std::pair(cv::Point2d(1., -1.), "stage position in y,"),
+          std::pair(cv::Point2d(-1., 1.), "stage position in x,"),
+          std::pair(cv::Point2d(-1., -1.), "stage position in x and y,")})
+      check_throws<InputError>(
+        [&, stage = stage]() {
+          join_frames(frames_of(grey, size, corners, stage));
+        },
+        word,
+        "an axis of the stage that runs against the images");
+    auto mirrored = frames_of(grey, size, corners, {1., 1.});
+    cv::flip(mirrored[3].grey, mirrored[3].grey, 1);
+    const Mosaic one = join_frames(mirrored);
+    check(one.n_tried == 3 && one.n_refined == 2 && one.warnings.size() == 1 &&
+            one.warnings[0].find("a3 and a1 do not show the same") == 0,
+          "one mirrored frame of four is named");
+    for (Micrograph &m : mirrored)
+      cv::flip(m.grey, m.grey, 1);
+    check_throws<InputError>([&]() { join_frames(mirrored); },
+                             "mirrored",
+                             "mirrored frames are refused");
+    auto plain = frames_of(grey, size, corners, {1., 1.});
+    for (Micrograph &m : plain)
+      m.grey.setTo(90.);
+    const Mosaic flat = join_frames(plain);
+    check(flat.n_refined == 0 && flat.warnings.size() == 3 &&
+            flat.warnings[0].find("nothing to align") != std::string::npos,
+          "frames that show nothing lie by their stage positions");
+    auto dark = frames_of(grey, size, corners, {1., 1.});
+    dark[1].grey *= 0.7;
+    const Mosaic uneven = join_frames(dark);
+    check(uneven.warnings.size() == 2 &&
+            uneven.warnings[0].find("a1 is 0.70 times as bright as a0") == 0,
+          "a darker frame is named");
+  }
+
+
+
+  /** A stage whose scale is 3 % wrong is wrong by 4 px from each frame to the
+   * next, however many there are. */
+  void
+  check_drift(const cv::Mat &grey)
+  {
+    std::vector<cv::Point> corners;
+    for (int k = 0; k < 7; ++k)
+      corners.emplace_back(133 * k, 0);
+    const Mosaic mosaic =
+      join_frames(frames_of(grey, {200, 700}, corners, {1.03, 1.}));
+    check(mosaic.n_refined == 6, "all frames of a row are aligned");
+    for (int k = 1; k < 7; ++k)
+      check(cv::norm(mosaic.shifts[k] - mosaic.shifts[0] -
+                     cv::Point2d(corners[k])) < 0.5,
+            "frame " + std::to_string(k) + " of the row");
+    check_close(
+      mosaic.correction, 0.03 * 133. * 6., 0.03, "the last moves most");
+  }
+
+
+
+  /** Squares on a pad of 4 x 2 um. */
+  void
+  check_share_on_pad()
+  {
+    const auto share = [](const double x, const double y, const double edge) {
+      return share_on_pad(
+        {10, 10},
+        {{edge / 10., 0., x, 0., edge / 10., y, 0., 0., 1.}, 0.},
+        {4., 2.});
+    };
+    check_close(share(-1., -1., 2.), 1., 1e-12, "a square on the pad");
+    check_close(share(1., -1., 2.), 0.5, 1e-12, "half beside it");
+    check_close(share(1., 0., 2.), 0.25, 1e-12, "over a corner");
+    check_close(share(-5., -5., 10.), 0.08, 1e-12, "over all of the pad");
+    check(share(50., 0., 2.) == 0. && share(0., -9., 2.) == 0., "off the pad");
+    // A square of diagonal 4 about the middle loses two tips of height 1.
+    const Placement turned{{0.2, -0.2, 0., 0.2, 0.2, -2., 0., 0., 1.}, 0.};
+    check_close(
+      share_on_pad({10, 10}, turned, {4., 2.}), 0.75, 1e-12, "a turned square");
+  }
+
+
+
   /** Four frames cut from one picture, their stage positions wrong by up to
    * 5 pixels. */
   void
@@ -144,6 +261,8 @@ namespace
     check_throws<InputError>([&]() { join_frames(frames); },
                              "stage",
                              "a frame without stage position is refused");
+    check_mismatch(grey);
+    check_drift(grey);
   }
 
 
@@ -229,6 +348,7 @@ main()
 {
   check_axes_of_pad();
   check_transforms();
+  check_share_on_pad();
   check_mosaic();
   check_section();
   check_strata();

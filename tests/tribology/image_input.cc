@@ -122,6 +122,38 @@ namespace
 
 
 
+  /** Angles of stage and scan, in degrees. */
+  void
+  check_rotations()
+  {
+    write("fei_turned.tif",
+          tiff(34682,
+               "[Stage]\r\nStageX=0\r\nStageY=0\r\nStageR=1.570796327\r\n"
+               "[EScan]\r\nPixelWidth=1e-6\r\nScanRotation=-0.7853981634\r\n"));
+    const ImageMetadata fei = read_metadata("fei_turned.tif");
+    check_close(fei.stage_rotation, 90., 1e-6, "FEI stage in radians");
+    check_close(fei.scan_rotation, -45., 1e-6, "FEI scan in radians");
+    for (const bool is_on : {true, false})
+      {
+        write("zeiss_turned.tif",
+              tiff(34118,
+                   "Image Pixel Size = 1 um\r\nStage at R = 359.0 Degrees\r\n"
+                   "Scan Rotation = 30.0 Degrees\r\nScan Rot = " +
+                     std::string(is_on ? "On" : "Off") + "\r\n"));
+        const ImageMetadata zeiss = read_metadata("zeiss_turned.tif");
+        check_close(zeiss.stage_rotation, -1., 1e-9, "Zeiss stage");
+        check_close(zeiss.scan_rotation, is_on ? 30. : 0., 1e-9, "Zeiss scan");
+      }
+    cv::imwrite("jeol_turned.png", cv::Mat(64, 64, CV_8U, cv::Scalar(9)));
+    write("jeol_turned.txt",
+          "$$SM_MICRON_BAR 160\r\n$$SM_MICRON_MARKER 50um\r\n"
+          "$$SM_SCAN_ROTATION 15.00\r\n");
+    check_close(
+      read_metadata("jeol_turned.png").scan_rotation, 15., 1e-9, "JEOL scan");
+  }
+
+
+
   void
   check_refusals(const std::string &program)
   {
@@ -148,6 +180,17 @@ namespace
       {"none*.png", "", "no file matches"},
       {"plain.png", "'Pixel size = 0'", "no scale"},
       {"plain.png", line, "collinear"},
+      {"plain.png", "'Segmentation/Depth band = 20'", "'View = section'"},
+      {"plain.png", "'Segmentation/Mask tolerance = 5'", "without 'Masks'"},
+      {"plain.png", "'Segmentation/Mask value = 5'", "without 'Masks'"},
+      {"plain.png", "'Segmentation/Mask use = beside'", "without 'Masks'"},
+      {"plain.png", "'Segmentation/Transform = affine'", "= points'"},
+      {"plain.png", "'Segmentation/Image points = 0,0,9,0,0,9'", "= points'"},
+      {"plain.png", "'Segmentation/Pad points = 0,0,9,0,0,9'", "= points'"},
+      {"plain.png",
+       "'Segmentation/Scale bar box = 1,1,9,9' --set "
+       "'Segmentation/Scale bar length = 50'",
+       "beside 'Pixel size'"},
       {"plain.png", "'Output directory = /proc/none'", "output directory"},
       {"plain.png", "'Segmentation/Registration = stage'", "stage position"}};
     for (const auto &[image, more, part] : cases)
@@ -345,6 +388,7 @@ int
 main(int argc, char **argv)
 {
   check_metadata();
+  check_rotations();
   check_missed_images();
   check_messages();
   check_damaged_pixels();

@@ -287,6 +287,18 @@ namespace squeal::tribology
     report.table(figures_of(record),
                  "Figures of each image (in SI units: segmentation.csv)");
     add_overlays(report, record, context);
+    for (const SegmentedImage &i : record.images)
+      if (i.residual)
+        report.paragraph(i.stem + ": the points of its registration lie " +
+                         rounded_text(*i.residual, 3) +
+                         " um (rms) from where the map takes them.");
+    if (record.mosaic_refined)
+      report.paragraph("Of " + std::to_string(record.mosaic_tried) +
+                       " overlaps of the mosaic " +
+                       std::to_string(*record.mosaic_refined) +
+                       " show the same and are aligned; no image was moved by "
+                       "more than " +
+                       rounded_text(record.mosaic_correction, 3) + " um.");
     for (const std::string &line : areas_in_words(record))
       report.paragraph(line);
     report.section("How sure the figures are");

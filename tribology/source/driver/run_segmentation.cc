@@ -8,6 +8,7 @@
 #include <squeal/tribology/driver/segmentation_input.h>
 #include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
 #include <squeal/tribology/images/stored_pixels.h>
@@ -77,6 +78,9 @@ namespace squeal::tribology
       {
         if (p.mosaic)
           join();
+        if (p.registration != R::none)
+          for (const Micrograph &m : images)
+            check_place(m, placement_of(m), context);
         read_element_maps();
         if (p.mosaic)
           write_png(context.output.file("mosaic.png"), picture_of(images[0]));
@@ -150,6 +154,8 @@ namespace squeal::tribology
       {
         const Mosaic mosaic =
           join_frames(images, context.parameters.images.largest_image);
+        for (const std::string &warning : mosaic.warnings)
+          context.log.warning(warning);
         Micrograph  m = images[0];
         cv::Point2d centre(0., 0.);
         m.stem         = "mosaic";
@@ -169,6 +175,7 @@ namespace squeal::tribology
                            " % of the rectangle around them: all figures are "
                            "of what they show");
         record.mosaic_refined    = mosaic.n_refined;
+        record.mosaic_tried      = mosaic.n_tried;
         record.mosaic_correction = mosaic.correction * s;
         images                   = {m};
       }

@@ -5,7 +5,9 @@
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/rater_masks.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace squeal::tribology
 {
@@ -20,6 +22,17 @@ namespace squeal::tribology
     /** Pixels of which length and width differ by less pass for squares: their
      * lengths are not known any better. */
     constexpr double square_agreement = 0.02;
+
+    /** Rms distance of registration points over the edge of a cell, from where
+     * on cracks come into wrong cells. */
+    constexpr double largest_residual = 0.25;
+
+    /** Degrees of stage and scan that pass for none: a tenth of a millimetre on
+     * a pad of a centimetre. */
+    constexpr double least_rotation = 0.5;
+
+    /** Share of an image beside the pad that is worth a warning. */
+    constexpr double least_outside = 0.01;
 
     std::vector<cv::Point2d>
     points_of(const std::vector<double> &numbers, const double factor)
@@ -82,6 +95,8 @@ namespace squeal::tribology
       operator()()
       {
         read_images();
+        check_rotations();
+        check_pixel_sizes();
         if (p.registration == R::points)
           place_by_points();
         require_square_pixels();
@@ -109,15 +124,27 @@ namespace squeal::tribology
         const std::vector<std::string> files = expand_wildcards(names);
         for (const std::string &line : missed_images(names, files))
           context.log.warning(line);
+        const auto read = [&](const std::string &file, const int least_bits) {
+          return read_micrograph(file,
+                                 context.parameters.images.pixel_size,
+                                 bar,
+                                 context.parameters.images.largest_image,
+                                 p.data_bar,
+                                 least_bits);
+        };
+        int most_bits = 0;
         for (const std::string &file : files)
           {
-            input.images.push_back(
-              read_micrograph(file,
-                              context.parameters.images.pixel_size,
-                              bar,
-                              context.parameters.images.largest_image,
-                              p.data_bar));
-            Micrograph &m = input.images.back();
+            input.images.push_back(read(file, 8));
+            most_bits = std::max(most_bits, input.images.back().bits);
+          }
+        // The images of a mosaic have one exposure and need one range.
+        if (p.mosaic)
+          for (Micrograph &m : input.images)
+            if (m.bits > 0 && m.bits < most_bits)
+              m = read(m.path, most_bits);
+        for (Micrograph &m : input.images)
+          {
             note_unseen(m, p.view == SegmentationParameters::View::section);
             if (const int n = m.grey.rows - m.frame.height; n > 0)
               m.notes.push_back("the last " + std::to_string(n) + " of " +
@@ -128,6 +155,81 @@ namespace squeal::tribology
             for (const std::string &warning : m.warnings)
               context.log.warning(m.path + ": " + warning);
           }
+      }
+
+      /** Nothing turns an image by the angles of stage and scan, whose signs
+       * differ from maker to maker. */
+      void
+      check_rotations() const
+      {
+        if (p.registration == R::points && !p.mosaic)
+          return;
+        const bool by_stage = p.mosaic || p.registration == R::stage;
+        for (const Micrograph &m : input.images)
+          for (const auto &[angle, name] :
+               {std::pair(m.metadata.stage_rotation, "stage"),
+                std::pair(m.metadata.scan_rotation, "scan")})
+            {
+              if (std::abs(angle) < least_rotation)
+                continue;
+              const std::string text =
+                m.path + ": by its metadata the " + name + " was turned by " +
+                rounded_text(angle, 3) + " degrees (" + m.metadata.source + ")";
+              if (by_stage)
+                throw InputError(
+                  text + ", so that its rows need not run along the axis of "
+                         "the stage positions: turn the image upright and "
+                         "save it without that angle, or take 'Registration = "
+                         "points' without 'Mosaic'");
+              context.log.warning(text +
+                                  ", which is not allowed for: 'Sliding "
+                                  "direction' is taken in the image as it is");
+            }
+      }
+
+      /** What is stated beside the metadata goes before it. */
+      void
+      check_pixel_sizes() const
+      {
+        for (const Micrograph &m : input.images)
+          if (const auto &size = m.metadata.pixel_size;
+              size && !(std::abs(m.pixel_size / *size - 1.) <= scale_agreement))
+            context.log.warning(m.path + ": a pixel is " +
+                                rounded_text(m.pixel_size, 4) + " um (" +
+                                m.scale_source + "), but by its metadata " +
+                                rounded_text(*size, 4) + " um (" +
+                                m.metadata.source + "): the first is taken");
+      }
+
+      /** Tells how far the points are from where they should be. */
+      void
+      check_residual(const std::vector<cv::Point2d> &pixels,
+                     const std::vector<cv::Point2d> &pad) const
+      {
+        std::size_t worst = 0;
+        const auto  error = [&](const std::size_t i) {
+          return cv::norm(input.by_points(pixels[i]) - pad[i]);
+        };
+        for (std::size_t i = 1; i < pixels.size(); ++i)
+          if (error(i) > error(worst))
+            worst = i;
+        const std::string text =
+          "the points of the registration lie " +
+          rounded_text(input.by_points.residual, 3) +
+          " um (rms) from where 'Transform' takes them, point " +
+          std::to_string(worst + 1) + " of " + std::to_string(pixels.size()) +
+          " the farthest with " + rounded_text(error(worst), 3) + " um";
+        const double cell = 1e3 * std::min(p.pad_size[0] / p.cells[0],
+                                           p.pad_size[1] / p.cells[1]);
+        if (input.by_points.residual > largest_residual * cell)
+          context.log.warning(text +
+                              ": cracks come into wrong cells, which "
+                              "are " +
+                              rounded_text(cell, 3) +
+                              " um wide; check 'Image points' and 'Pad "
+                              "points'");
+        else
+          context.log.info("  " + text);
       }
 
       /** One set of points belongs to one image, and both ways to tell the
@@ -142,9 +244,10 @@ namespace squeal::tribology
             "for one image, and there are " +
             std::to_string(images.size()) +
             ": run each by itself, or take 'Registration = stage'");
-        input.by_points = fit_placement(points_of(p.image_points, 1.),
-                                        points_of(p.pad_points, 1e3),
-                                        p.transform);
+        const auto pixels = points_of(p.image_points, 1.),
+                   pad    = points_of(p.pad_points, 1e3);
+        input.by_points   = fit_placement(pixels, pad, p.transform);
+        check_residual(pixels, pad);
         const double by_registration = std::sqrt(middle_pixel().area());
         const double stated          = images[0].pixel_size;
         if (!(std::abs(by_registration / stated - 1.) <= scale_agreement))
@@ -269,5 +372,29 @@ namespace squeal::tribology
   {
     Timers::Section section(context.timers, "Setup: read images");
     return Reader(context)();
+  }
+
+
+
+  void
+  check_place(const Micrograph &m, const Placement &placement, Context &context)
+  {
+    const std::vector<double> &edges = context.parameters.segmentation.pad_size;
+    const double               share =
+      share_on_pad(m.frame.size(), placement, {1e3 * edges[0], 1e3 * edges[1]});
+    if (share <= 0.)
+      {
+        const cv::Point2d middle = placement(0.5 * cv::Point2d(m.frame.size()));
+        throw InputError(m.path + " lies off the pad, its middle at " +
+                         rounded_text(1e-3 * middle.x, 4) + ", " +
+                         rounded_text(1e-3 * middle.y, 4) +
+                         " mm: the pad has its middle at 0, 0 and the edges "
+                         "of 'Segmentation/Pad size'; check that and the "
+                         "registration");
+      }
+    if (1. - share > least_outside)
+      context.log.warning(m.path + ": " + rounded_text(100. - 100. * share, 2) +
+                          " % of the image lie outside the pad of 'Pad size' "
+                          "and are in no cell");
   }
 } // namespace squeal::tribology

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace squeal::tribology
 {
@@ -54,12 +55,9 @@ namespace squeal::tribology
                                   : std::optional<double>(found->second);
     }
 
-    /** The number after "@p key = " on a line of its own, times the unit that
-     * follows it, in um; @p unit (um) where the file names none. */
-    std::optional<double>
-    length_of(const std::string &text,
-              const std::string &key,
-              const double       unit)
+    /** What follows "@p key =" on a line of its own. */
+    std::optional<std::string>
+    value_of(const std::string &text, const std::string &key)
     {
       std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);)
@@ -70,22 +68,58 @@ namespace squeal::tribology
             continue;
           std::string name = line.substr(first, sign - first);
           name.erase(name.find_last_not_of(" \t") + 1);
-          if (name != key)
-            continue;
-          const std::string number = with_decimal_point(line.substr(sign + 1));
-          char             *end    = nullptr;
-          const char       *begin  = number.c_str();
-          const double      value  = std::strtod(begin, &end);
-          if (end == begin || !std::isfinite(value))
-            return std::nullopt;
-          std::string word;
-          std::istringstream(end) >> word;
-          const auto factor = unit_of_length(word, unit);
-          if (!factor)
-            return std::nullopt;
-          return value * *factor;
+          if (name == key)
+            return with_decimal_point(line.substr(sign + 1));
         }
       return std::nullopt;
+    }
+
+
+
+    /** A number and the word behind it; nothing where there is no number. */
+    std::optional<std::pair<double, std::string>>
+    number_and_unit(const std::optional<std::string> &value)
+    {
+      if (!value)
+        return std::nullopt;
+      char        *end    = nullptr;
+      const double number = std::strtod(value->c_str(), &end);
+      if (end == value->c_str() || !std::isfinite(number))
+        return std::nullopt;
+      std::string unit;
+      std::istringstream(end) >> unit;
+      return std::pair(number, unit);
+    }
+
+
+
+    /** The number after "@p key = ", times the unit that follows it, in um;
+     * @p unit (um) where the file names none. */
+    std::optional<double>
+    length_of(const std::string &text,
+              const std::string &key,
+              const double       unit)
+    {
+      const auto number = number_and_unit(value_of(text, key));
+      if (!number)
+        return std::nullopt;
+      const auto factor = unit_of_length(number->second, unit);
+      if (!factor)
+        return std::nullopt;
+      return number->first * *factor;
+    }
+
+
+
+    /** The angle after "@p key = " in degrees, whatever it is followed by;
+     * @p unit: degrees of what the file counts in. 0 where there is none. */
+    double
+    angle_of(const std::string &text,
+             const std::string &key,
+             const double       unit = 1.)
+    {
+      const auto number = number_and_unit(value_of(text, key));
+      return number ? std::remainder(number->first * unit, 360.) : 0.;
     }
 
 
@@ -111,7 +145,8 @@ namespace squeal::tribology
 
 
 
-    /** FEI: pixels have a width and a height, which scans can make unequal. */
+    /** FEI: pixels have a width and a height, which scans can make unequal;
+     * angles are in radians. */
     ImageMetadata
     from_fei(const std::string &text)
     {
@@ -124,13 +159,35 @@ namespace squeal::tribology
           m.aspect     = *height / *m.pixel_size;
           m.pixel_size = std::sqrt(*height * *m.pixel_size);
         }
+      constexpr double radian = 180. / CV_PI;
+      m.stage_rotation        = angle_of(text, "StageR", radian);
+      m.scan_rotation         = angle_of(text, "ScanRotation", radian);
+      return m;
+    }
+
+
+
+    /** Zeiss: the angle of the scan stays in the file when it is off. */
+    ImageMetadata
+    from_zeiss(const std::string &text)
+    {
+      ImageMetadata m = from_keys(
+        text, "Zeiss tags", "Image Pixel Size", "Stage at X", "Stage at Y", 1.);
+      if (!m.pixel_size)
+        m.pixel_size = length_of(text, "Pixel Size", 1.);
+      if (m.pixel_size)
+        m.source = "Zeiss tags";
+      m.stage_rotation = angle_of(text, "Stage at R");
+      const auto state = value_of(text, "Scan Rot");
+      if (!state || state->find("Off") == std::string::npos)
+        m.scan_rotation = angle_of(text, "Scan Rotation");
       return m;
     }
 
 
 
     /** JEOL: the bar in pixels, the length that it stands for, the stage in
-     * mm. */
+     * mm, the turn of the scan in degrees. */
     ImageMetadata
     from_jeol(const std::string &text)
     {
@@ -154,6 +211,12 @@ namespace squeal::tribology
                 marker *= 1e-3;
               else if (std::string(end) == "mm")
                 marker *= 1e3;
+            }
+          else if (key == "$$SM_SCAN_ROTATION")
+            {
+              double angle;
+              if (words >> angle && std::isfinite(angle))
+                m.scan_rotation = std::remainder(angle, 360.);
             }
           else if (key == "$CM_STAGE_POS")
             {
@@ -201,19 +264,9 @@ namespace squeal::tribology
         if (m.pixel_size)
           return m;
       }
-    ImageMetadata zeiss = from_keys(tiff.text(zeiss_tag),
-                                    "Zeiss tags",
-                                    "Image Pixel Size",
-                                    "Stage at X",
-                                    "Stage at Y",
-                                    1.);
-    if (!zeiss.pixel_size)
-      zeiss.pixel_size = length_of(tiff.text(zeiss_tag), "Pixel Size", 1.);
+    const ImageMetadata zeiss = from_zeiss(tiff.text(zeiss_tag));
     if (zeiss.pixel_size)
-      {
-        zeiss.source = "Zeiss tags";
-        return zeiss;
-      }
+      return zeiss;
     std::string own = png_text(data);
     if (own.empty())
       own = tiff.text(description_tag);

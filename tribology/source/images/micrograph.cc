@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -26,22 +27,32 @@ namespace squeal::tribology
     // Of the pixels, brightness of which most of a picture is darker.
     constexpr double nearly_all = 0.99, nearly_black = 24.;
 
-    /** Factor from stored values to 0..255. Cameras of 10, 12 or 14 bits leave
-     * the upper bits of 16 unused, where 8 bits are the upper ones of those; a
-     * single hot pixel does not use them. */
-    double
-    to_bytes(const cv::Mat &values)
+    /** Bits that a picture of 16 uses, @p least at least; 0 of another depth.
+     * Cameras of 10, 12 or 14 bits leave the upper ones unused; a single hot
+     * pixel does not use them. */
+    int
+    used_bits(const cv::Mat &values, const int least)
     {
       if (values.depth() != CV_16U)
-        return 1.;
+        return 0;
       cv::Mat without_hot_pixels;
       cv::medianBlur(values, without_hot_pixels, 3);
       double most = 0.;
       cv::minMaxLoc(without_hot_pixels, nullptr, &most);
-      int bits = 8;
+      int bits = least;
       while (bits < 16 && most >= std::pow(2., bits))
         ++bits;
-      return bits == 16 ? 1. / 257. : std::pow(2., 8 - bits);
+      return bits;
+    }
+
+
+
+    /** Factor from stored values to 0..255, where 8 bits are the upper ones of
+     * those that are used. */
+    double
+    to_bytes(const int bits)
+    {
+      return bits == 0 ? 1. : bits == 16 ? 1. / 257. : std::pow(2., 8 - bits);
     }
 
 
@@ -56,21 +67,6 @@ namespace squeal::tribology
       return grey;
     }
 
-
-
-    /** The brightness that @p share of the pixels do not exceed. */
-    float
-    quantile_of(const cv::Mat &grey, const double share)
-    {
-      std::vector<float> values;
-      for (int y = 0; y < grey.rows; ++y)
-        values.insert(
-          values.end(), grey.ptr<float>(y), grey.ptr<float>(y) + grey.cols);
-      const auto nth =
-        values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-      std::nth_element(values.begin(), nth, values.end());
-      return *nth;
-    }
   } // namespace
 
 
@@ -79,7 +75,22 @@ namespace squeal::tribology
   read_grey(const std::string &path, const double largest)
   {
     const cv::Mat raw = read_raw(path, largest);
-    return scaled_grey(raw, to_bytes(raw));
+    return scaled_grey(raw, to_bytes(used_bits(raw, 8)));
+  }
+
+
+
+  float
+  quantile_of(const cv::Mat &grey, const double share)
+  {
+    std::vector<float> values;
+    for (int y = 0; y < grey.rows; ++y)
+      values.insert(
+        values.end(), grey.ptr<float>(y), grey.ptr<float>(y) + grey.cols);
+    const auto nth =
+      values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
   }
 
 
@@ -216,7 +227,10 @@ namespace squeal::tribology
   {
     /** Fills in the picture, its frame and what is odd about them. */
     void
-    read_pixels_of(Micrograph &m, const int data_bar, const double largest)
+    read_pixels_of(Micrograph  &m,
+                   const int    data_bar,
+                   const double largest,
+                   const int    least_bits)
     {
       const StoredPixels pixels = read_pixels(m.path, largest);
       if (pixels.is_transparent)
@@ -226,18 +240,18 @@ namespace squeal::tribology
       if (data_bar >= values.rows)
         throw InputError(m.path + " has " + std::to_string(values.rows) +
                          " rows, no more than 'Data bar'");
-      m.frame             = {0,
-                             0,
-                             values.cols,
+      m.frame       = {0,
+                       0,
+                       values.cols,
                  data_bar < 0 ? rows_above_data_bar(scaled_grey(values, 1.))
-                                          : values.rows - data_bar};
-      const double factor = to_bytes(values(m.frame));
-      m.grey              = scaled_grey(values, factor);
-      m.seen              = pixels.opaque;
-      m.orientation       = pixels.orientation;
-      if (values.depth() == CV_16U && factor > 1. / 257.)
+                                    : values.rows - data_bar};
+      m.bits        = used_bits(values(m.frame), least_bits);
+      m.grey        = scaled_grey(values, to_bytes(m.bits));
+      m.seen        = pixels.opaque;
+      m.orientation = pixels.orientation;
+      if (m.bits > 0 && m.bits < 16)
         m.notes.push_back("of its 16 bits the picture uses " +
-                          std::to_string(8 - cvRound(std::log2(factor))) +
+                          std::to_string(m.bits) +
                           ": these are taken for black to white");
       if (m.orientation != 1)
         m.notes.push_back("a tag says that it is stored turned (orientation " +
@@ -260,13 +274,14 @@ namespace squeal::tribology
                   const double       pixel_size,
                   const ScaleBar    &bar,
                   const double       largest,
-                  const int          data_bar)
+                  const int          data_bar,
+                  const int          least_bits)
   {
     Micrograph m;
     m.path     = path;
     m.stem     = std::filesystem::path(path).stem().string();
     m.metadata = read_metadata(path);
-    read_pixels_of(m, data_bar, largest);
+    read_pixels_of(m, data_bar, largest, least_bits);
     if (pixel_size > 0.)
       {
         m.pixel_size   = pixel_size;

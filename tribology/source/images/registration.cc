@@ -4,7 +4,6 @@
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +118,81 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** What of a polygon has a coordinate (0: x, 1: y) that is @p sign times at
+     * most @p limit. */
+    std::vector<cv::Point2d>
+    cut_polygon(const std::vector<cv::Point2d> &polygon,
+                const int                       axis,
+                const double                    sign,
+                const double                    limit)
+    {
+      const auto beyond = [&](const cv::Point2d &p) {
+        return sign * (axis == 0 ? p.x : p.y) - limit;
+      };
+      std::vector<cv::Point2d> kept;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        {
+          const cv::Point2d &p = polygon[i],
+                            &q = polygon[(i + 1) % polygon.size()];
+          const double a = beyond(p), b = beyond(q);
+          if (a <= 0.)
+            kept.push_back(p);
+          if ((a < 0. && b > 0.) || (a > 0. && b < 0.))
+            kept.push_back(p + a / (a - b) * (q - p));
+        }
+      return kept;
+    }
+
+
+
+    double
+    area_of(const std::vector<cv::Point2d> &polygon)
+    {
+      double twice_area = 0.;
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        twice_area += (polygon[i] - polygon[0])
+                        .cross(polygon[(i + 1) % polygon.size()] - polygon[0]);
+      return 0.5 * std::abs(twice_area);
+    }
+
+
+
+    /** On the pad, in turn. */
+    std::vector<cv::Point2d>
+    corners_of(const cv::Size &size, const Placement &placement)
+    {
+      const double             w = size.width, h = size.height;
+      std::vector<cv::Point2d> corners;
+      for (const cv::Point2d &corner : {cv::Point2d(0., 0.),
+                                        cv::Point2d(w, 0.),
+                                        cv::Point2d(w, h),
+                                        cv::Point2d(0., h)})
+        corners.push_back(placement(corner));
+      return corners;
+    }
+  } // namespace
+
+
+
+  double
+  share_on_pad(const cv::Size   &size,
+               const Placement  &placement,
+               const cv::Size2d &pad)
+  {
+    std::vector<cv::Point2d> part  = corners_of(size, placement);
+    const double             whole = area_of(part);
+    for (const double sign : {1., -1.})
+      {
+        part = cut_polygon(part, 0, sign, 0.5 * pad.width);
+        part = cut_polygon(part, 1, sign, 0.5 * pad.height);
+      }
+    return whole > 0. ? area_of(part) / whole : 0.;
+  }
+
+
+
   PixelOnPad::PixelOnPad(const Placement &placement, const cv::Point2d &pixel)
   {
     // The derivatives, exact where lines stay parallel.
@@ -226,13 +300,9 @@ namespace squeal::tribology
   PadView
   in_axes_of_pad(const cv::Mat &image, const Placement &placement)
   {
-    const double             w = image.cols, h = image.rows;
-    std::vector<cv::Point2d> corners;
-    for (const cv::Point2d &corner : {cv::Point2d(0., 0.),
-                                      cv::Point2d(w, 0.),
-                                      cv::Point2d(w, h),
-                                      cv::Point2d(0., h)})
-      corners.push_back(placement(corner));
+    const double                   w = image.cols, h = image.rows;
+    const std::vector<cv::Point2d> corners =
+      corners_of(image.size(), placement);
     cv::Point2d lower = corners[0], upper = corners[0];
     double      twice_area = 0.;
     for (std::size_t i = 0; i < 4; ++i)
@@ -260,130 +330,6 @@ namespace squeal::tribology
                         cv::INTER_LINEAR,
                         cv::BORDER_CONSTANT,
                         cv::Scalar::all(255));
-    return result;
-  }
-
-
-
-  std::optional<cv::Point2d>
-  refine_shift(const cv::Mat     &fixed,
-               const cv::Mat     &moving,
-               const cv::Point2d &start)
-  {
-    const cv::Point whole(cvRound(start.x), cvRound(start.y));
-    const cv::Rect  overlap =
-      cv::Rect({0, 0}, fixed.size()) & cv::Rect(whole, moving.size());
-    if (overlap.width < 48 || overlap.height < 48)
-      return std::nullopt;
-    cv::Mat1f     warp = cv::Mat1f::eye(2, 3);
-    const cv::Mat a    = fixed(overlap);
-    const cv::Mat b    = moving(overlap - whole);
-    try
-      {
-        const double correlation = cv::findTransformECC(
-          a,
-          b,
-          warp,
-          cv::MOTION_TRANSLATION,
-          cv::TermCriteria(
-            cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-6),
-          cv::noArray(),
-          5);
-        if (correlation < 0.3)
-          return std::nullopt;
-      }
-    catch (const cv::Exception &)
-      {
-        // It throws when it does not converge.
-        return std::nullopt;
-      }
-    // A point p of the fixed image is at p + warp in the moving one.
-    return cv::Point2d(whole) - cv::Point2d(warp(0, 2), warp(1, 2));
-  }
-
-
-
-  Mosaic
-  join_frames(const std::vector<Micrograph> &frames, const double largest)
-  {
-    Mosaic result;
-    for (const Micrograph &m : frames)
-      {
-        const Placement p = place_by_stage(m);
-        if (std::abs(m.pixel_size / frames[0].pixel_size - 1.) > 1e-3)
-          throw InputError(m.path + " and " + frames[0].path +
-                           " have different pixel sizes: a mosaic needs one");
-        result.shifts.push_back(p({0., 0.}) * (1. / m.pixel_size));
-      }
-    for (std::size_t i = 1; i < frames.size(); ++i)
-      {
-        // Against the earlier frame that it shares the largest area with.
-        double      largest = 0.;
-        std::size_t other   = i;
-        for (std::size_t j = 0; j < i; ++j)
-          {
-            const cv::Rect2d r =
-              cv::Rect2d(result.shifts[i], cv::Size2d(frames[i].frame.size())) &
-              cv::Rect2d(result.shifts[j], cv::Size2d(frames[j].frame.size()));
-            if (r.area() > largest)
-              {
-                largest = r.area();
-                other   = j;
-              }
-          }
-        if (other == i)
-          continue;
-        const cv::Point2d start = result.shifts[i] - result.shifts[other];
-        const auto        refined =
-          refine_shift(frames[other].grey(frames[other].frame),
-                       frames[i].grey(frames[i].frame),
-                       start);
-        if (!refined)
-          continue;
-        ++result.n_refined;
-        result.correction =
-          std::max(result.correction, cv::norm(*refined - start));
-        result.shifts[i] = result.shifts[other] + *refined;
-      }
-    cv::Point2d low = result.shifts[0], high = low;
-    for (std::size_t i = 0; i < frames.size(); ++i)
-      {
-        const cv::Point2d s = result.shifts[i];
-        low                 = {std::min(low.x, s.x), std::min(low.y, s.y)};
-        high                = {std::max(high.x, s.x + frames[i].frame.width),
-                               std::max(high.y, s.y + frames[i].frame.height)};
-      }
-    // beyond whole numbers the stage positions are nonsense anyway
-    const cv::Point2d extent = high - low;
-    if (!(extent.x < 1e9 && extent.y < 1e9))
-      throw InputError("the mosaic of 'Images' would have more than 1e9 pixels "
-                       "on an edge: check the stage positions");
-    require_room("the mosaic of 'Images' (check the stage positions)",
-                 {std::uint64_t(extent.x), std::uint64_t(extent.y)},
-                 largest);
-    // As far as the frames reach at whole pixels: an empty row would be a dark
-    // line.
-    const cv::Size size(cvRound(high.x - low.x), cvRound(high.y - low.y));
-    cv::Mat        weight = cv::Mat::zeros(size, CV_32F);
-    result.grey           = cv::Mat::zeros(size, CV_32F);
-    for (std::size_t i = 0; i < frames.size(); ++i)
-      {
-        result.shifts[i] -= low;
-        const cv::Point at(cvRound(result.shifts[i].x),
-                           cvRound(result.shifts[i].y));
-        const cv::Rect  place =
-          cv::Rect(at, frames[i].frame.size()) & cv::Rect({0, 0}, size);
-        const cv::Rect part({0, 0}, place.size());
-        cv::Mat        shown(part.size(), CV_32F, cv::Scalar(1.));
-        if (!frames[i].seen.empty())
-          shown.setTo(0., ~frames[i].seen(frames[i].frame)(part));
-        result.grey(place) += frames[i].grey(frames[i].frame)(part).mul(shown);
-        weight(place) += shown;
-      }
-    if (cv::countNonZero(weight) < int(weight.total()))
-      result.seen = weight > 0.;
-    cv::max(weight, 1., weight);
-    result.grey /= weight;
     return result;
   }
 } // namespace squeal::tribology

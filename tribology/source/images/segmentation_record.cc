@@ -172,7 +172,8 @@ namespace squeal::tribology
     Json json = {{"format_version", SegmentationRecord::format_version},
                  {"synthetic", is_synthetic}};
     if (record.mosaic_refined)
-      json["mosaic"] = {{"pairs_refined", *record.mosaic_refined},
+      json["mosaic"] = {{"pairs_tried", record.mosaic_tried},
+                        {"pairs_refined", *record.mosaic_refined},
                         {"largest_correction_um", record.mosaic_correction}};
     json["images"] = images;
     write_json(path, json);

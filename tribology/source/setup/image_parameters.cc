@@ -264,6 +264,73 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    /** Refuses an entry that differs from its default although nothing takes
+     * it: the run would tell what it tells without it. */
+    void
+    refuse_without_effect(const std::string &entry,
+                          const bool         is_set,
+                          const bool         is_used,
+                          const std::string &condition)
+    {
+      if (is_set && !is_used)
+        prm::refuse_entry(
+          segmentation_section, entry, "is set but has no effect " + condition);
+    }
+
+
+
+    void
+    refuse_unused_entries(const ImageParameters        &images,
+                          const SegmentationParameters &s)
+    {
+      using S = SegmentationParameters;
+      const S           otherwise;
+      const bool        by_points = s.registration == S::Registration::points;
+      const std::string without_points =
+        "without 'Registration = points': set that or remove it";
+      refuse_without_effect(
+        "Image points", !s.image_points.empty(), by_points, without_points);
+      refuse_without_effect(
+        "Pad points", !s.pad_points.empty(), by_points, without_points);
+      refuse_without_effect("Transform",
+                            s.transform != otherwise.transform,
+                            by_points,
+                            without_points);
+      refuse_without_effect("Depth band",
+                            s.depth_band != otherwise.depth_band,
+                            s.view == S::View::section,
+                            "without 'View = section': set that or remove it");
+      const bool        by_bar = images.pixel_size == 0.;
+      const std::string beside = "beside 'Pixel size': remove one of them";
+      refuse_without_effect(
+        "Scale bar length", s.scale_bar_length > 0., by_bar, beside);
+      refuse_without_effect(
+        "Scale bar box", !s.scale_bar_box.empty(), by_bar, beside);
+      refuse_without_effect("Scale bar box",
+                            !s.scale_bar_box.empty(),
+                            s.scale_bar_length > 0.,
+                            "without 'Scale bar length': set that or remove "
+                            "it");
+      const bool        has_masks = !(s.masks.empty() && s.area_masks.empty());
+      const std::string without_masks =
+        "without 'Masks' or 'Area masks': name some or remove it";
+      refuse_without_effect(
+        "Mask use", s.mask_use != otherwise.mask_use, has_masks, without_masks);
+      refuse_without_effect("Mask value",
+                            s.mask_value != otherwise.mask_value,
+                            has_masks,
+                            without_masks);
+      refuse_without_effect("Mask tolerance",
+                            s.mask_tolerance != otherwise.mask_tolerance,
+                            has_masks,
+                            without_masks);
+    }
+  } // namespace
+
+
+
   void
   check_segmentation(const ImageParameters        &images,
                      const SegmentationParameters &s)
@@ -283,6 +350,7 @@ namespace squeal::tribology
       prm::refuse_entry(segmentation_section,
                         "Masks",
                         "are drawn on single images: not with 'Mosaic'");
+    refuse_unused_entries(images, s);
     for (const std::string &file : s.element_maps)
       prm::require_file(file, segmentation_section, "Element maps", true);
   }

@@ -26,8 +26,15 @@ namespace squeal::tribology
 
   /** Reads images and masks and logs what was made of them. Throws InputError
    * for a file that cannot be read or has no scale, for masks that belong to no
-   * image or to two, and where registration and scale contradict each other. */
+   * image or to two, where registration and scale contradict each other, and
+   * for turned images that are to lie by their stage positions. */
   SegmentationInput read_segmentation_input(Context &context);
+
+  /** Warns of an image of which a part lies outside the pad. Throws InputError
+   * where nothing lies on it. */
+  void check_place(const Micrograph &image,
+                   const Placement  &placement,
+                   Context          &context);
 } // namespace squeal::tribology
 
 #endif

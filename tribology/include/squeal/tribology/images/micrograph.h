@@ -22,6 +22,9 @@ namespace squeal::tribology
     bool                       is_synthetic = false;
     double                     aspect = 1.; /**< height of a pixel over its
                                                width */
+    /** Degrees by which the stage and the scan were turned, as their makers
+     * count them; 0 where the file says nothing. */
+    double stage_rotation = 0., scan_rotation = 0.;
   };
 
   /** Box around a scale bar and the length that it stands for. */
@@ -43,6 +46,8 @@ namespace squeal::tribology
     std::string   scale_source;
     ImageMetadata metadata;
     int           orientation = 1; /**< tag of the file; grey is upright */
+    int           bits        = 0; /**< taken for black to white of a file of 16
+                                      bit, 0 of one of 8 */
     /** What was made of the file, and what is wrong with it, for the log. */
     std::vector<std::string> notes, warnings;
   };
@@ -59,6 +64,10 @@ namespace squeal::tribology
    * its white at 4095. */
   cv::Mat read_grey(const std::string &path,
                     double             largest = usual_largest_image);
+
+  /** The brightness that @p share of the pixels of a CV_32F image do not
+   * exceed. */
+  float quantile_of(const cv::Mat &grey, double share);
 
   /** Rows above a data bar at the bottom; all rows when there is none. A data
    * bar is at least 2 and at most 20 percent of the height and has one and the
@@ -77,14 +86,17 @@ namespace squeal::tribology
   /**
    * Reads an image with its scale: @p pixel_size (um) if it is not 0, else the
    * scale bar if one is given, else the metadata. @p data_bar: rows at the
-   * bottom that are no picture, -1 for rows_above_data_bar(). Throws InputError
-   * when there is no scale or nothing above the data bar.
+   * bottom that are no picture, -1 for rows_above_data_bar(). @p least_bits:
+   * files of 16 bit have the range of so many at least, so that images of one
+   * exposure keep one brightness. Throws InputError when there is no scale or
+   * nothing above the data bar.
    */
   Micrograph read_micrograph(const std::string &path,
                              double             pixel_size,
                              const ScaleBar    &bar      = {},
                              double             largest  = usual_largest_image,
-                             int                data_bar = -1);
+                             int                data_bar = -1,
+                             int                least_bits = 8);
 } // namespace squeal::tribology
 
 #endif

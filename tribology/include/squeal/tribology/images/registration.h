@@ -5,7 +5,6 @@
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/setup/image_parameters.h>
 
-#include <optional>
 #include <vector>
 
 namespace squeal::tribology
@@ -19,6 +18,12 @@ namespace squeal::tribology
 
     cv::Point2d operator()(const cv::Point2d &pixel) const;
   };
+
+  /** Share of a view of @p size (pixels), by its area on the pad, that lies on
+   * a pad with edges @p pad (um) about the origin: 0 to 1. */
+  double share_on_pad(const cv::Size   &size,
+                      const Placement  &placement,
+                      const cv::Size2d &pad);
 
   /** What a placement makes of a pixel: its edges on the pad, um. */
   struct PixelOnPad
@@ -63,33 +68,6 @@ namespace squeal::tribology
   /** Turns and mirrors @p image (the frame that @p placement is of, 8 bit) into
    * the axes of the pad; pixels keep their size on the mean. */
   PadView in_axes_of_pad(const cv::Mat &image, const Placement &placement);
-
-  /**
-   * Shift (pixels) that takes @p moving onto @p fixed by maximising their
-   * correlation from @p start on; nothing when it does not converge, when the
-   * correlation stays below 0.3, or when the overlap is too small.
-   */
-  std::optional<cv::Point2d> refine_shift(const cv::Mat     &fixed,
-                                          const cv::Mat     &moving,
-                                          const cv::Point2d &start);
-
-  /** Frames joined to one image. */
-  struct Mosaic
-  {
-    cv::Mat                  grey; /**< CV_32F, the mean where frames overlap */
-    SeenPixels               seen; /**< what one frame at least shows */
-    std::vector<cv::Point2d> shifts; /**< px, of each frame */
-    int                      n_refined  = 0;
-    double                   correction = 0.; /**< px, largest */
-  };
-
-  /** Joins what is seen in frames of one pixel size by stage positions, refined
-   * pair by pair on their overlaps. Throws InputError when a frame has no stage
-   * position, the scales differ or the result would be larger than
-   * require_room() allows.
-   */
-  Mosaic join_frames(const std::vector<Micrograph> &frames,
-                     double largest = usual_largest_image);
 } // namespace squeal::tribology
 
 #endif

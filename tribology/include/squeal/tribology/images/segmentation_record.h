@@ -37,6 +37,7 @@ namespace squeal::tribology
 
     std::vector<SegmentedImage> images;
     std::optional<int>          mosaic_refined;         /**< pairs aligned */
+    int                         mosaic_tried      = 0;  /**< pairs */
     double                      mosaic_correction = 0.; /**< um, largest */
   };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_tribology_images_mosaic_h
+#define squeal_tribology_images_mosaic_h
+
+#include <squeal/tribology/images/registration.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace squeal::tribology
+{
+  /**
+   * Shift (pixels) that takes @p moving onto @p fixed by maximising their
+   * correlation from @p start on; nothing when it does not converge, when the
+   * correlation stays below 0.3, or when the overlap is too small.
+   */
+  std::optional<cv::Point2d> refine_shift(const cv::Mat     &fixed,
+                                          const cv::Mat     &moving,
+                                          const cv::Point2d &start);
+
+  /** Frames joined to one image. */
+  struct Mosaic
+  {
+    cv::Mat                  grey; /**< CV_32F, the mean where frames overlap */
+    SeenPixels               seen; /**< what one frame at least shows */
+    std::vector<cv::Point2d> shifts;          /**< px, of each frame */
+    int                      n_tried    = 0;  /**< overlaps wide enough */
+    int                      n_refined  = 0;  /**< of these, those that match */
+    double                   correction = 0.; /**< px, largest of a place */
+    /** What is odd about overlaps, for the log. */
+    std::vector<std::string> warnings;
+  };
+
+  /** Joins what is seen in frames of one pixel size by stage positions, refined
+   * pair by pair on their overlaps: each frame against the earlier one that it
+   * shares the largest area with by the stage. Warns of frames that do not
+   * match, that are brighter or darker than their neighbour and that hardly
+   * overlap. Throws InputError when a frame has no stage position, the scales
+   * differ, the result would be larger than require_room() allows or more than
+   * half of the overlaps that show anything do not match, all together or along
+   * one of the axes.
+   */
+  Mosaic join_frames(const std::vector<Micrograph> &frames,
+                     double largest = usual_largest_image);
+} // namespace squeal::tribology
+
+#endif
