@@ -5,6 +5,7 @@
 // and the first change of status predict, and what they have elsewhere, against
 // long transients.
 
+#include "cycle/branches.h"
 #include "cycle/two_modes.h"
 #include "scenes.h"
 #include "worst.h"
@@ -25,33 +26,6 @@ using namespace squeal::testing;
 
 namespace
 {
-  constexpr unsigned int n_steps = 600;
-
-  LinearizedMotion
-  about_sliding(const ReducedContactModel &m,
-                const double               mu,
-                const double               speed)
-  {
-    return linearize(m, steady_sliding(m, mu), mu, speed);
-  }
-
-  /** Where the largest growth rate is nothing. */
-  double
-  critical_friction(const ReducedContactModel &m,
-                    const double               speed,
-                    double                     high = .5)
-  {
-    double low = .1;
-    while (high - low > 1e-12)
-      {
-        const double middle = .5 * (low + high);
-        const bool   grows =
-          (about_sliding(m, middle, speed).lambda.real().array() > 0.).any();
-        (grows ? high : low) = middle;
-      }
-    return high;
-  }
-
   /** Of the normal force of the linear motion at the critical friction, rms at
    * the amplitude at which the first node opens or sticks. */
   double
@@ -80,72 +54,6 @@ namespace
     return 2. * figures_of(
                   map.run(start, 2. * M_PI / linear.lambda[k].imag(), 20000))
                   .rms;
-  }
-
-  void
-  print(const CycleBranch &branch, const std::string &name)
-  {
-    for (const BranchPoint &x : branch.points)
-      {
-        const Figures f = figures_of(x.motion.orbit);
-        std::printf("%s: mu %.6f, %.6f Hz, rms %.6f N, largest multiplier "
-                    "%.5f, trivial %+.1e, %u changes, %u iterations%s\n",
-                    name.c_str(),
-                    x.parameter,
-                    f.frequency,
-                    f.rms,
-                    x.multipliers.largest,
-                    x.multipliers.trivial.real() - 1.,
-                    x.n_changes,
-                    x.motion.iterations,
-                    x.is_fold ? ", fold" : "");
-      }
-    std::printf("%s: ends by %s, %s\n",
-                name.c_str(),
-                branch_end_text(branch.first_end).c_str(),
-                branch_end_text(branch.last_end).c_str());
-  }
-
-  PeriodMaps
-  over_friction(const ReducedContactModel &m, const double speed)
-  {
-    PeriodMaps maps;
-    maps.at = [&m, speed](const double mu) {
-      return std::make_shared<const PeriodMap>(m, mu, speed, 1., 1e-12);
-    };
-    return maps;
-  }
-
-  struct Start
-  {
-    PeriodicMotion motion;
-    BranchSettings settings;
-  };
-
-  Start
-  start_of(const ReducedContactModel &m,
-           const PeriodMaps          &maps,
-           const double               start_at,
-           const unsigned int         n = n_steps)
-  {
-    const auto  map = maps(start_at);
-    const Orbit tail =
-      map->run(later(*map, disturbed(steady_sliding(m, start_at)), 600., .02),
-               20.,
-               2000);
-    const auto      return_ = recurrences(m, tail, 2., 8.).back();
-    Start           start;
-    BranchSettings &s    = start.settings;
-    s.lower              = .2;
-    s.upper              = .7;
-    s.n_points           = 400;
-    s.largest_step       = .02;
-    s.shooting.n_steps   = n;
-    s.shooting.tolerance = 1e-8;
-    start.motion         = shoot(*map, tail.end(), return_.first, s.shooting);
-    check(start.motion.status == CycleStatus::converged,
-          "the start of the branch");
-    return start;
   }
 
   /** Whether all numbers of two motions are the same. */
@@ -536,61 +444,6 @@ namespace
       }
   }
 
-  /** 1 kg on springs that couple its motion normal to the belt, along and
-   * across it: its friction turns, so that its cycles grow from nothing. */
-  ReducedContactModel
-  moving_across()
-  {
-    ReducedContactModel m = empty_model(1, 4);
-    Eigen::Matrix3d     K; // along, normal, across
-    K << 1.03, .39, -.23, .39, 1.86, 0., -.23, 0., .7;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(K);
-    m.omega_squared << modes.eigenvalues(), 2.;
-    m.damping = Eigen::Vector4d::Constant(.05);
-    for (unsigned int k = 0; k < 3; ++k)
-      {
-        m.participation(0, k) = -modes.eigenvectors()(1, k);
-        m.participation(1, k) = -modes.eigenvectors()(0, k);
-        m.participation(2, k) = -modes.eigenvectors()(2, k);
-        m.load[k]             = -modes.eigenvectors()(1, k);
-      }
-    m.participation(2, 3) = -1e-3;
-    m.flexibility         = Eigen::Vector3d(1., .05, .05).asDiagonal();
-    return m;
-  }
-
-  /** No node opens or sticks on the lower part of the branch, which goes on to
-   * steady sliding where the pair begins to grow. */
-  void
-  turning()
-  {
-    const ReducedContactModel m        = moving_across();
-    const double              speed    = .3;
-    const PeriodMaps          maps     = over_friction(m, speed);
-    const double              critical = critical_friction(m, speed, .6),
-                 start_at              = 1.05 * critical;
-    Start start                        = start_of(m, maps, start_at, 256);
-    start.settings.lower               = .5 * critical;
-    start.settings.upper               = 1.3 * critical;
-    start.settings.largest_step        = .2;
-    const CycleBranch b =
-      follow_branch(maps, start.motion, start_at, start.settings);
-    print(b, "turning");
-    std::printf("critical friction %.8f\n", critical);
-    check(b.first_end == BranchEnd::onset && b.last_end == BranchEnd::range,
-          "from the onset to the end of the range");
-    const BranchPoint &least = b.points.front();
-    check_close(
-      least.parameter, critical, 1e-3, "the pair begins to grow there");
-    check_below(figures_of(least.motion.orbit).rms,
-                .1 * figures_of(start.motion.orbit).rms,
-                "next to steady sliding");
-    const auto n =
-      std::count_if(b.points.begin(), b.points.end(), [](const BranchPoint &x) {
-        return x.n_changes == 0 && x.friction_turn > onset_turn;
-      });
-    check(n > 5, "cycles without a change of status are no onset");
-  }
 } // namespace
 
 int
@@ -607,10 +460,7 @@ main(int argc, char *argv[])
     stiffness();
   else if (which == "folding")
     folding();
-  else if (which == "turning")
-    turning();
   else
     check(false,
-          "an argument: separating, sticking, stiffness, folding, turning or "
-          "resume");
+          "an argument: separating, sticking, stiffness, folding or resume");
 }

@@ -72,8 +72,6 @@ namespace
         // rings on the contact does so for ever.
         m.omega_squared[1] = 1.;
         m.damping[0]       = 2. / std::sqrt(m.flexibility(0, 0));
-
-        // 5e-4 s.
         const PeriodMap map(m, friction(), 1., 1e-11);
         MotionState     start{
           Eigen::Vector4d(-m.flexibility(0, 0), 0., 0., 0.),
