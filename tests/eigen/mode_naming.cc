@@ -354,6 +354,22 @@ namespace
     check(both[1].is_disc && both[1].nodal_diameters == 3 &&
             both[1].solid_number == 1 && both[1].body == 2,
           "a coalesced pair has the columns of disc and support");
+
+    // Of bodies that share the energy none has the share that names a body.
+    const Eigen::MatrixXcd swinging =
+      model.namer.coordinates(Block(modes.shapes.col(swing))).cast<Complex>();
+    const auto parts = [&](const double of_disc) {
+      const double of_others = 0.5 * (1. - of_disc);
+      return model.namer
+        .name_coordinates(swinging,
+                          Eigen::Vector3d(of_disc, of_others, of_others))[0]
+        .text;
+    };
+    check(parts(0.49).find("support tangential 2") != std::string::npos,
+          "together they are named: " + parts(0.49));
+    check(parts(0.76).find("support") == std::string::npos,
+          "a disc with three quarters of the energy is named alone: " +
+            parts(0.76));
   }
 
 
