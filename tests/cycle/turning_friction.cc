@@ -22,7 +22,7 @@ namespace
   {
     ReducedContactModel m = empty_model(1, 4);
     Eigen::Matrix3d     K; // along, normal, across
-    K << 1.03, .39, -.23, .39, 1.86, 0., -.23, 0., .7;
+    K << 1.5, -.3, -.2, -.3, .5, 0., -.2, 0., .9;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(K);
     m.omega_squared << modes.eigenvalues(), 2.;
     m.damping = Eigen::Vector4d::Constant(.05);
@@ -48,11 +48,11 @@ namespace
     const double              speed    = .3;
     const PeriodMaps          maps     = over_friction(m, speed);
     const double              critical = critical_friction(m, speed, .6),
-                 start_at              = 1.2 * critical;
-    Start start                 = start_of(m, maps, start_at, 256, 2000.);
-    start.settings.lower        = .5 * critical;
-    start.settings.upper        = 1.3 * critical;
-    start.settings.largest_step = .2;
+                 start_at              = 1.1 * critical;
+    Start start                        = start_of(m, maps, start_at, 256);
+    start.settings.lower               = .5 * critical;
+    start.settings.upper               = 1.3 * critical;
+    start.settings.largest_step        = .2;
     const CycleBranch b =
       follow_branch(maps, start.motion, start_at, start.settings);
     print(b, "turning");

@@ -33,8 +33,12 @@ namespace
     out << "node,x_m,y_m,area_m2,index\n";
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
-        out << i + n * j << "," << 2e-3 * i - 4e-3 << "," << 2e-3 * j - 4e-3
-            << ",4e-6," << linear(i, j) << "\n";
+        {
+          const double area =
+            4e-6 * (i % (n - 1) == 0 ? .5 : 1.) * (j % (n - 1) == 0 ? .5 : 1.);
+          out << i + n * j << "," << 2e-3 * i - 4e-3 << "," << 2e-3 * j - 4e-3
+              << "," << area << "," << linear(i, j) << "\n";
+        }
   }
 
   /** The function at the centres of @p m times @p m cells of the face, each

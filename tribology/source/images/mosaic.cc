@@ -287,7 +287,8 @@ namespace squeal::tribology
              : "they match with the other sign of the stage position in " +
                  advice +
                  ", which has to run to the right in the images in x and "
-                 "downwards in y: change it in the metadata"));
+                 "downwards in y: change it in the metadata, or the images if "
+                 "they are mirrored"));
       }
 
       bool
