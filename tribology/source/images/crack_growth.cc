@@ -32,6 +32,14 @@ namespace squeal::tribology
     // A crack is narrower, so less dark, at its tip.
     constexpr double darkness_of_tip = 1. / 3.;
 
+    /** Near the tip of a line, or within the sector in front of it. */
+    bool
+    is_ahead(const cv::Point2d &from_tip, const cv::Point2d &ahead)
+    {
+      const double length = cv::norm(from_tip);
+      return length <= 2.5 || from_tip.dot(ahead) >= half_sector * length;
+    }
+
     /** A groove that the crack meets. */
     bool
     is_straight(const PixelPath &way)
@@ -153,18 +161,15 @@ namespace squeal::tribology
             const cv::Point v = u + neighbour_steps[k];
             if (!local.contains(v))
               continue;
-            const cv::Point2d d      = v - start;
-            const double      length = cv::norm(d);
-            if (length > 2.5 && d.dot(end.ahead) < half_sector * length)
-              continue;
+            // Most neighbours are reached already, which is told sooner than
+            // where they lie.
             const float next =
               sum + cost.at<float>(v + offset) * (k % 2 == 1 ? 1.4142F : 1.F);
-            if (next < sums(v))
-              {
-                sums(v) = next;
-                from(v) = uchar(k);
-                queue.push({next, v.y * window.width + v.x});
-              }
+            if (!(next < sums(v)) || !is_ahead(v - start, end.ahead))
+              continue;
+            sums(v) = next;
+            from(v) = uchar(k);
+            queue.push({next, v.y * window.width + v.x});
           }
       }
     if (last.x < 0)

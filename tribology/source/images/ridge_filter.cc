@@ -25,8 +25,7 @@ namespace squeal::tribology
     constexpr float       mean_flank = 0.2F;   // weight beside the lesser flank
     constexpr float       heaviest_tail = 3.F; // 90th percentile over median
     constexpr int         strip         = 32;  // rows, fits a cache
-    constexpr double      nothing_yet   = -32768.; // below all stored contrasts
-    constexpr double      noise_block   = 64.;     // pixels of the finest level
+    constexpr double      noise_block   = 64.; // pixels of the finest level
     // Of the noise of the median block.
     constexpr float quietest_block = 0.3F, loudest_block = 3.F;
 
@@ -227,7 +226,8 @@ namespace squeal::tribology
       }
 
       /** Contrast over noise, limited, as stored in OrientedContrast, goes to
-       * @p largest where it is larger; before the limits to @p unlimited. */
+       * @p largest where that is empty or less; before the limits to
+       * @p unlimited. */
       void
       contrast(const double angle, cv::Mat &largest, cv::Mat &unlimited)
       {
@@ -235,6 +235,9 @@ namespace squeal::tribology
         const int ny = cvRound(flank * std::cos(angle));
         mixed.create(size, CV_32F);
         mean.create(size, CV_32F);
+        const bool is_first = largest.empty();
+        if (is_first)
+          largest.create(size, CV_16S);
         const std::vector<cv::Point> taps = taps_along(angle);
         for (int y = 0; y < size.height; y += strip)
           compare_strip(y, std::min(y + strip, size.height), taps, nx, ny);
@@ -255,9 +258,11 @@ namespace squeal::tribology
                 u[x] = std::max(u[x], m[x]);
                 l[x] = std::min(std::max(m[x], lowest), highest);
               }
-            limited.convertTo(stored, CV_16S, OrientedContrast::per_unit);
             cv::Mat row = largest.row(y);
-            cv::max(row, stored, row);
+            limited.convertTo(
+              is_first ? row : stored, CV_16S, OrientedContrast::per_unit);
+            if (!is_first)
+              cv::max(row, stored, row);
           }
       }
 
@@ -375,8 +380,6 @@ namespace squeal::tribology
       for (int t = 0; t < n_ridge_directions; ++t)
         {
           const double angle = CV_PI * t / n_ridge_directions;
-          contrast.planes[t] =
-            cv::Mat(level.size(), CV_16S, cv::Scalar(nothing_yet));
           narrow.contrast(angle, contrast.planes[t], unlimited);
           wide.contrast(angle, contrast.planes[t], unlimited);
         }
