@@ -411,7 +411,9 @@ namespace squeal
       std::ostringstream text;
       text << "the certified basis stalls at a residual of " << residual
            << ": raise Eigenvalues/Maximum enrichments or Eigenvalues/"
-              "Residual tolerance";
+              "Residual tolerance; unknowns of imported matrices without mass "
+              "that friction or damping acts on can cause it: condense them "
+              "statically before";
       throw ComputationError(text.str());
     }
   } // namespace

@@ -208,6 +208,20 @@ namespace squeal
 
 
 
+    /** Unknowns without mass: no mode beyond the others belongs to them. */
+    unsigned int
+    count_massless(const Pencil &pencil)
+    {
+      const RowSpace &space = *pencil.space();
+      const Block     Mx    = pencil.multiply_mass(random_block(space, 1, 11));
+      Eigen::MatrixXd n(1, 1);
+      n(0, 0) = double((Mx.array() == 0.).count());
+      space.sum(n);
+      return static_cast<unsigned int>(std::lround(n(0, 0)));
+    }
+
+
+
     /** The Krylov space of S M (S the shifted inverse) in mass-orthonormal
      * blocks, and the projection T = Q^T M S M Q. */
     struct BlockKrylov
@@ -218,6 +232,7 @@ namespace squeal
         : inverse(inverse)
         , space(pencil.space())
         , basis(pencil)
+        , n_massless(count_massless(pencil))
       {
         if (options.deflated.cols() > 0)
           n_deflated = basis.extend(options.deflated, 1e-8).cols();
@@ -263,6 +278,7 @@ namespace squeal
       const ShiftedInverse           &inverse;
       std::shared_ptr<const RowSpace> space;
       MassBasis                       basis;
+      unsigned int                    n_massless;
       Eigen::MatrixXd                 T;
       Eigen::MatrixXd coupling; /**< of the last block to what is left out */
       unsigned int    n_last = 0, n_deflated = 0, n_starts = 0, n_steps = 0;
@@ -310,8 +326,22 @@ namespace squeal
         Z.col(k) = ritz.vectors.col(rest[k]);
       Eigen::MatrixXd all(theta.size(), kept.size() + rest.size());
       all << Y, Z;
-      const Block both    = Q * all;
+      Block both          = Q * all;
       modes.mass_products = MQ * all;
+      if (krylov->n_massless > 0)
+        {
+          // Rounding moves unknowns without mass, which products with M do not
+          // see. One more inverse step brings them where the others ask for
+          // (Nour-Omid, Parlett, Ericsson and Jensen 1987).
+          Eigen::VectorXd inverse_theta(all.cols());
+          for (std::size_t k = 0; k < kept.size(); ++k)
+            inverse_theta[k] = 1. / theta[kept[k]];
+          for (std::size_t k = 0; k < rest.size(); ++k)
+            inverse_theta[kept.size() + k] = 1. / theta[rest[k]];
+          both = krylov->inverse.solve(modes.mass_products) *
+                 inverse_theta.asDiagonal();
+          modes.mass_products = pencil.multiply_mass(both);
+        }
       krylov.reset(); // the largest of all that there is
       modes.shapes             = both.leftCols(kept.size());
       modes.supplement         = both.rightCols(rest.size());
@@ -341,9 +371,10 @@ namespace squeal
       const auto         is_wanted = [&](const double theta) {
         return theta < 0. || theta * (wanted.limit - inverse.shift()) > 1.;
       };
-      const unsigned int n_total = pencil.space()->n_global();
       auto own = std::make_unique<BlockKrylov>(pencil, inverse, options);
-      BlockKrylov &krylov    = *own;
+      BlockKrylov       &krylov = *own;
+      const unsigned int n_total =
+        pencil.space()->n_global() - krylov.n_massless;
       Eigen::Index next_look = n_wanted + options.block_size;
       while (true)
         {
@@ -417,9 +448,7 @@ namespace squeal
           rounded_text(largest_coupling, 1) +
           " is the most that passes): lower Eigenvalues/Highest frequency, of "
           "which " +
-          std::to_string(n_below) +
-          " modes lie below; unknowns of imported matrices that have no mass "
-          "may cause it, too: condense them statically before");
+          std::to_string(n_below) + " modes lie below");
       modes.n_certified = n_below;
     }
   } // namespace
