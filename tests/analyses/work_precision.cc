@@ -226,6 +226,8 @@ main(int argc, char **argv)
                                      "Work precision/Values = 1",
                                      "--set",
                                      "Work precision/Reference = 0.001",
+                                     "--set",
+                                     "Overwrite = true",
                                      "brake.prm"});
   check(fewer.code != 0 &&
           fewer.errors.find("there are 1 numbers") != std::string::npos,
