@@ -214,24 +214,31 @@ main(int argc, char **argv)
         "frequencies are given in Hz: " +
           std::to_string(higher.real(0, "error_rel")));
 
-  // Of numbers that do not stand for the values one by one errors are those of
-  // others.
-  const Outcome fewer = run_program({program,
-                                     "--quiet",
-                                     "--set",
-                                     "Analysis = work precision",
-                                     "--set",
-                                     "Work precision/Ladders = degree",
-                                     "--set",
-                                     "Work precision/Values = 1",
-                                     "--set",
-                                     "Work precision/Reference = 0.001",
-                                     "--set",
-                                     "Overwrite = true",
-                                     "brake.prm"});
-  check(fewer.code != 0 &&
-          fewer.errors.find("there are 1 numbers") != std::string::npos,
-        "one number for several values is refused: " + fewer.errors);
+  // Each number stands for a value of its own.
+  const auto given = [](const std::string &numbers) {
+    return run_program({program,
+                        "--quiet",
+                        "--set",
+                        "Analysis = work precision",
+                        "--set",
+                        "Work precision/Ladders = degree",
+                        "--set",
+                        "Work precision/Values = 1",
+                        "--set",
+                        "Work precision/Reference = " + numbers,
+                        "--set",
+                        "Overwrite = true",
+                        "brake.prm"});
+  };
+  const Outcome more = given(listed(f) + ", 1e3, 2e3, 3e3, 4e3");
+  check(more.code != 0 &&
+          more.errors.find("but the finest rung") != std::string::npos,
+        "more numbers than values are refused: " + more.errors);
+  const Outcome fewer = given("0.001");
+  check(fewer.code == 0 &&
+          text_of("out/run.log").find("says nothing of the others") !=
+            std::string::npos,
+        "one number for several values is told: " + fewer.errors);
 
   const Table own = ladder("2, 1", "eigenvalue", "");
   check(own.real(0, "error_rel") == 0. && own.real(1, "error_rel") > 1e-3,

@@ -218,17 +218,17 @@ namespace squeal
         });
     }
 
-    /** Given numbers stand for the values of the band one by one: with fewer of
-     * them, or more, errors would be those of values that belong to others.
-     * Throws InputError where the finest rung has another number of values;
-     * coarser ones are named in the log. */
+    /** Given numbers stand for values of the band, each for one of its own.
+     * Throws InputError where the finest rung has fewer values than there are
+     * numbers; rungs of which some values are compared with nothing, as the
+     * second ones of doublets may be, are named in the log. */
     void
     check_reference(const std::size_t        n_given,
                     const std::vector<Rung> &rungs,
                     RunLog                  &log)
     {
       const Rung &finest = finest_of(rungs);
-      if (finest.values.size() != n_given)
+      if (finest.values.size() < n_given)
         prm::refuse_entry(
           "Work precision",
           "Reference",
@@ -236,15 +236,16 @@ namespace squeal
             " numbers, but the finest rung (" +
             setting_text(finest.ladder, finest.setting) + ") has " +
             std::to_string(finest.values.size()) +
-            " values between the frequencies of 'Eigenvalues': give "
-            "one number for each of them");
+            " values between the frequencies of 'Eigenvalues': give at "
+            "most one number for each of them");
       for (const Rung &rung : rungs)
         if (rung.values.size() != n_given)
           log.warning(setting_text(rung.ladder, rung.setting) + ": " +
                       std::to_string(rung.values.size()) +
                       " values in the band and " + std::to_string(n_given) +
                       " numbers of 'Work precision/Reference'; its error is "
-                      "that of values that belong to others");
+                      "right only if each number has its value in the band, "
+                      "and says nothing of the others");
     }
 
     /** What each ladder must spend for the error @p goal, and the same as
