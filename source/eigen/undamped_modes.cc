@@ -313,19 +313,12 @@ namespace squeal
         return shift + 1. / theta[a] < shift + 1. / theta[b];
       });
 
-      Eigen::MatrixXd Y(theta.size(), kept.size()),
-        Z(theta.size(), rest.size());
-      UndampedModes modes;
-      modes.omega_squared.resize(kept.size());
-      for (std::size_t k = 0; k < kept.size(); ++k)
-        {
-          Y.col(k)               = ritz.vectors.col(kept[k]);
-          modes.omega_squared[k] = shift + 1. / theta[kept[k]];
-        }
-      for (std::size_t k = 0; k < rest.size(); ++k)
-        Z.col(k) = ritz.vectors.col(rest[k]);
-      Eigen::MatrixXd all(theta.size(), kept.size() + rest.size());
-      all << Y, Z;
+      std::vector<int> order = kept;
+      order.insert(order.end(), rest.begin(), rest.end());
+      const Eigen::MatrixXd all           = ritz.vectors(Eigen::all, order);
+      const Eigen::VectorXd inverse_theta = theta(order).cwiseInverse();
+      UndampedModes         modes;
+      modes.omega_squared = shift + inverse_theta.head(kept.size()).array();
       Block both          = Q * all;
       modes.mass_products = MQ * all;
       if (krylov->n_massless > 0)
@@ -333,11 +326,6 @@ namespace squeal
           // Rounding moves unknowns without mass, which products with M do not
           // see. One more inverse step brings them where the others ask for
           // (Nour-Omid, Parlett, Ericsson and Jensen 1987).
-          Eigen::VectorXd inverse_theta(all.cols());
-          for (std::size_t k = 0; k < kept.size(); ++k)
-            inverse_theta[k] = 1. / theta[kept[k]];
-          for (std::size_t k = 0; k < rest.size(); ++k)
-            inverse_theta[kept.size() + k] = 1. / theta[rest[k]];
           both = krylov->inverse.solve(modes.mass_products) *
                  inverse_theta.asDiagonal();
           modes.mass_products = pencil.multiply_mass(both);
