@@ -15,30 +15,31 @@ using namespace squeal::testing;
 
 namespace
 {
+  /** A line of fields, each as @p format of printf. */
+  template <typename Number>
   std::string
-  integers(const std::vector<int> &values)
+  line_of(const char *format, const std::vector<Number> &values)
   {
     std::string result;
-    for (const int value : values)
+    for (const Number value : values)
       {
-        char text[16];
-        std::snprintf(text, sizeof text, "%10d", value);
+        char text[24];
+        std::snprintf(text, sizeof text, format, value);
         result += text;
       }
     return result + "\n";
   }
 
   std::string
+  integers(const std::vector<int> &values)
+  {
+    return line_of("%10d", values);
+  }
+
+  std::string
   reals(const std::vector<double> &values)
   {
-    std::string result;
-    for (const double value : values)
-      {
-        char text[20];
-        std::snprintf(text, sizeof text, "%13.5e", value);
-        result += text;
-      }
-    return result + "\n";
+    return line_of("%13.5e", values);
   }
 
   std::string
