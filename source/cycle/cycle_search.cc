@@ -59,6 +59,39 @@ namespace squeal
                             std::ceil(growth_of_period * period / largest));
     }
 
+    /** The state of the run of @p time from @p start in which the fewest nodes
+     * touch, in the middle of that time: the forces of all others are unknowns
+     * of the periodic motion that starts there, and the derivative over the
+     * period has as many columns. */
+    MotionState
+    with_fewest_closed(const PeriodMap   &map,
+                       const MotionState &start,
+                       const double       time,
+                       const unsigned int n_steps)
+    {
+      const Orbit orbit    = map.run(start, time, n_steps);
+      const auto  n_closed = [&](const unsigned int i) {
+        const Eigen::VectorXd &forces = orbit.states[i].forces;
+        unsigned int           result = 0;
+        for (Eigen::Index j = 0; 3 * j < forces.size(); ++j)
+          result += forces[3 * j] > 0.;
+        return result;
+      };
+      unsigned int first = 0, last = 0, fewest = n_closed(0);
+      for (unsigned int i = 1; i <= n_steps; ++i)
+        {
+          const unsigned int n = n_closed(i);
+          if (n < fewest)
+            {
+              fewest = n;
+              first = last = i;
+            }
+          else if (n == fewest && last + 1 == i)
+            last = i;
+        }
+      return orbit.states[first == 0 ? 0 : (first + last) / 2];
+    }
+
     /** The periodic motion near @p start by half of @p n_steps and by all of
      * them, with its figures. */
     void
@@ -113,10 +146,14 @@ namespace squeal
           const auto n_steps =
             static_cast<unsigned int>(times) * settings.steps;
           next.recurrence = distance;
+          const unsigned int n_stable =
+            stable_steps(map.reduced_model(), guess, n_steps, 2);
           search_with(map,
-                      start,
+                      must_be_stable
+                        ? with_fewest_closed(map, start, guess, n_stable / 2)
+                        : start,
                       guess,
-                      stable_steps(map.reduced_model(), guess, n_steps, 2),
+                      n_stable,
                       settings,
                       next);
           const bool is_better =

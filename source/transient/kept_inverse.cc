@@ -73,13 +73,14 @@ namespace squeal
 
 
   template <typename Scalar>
-  typename KeptInverse<Scalar>::Matrix
-  KeptInverse<Scalar>::solve(const Matrix &R) const
+  template <typename Right>
+  Right
+  KeptInverse<Scalar>::solve(const Right &R) const
   {
     if (inverse.size() > 0)
       return inverse * R;
     // The part of the solution that the equations need not be solved for.
-    Matrix result = R;
+    Right result = R;
     for (std::size_t j = 0; j < base.size(); ++j)
       {
         auto x = result.template middleRows<3>(3 * j);
@@ -97,7 +98,7 @@ namespace squeal
       }
     if (unknowns.empty())
       return result;
-    Matrix y = -(equations * result);
+    Right y = -(equations * result);
     for (std::size_t i = 0; i < unknowns.size(); ++i)
       y.row(i) += unknowns[i].row.transpose() *
                   R.template middleRows<3>(unknowns[i].first);
@@ -177,8 +178,8 @@ namespace squeal
   {
     using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     if (++applications == worth_inverting)
-      inverse = solve(Matrix::Identity(v.size(), v.size()));
-    Vector change = solve(v.cast<Scalar>());
+      inverse = solve(Matrix(Matrix::Identity(v.size(), v.size())));
+    Vector change = solve(Vector(v.cast<Scalar>()));
     if (columns.cols() > 0)
       change.noalias() -=
         columns * Vector(small_factor.solve(Vector(difference * change)));
@@ -221,7 +222,7 @@ namespace squeal
     applications         = n_applied;
     const Eigen::Index m = 3 * base.size();
     if (n_applied >= worth_inverting)
-      inverse = solve(Matrix::Identity(m, m));
+      inverse = solve(Matrix(Matrix::Identity(m, m)));
   }
 
   template class KeptInverse<float>;

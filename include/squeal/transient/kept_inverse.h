@@ -70,9 +70,12 @@ namespace squeal
     //@}
 
   private:
-    /** J^-1 R without the changes. */
-    Matrix solve(const Matrix &R) const;
-    void   factorize();
+    /** J^-1 R without the changes. @p Right: Matrix, or a vector, which the
+     * factors are solved for five times as fast as for a matrix of one column.
+     */
+    template <typename Right>
+    Right solve(const Right &R) const;
+    void  factorize();
 
     /** An unknown that is left: of a node, in a direction of its three. */
     struct Unknown
