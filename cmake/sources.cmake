@@ -340,6 +340,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
     source/output/open_scene_output.cc
+    source/output/open_signs.cc
     source/output/pair_table.cc
     source/output/shape_output.cc)
 

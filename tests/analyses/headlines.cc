@@ -8,6 +8,7 @@
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
+#include <squeal/output/open_signs.h>
 #include <squeal/parameters/entry_traits.h>
 
 #include <limits>
@@ -56,6 +57,36 @@ namespace
     const ErrorSource source = error_of_column("mesh", table, "error");
     check(source.second == 4e-3 && source.first == "mesh, known for 2 of 4",
           "the largest of a column, and of how many: " + source.first);
+  }
+
+  /** A growth rate no larger than its error by the mesh says nothing of whether
+   * the pair grows. */
+  void
+  signs()
+  {
+    const auto table = [](const std::vector<std::pair<double, Cell>> &rates) {
+      Table result({{"frequency_hz", Table::Type::real, "", ""},
+                    {"sigma_per_s", Table::Type::real, "", ""},
+                    {"name", Table::Type::text, "", ""},
+                    {"sigma_error_mesh_per_s", Table::Type::real, "", ""}});
+      for (const auto &[sigma, error] : rates)
+        result.add_row(
+          {1000., sigma, "pair " + std::to_string(result.n_rows()), error});
+      return result;
+    };
+    check(!open_signs(table({{9.4, -9.3}, {-3., 2.9}, {-2., Cell()}})).any(),
+          "rates beyond their errors are decided, those without one are not "
+          "asked");
+    check(!open_signs(table({{1e-11, 3e-11}})).any(),
+          "rounding of undamped pairs is no error");
+    const OpenSigns open =
+      open_signs(table({{9.4, -24.}, {-3., -25.}, {40., 1.}}));
+    check(open.n_growing == 1 && open.n_decaying == 1 &&
+            has(open.text, "pair 0") && has(open.text, "pair 1") &&
+            !has(open.text, "pair 2"),
+          "one of each kind is open: " + open.text);
+    check(open.text.find("pair 0") < open.text.find("pair 1"),
+          "the one that may grow faster first");
   }
 
   void
@@ -395,6 +426,7 @@ int
 main()
 {
   errors();
+  signs();
   verdicts();
   growth_outside_the_band();
   answers();

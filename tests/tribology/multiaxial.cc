@@ -352,6 +352,65 @@ namespace
     check_above(lowest, 1., "no plane of a grid of 1 degree is worse");
   }
 
+  /** A plane that dips with the sliding is another one than that which dips
+   * against it: turned about z its normal turns by the same angle, mirrored in
+   * x to the other side. */
+  void
+  planes_turn_with_the_stresses()
+  {
+    std::mt19937_64                  generator(9);
+    std::normal_distribution<double> normal(0., 100.);
+    Worst                            turned_by, mirrored_to;
+    unsigned int                     n_beyond = 0;
+    for (unsigned int k = 0; k < 12; ++k)
+      {
+        StressHistory history(6), turned(6), mirrored(6);
+        const double  angle = 30. * k + 7., c = std::cos(angle * M_PI / 180.),
+                     s = std::sin(angle * M_PI / 180.);
+        for (unsigned int i = 0; i < 6; ++i)
+          {
+            Stress &x = history[i];
+            for (double &component : x)
+              component = normal(generator);
+            turned[i]   = {{c * c * x[0] + s * s * x[1] - 2. * s * c * x[3],
+                            s * s * x[0] + c * c * x[1] + 2. * s * c * x[3],
+                            x[2],
+                            s * c * (x[0] - x[1]) + (c * c - s * s) * x[3],
+                            c * x[4] + s * x[5],
+                            c * x[5] - s * x[4]}};
+            mirrored[i] = {{x[0], x[1], x[2], -x[3], x[4], -x[5]}};
+          }
+        const CriterionValue a = evaluate(C::findley, history),
+                             b = evaluate(C::findley, turned),
+                             m = evaluate(C::findley, mirrored);
+        if (a.inclination() > 89.)
+          continue;
+        n_beyond += std::abs(a.azimuth()) > 90.;
+        const std::string path = "path " + std::to_string(k);
+        turned_by.add(
+          std::abs(std::remainder(b.azimuth() - a.azimuth() - angle, 360.)),
+          path);
+        mirrored_to.add(
+          std::abs(std::remainder(180. - a.azimuth() - m.azimuth(), 360.)),
+          path);
+      }
+    check(turned_by.largest() <= 1e-2, "planes turn with the stresses");
+    check(mirrored_to.largest() <= 1e-2,
+          "planes are mirrored with the stresses");
+    check(n_beyond > 0, "some point against +x");
+  }
+
+  /** A criterion that is 0 in all planes has no critical one. */
+  void
+  pressed_has_no_plane()
+  {
+    const StressHistory pressed = period([](const double t) {
+      return Stress{{-5., -5., -20. - std::cos(t), 0., 0., 0.}};
+    });
+    check(!evaluate(C::swt, pressed).has_plane(), "no plane is pulled");
+    check(evaluate(C::findley, pressed).has_plane(), "some plane is sheared");
+  }
+
   /** A grid of planes four times finer finds nothing better: where two maxima
    * of similar height compete the coarse grid alone cannot tell which is the
    * higher one. */
@@ -388,5 +447,7 @@ main()
   turned_frames();
   balls();
   no_plane_is_worse();
+  planes_turn_with_the_stresses();
+  pressed_has_no_plane();
   grid_does_not_matter();
 }

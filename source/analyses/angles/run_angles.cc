@@ -5,6 +5,7 @@
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
+#include <squeal/output/open_signs.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/results/chart.h>
 
@@ -161,8 +162,12 @@ namespace squeal
     const std::string error = headline_error(
       {error_of_column("reduction", all, "error_estimate_rel"),
        error_of_column("mesh", all, "discretisation_error_rel")});
-    const std::string verdict =
-      verdict_of(loudest) + "; largest error of a pair: " + error;
+    const OpenSigns   open    = open_signs(all);
+    const std::string verdict = verdict_of(loudest) +
+                                (open.any() ? "; " + open.text : "") +
+                                "; largest error of a pair: " + error;
+    if (open.any())
+      context.log.warning(open.text + " (of all angles)");
     context.record.figures = {
       {"largest error of a pair, relative", error},
       {"unknowns", std::to_string(context.record.n_dofs)}};

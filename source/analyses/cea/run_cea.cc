@@ -13,6 +13,7 @@
 #include <squeal/model/turning_modes.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
+#include <squeal/output/open_signs.h>
 #include <squeal/results/compare.h>
 #include <squeal/results/plots.h>
 
@@ -216,6 +217,21 @@ namespace squeal
 
 
 
+    /** Of a band in which @p unstable grow: open where every one of them, or one
+     * that decays, may be of the other kind on a finer mesh. */
+    HtmlReport::Verdict
+    verdict_on(const UnstablePairs &unstable,
+               const bool           grows_below,
+               const OpenSigns     &open)
+    {
+      if (grows_below || unstable.number > open.n_growing)
+        return HtmlReport::Verdict::bad;
+      return open.any() ? HtmlReport::Verdict::neutral
+                        : HtmlReport::Verdict::good;
+    }
+
+
+
     /** Bodies without a mesh have no error of one. */
     std::string
     largest_error(const Model        &model,
@@ -284,6 +300,11 @@ namespace squeal
       solution.growth_below.real() > 0. && solution.lowest_frequency > 0.;
     warn_of_growth_below(solution, p.eigen, "", context.log);
     warn_of_residuals(p.eigen, solution, context.log);
+    const OpenSigns open = open_signs(table);
+    if (open.any())
+      context.log.warning(open.text +
+                          ": refine the mesh, raise 'Discretization/Degree' or "
+                          "let 'Discretization/Refinement' do it");
     context.record.n_dofs  = model.n_unknowns();
     context.record.figures = {
       {"unstable pairs", std::to_string(unstable.number)},
@@ -297,6 +318,10 @@ namespace squeal
       {"basis", std::to_string(solution.basis_size)},
       {"completeness", completeness_text(p.eigen, solution, modes)},
       {"linear solver", linear_solver_text(*modes.inverse)}};
+    if (open.any())
+      context.record.figures.push_back(
+        {"growth left open by the mesh",
+         std::to_string(open.n_growing + open.n_decaying) + " pairs"});
     if (!below.empty())
       context.record.figures.push_back({"below the band", below});
     if (!moduli.empty())
@@ -306,9 +331,9 @@ namespace squeal
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
     report.set_verdict(
-      unstable.number || grows_below ? HtmlReport::Verdict::bad
-                                     : HtmlReport::Verdict::good,
+      verdict_on(unstable, grows_below, open),
       unstable.verdict() + (grows_below ? "; " + below : "") +
+        (open.any() ? "; " + open.text : "") +
         "; largest error of a pair: " + largest_error(model, pairs, table),
       context.record.figures);
     if (p.output.plots)

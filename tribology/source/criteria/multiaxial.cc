@@ -257,6 +257,14 @@ namespace squeal::tribology
 
 
 
+  bool
+  CriterionValue::has_plane() const
+  {
+    return value != 0. && std::hypot(normal[0], normal[1], normal[2]) > 0.;
+  }
+
+
+
   double
   CriterionValue::inclination() const
   {
@@ -268,12 +276,14 @@ namespace squeal::tribology
   double
   CriterionValue::azimuth() const
   {
-    double angle = std::atan2(normal[1], normal[0]) * 180. / M_PI;
-    if (angle > 90.)
-      angle -= 180.;
-    if (angle <= -90.)
-      angle += 180.;
-    return angle;
+    // Of the two normals the one into the pad; upright planes have none.
+    constexpr double upright = 1e-6;
+    const double     sense   = normal[2] < -upright ? -1. : 1.;
+    const double     angle =
+      std::atan2(sense * normal[1], sense * normal[0]) * 180. / M_PI;
+    if (std::abs(normal[2]) > upright)
+      return angle;
+    return angle > 90. ? angle - 180. : angle <= -90. ? angle + 180. : angle;
   }
 
 

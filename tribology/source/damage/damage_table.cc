@@ -370,8 +370,11 @@ namespace squeal::tribology
             row.push_back(point.values[c].utilisation());
             if (has_plane(p.criteria[c]))
               {
-                row.push_back(point.values[c].inclination());
-                row.push_back(point.values[c].azimuth());
+                const CriterionValue &value = point.values[c];
+                row.push_back(value.has_plane() ? Cell(value.inclination())
+                                                : Cell());
+                row.push_back(value.has_plane() ? Cell(value.azimuth())
+                                                : Cell());
               }
           }
         row.push_back(point.is_in_block ? "block" : "half-space");

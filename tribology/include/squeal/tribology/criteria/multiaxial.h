@@ -65,8 +65,15 @@ namespace squeal::tribology
     /** Degrees between the normal and the z axis (into the pad), 0 to 90. */
     double inclination() const;
 
-    /** Degrees of the normal's horizontal part from +x, -90 to 90. */
+    /** Degrees of the horizontal part, from +x, of the normal that points into
+     * the pad: above -180 to 180, as a plane that dips with the sliding is
+     * another one than that which dips against it. Of upright planes, whose
+     * two normals are alike, above -90 to 90. */
     double azimuth() const;
+
+    /** False where the criterion searches no plane, or its value is 0 in all
+     * of them, so that none is critical. */
+    bool has_plane() const;
   };
 
   /** Hydrostatic stress. */
