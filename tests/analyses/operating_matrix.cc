@@ -17,16 +17,24 @@ namespace
 {
   const std::string pads[] = {"upper", "lower"};
 
+  struct Band
+  {
+    std::string lowest = "4000", highest = "9000"; // Hz
+  };
+
   std::string
   scene(const std::string &folder,
         const std::string &more,
-        const std::string &friction = "0.5")
+        const std::string &friction = "0.5",
+        const Band        &band     = {})
   {
     std::string text = "include " + folder + "/own_brake/scene.prm\n" + more +
                        "\nset Overwrite = true\n"
                        "subsection Discretization\n set Degree = 1\nend\n"
-                       "subsection Eigenvalues\n set Lowest frequency = 4000\n"
-                       " set Highest frequency = 9000\nend\n"
+                       "subsection Eigenvalues\n set Lowest frequency = " +
+                       band.lowest +
+                       "\n set Highest frequency = " + band.highest +
+                       "\nend\n"
                        "subsection Output\n set Plots = false\n"
                        " set Shapes = none\nend\nsubsection Scene\n";
     for (const std::string &pad : pads)
@@ -74,6 +82,9 @@ namespace
     " subsection Body lining_upper\n  set Modulus table file = lining.csv\n"
     " end\nend\n";
 
+  /** Moduli over frequency are costly to solve with: the loudest alone. */
+  const Band about_loudest = {"7000", "7600"};
+
   void
   one_sided(const std::string &program, const std::string &folder)
   {
@@ -84,7 +95,9 @@ namespace
     write_text("one_sided.prm",
                scene(folder,
                      "set Analysis = operating matrix\n"
-                     "set Output directory = one_sided") +
+                     "set Output directory = one_sided",
+                     "0.5",
+                     about_loudest) +
                  one_sided_brake +
                  "subsection Operating matrix\n set Temperatures = 10, 70\n"
                  " set Both directions = true\nend\n");
@@ -98,8 +111,10 @@ namespace
       for (const std::string temperature : {"10", "70"})
         {
           std::string text =
-            scene(
-              folder, "set Analysis = cea\nset Output directory = alone", mu) +
+            scene(folder,
+                  "set Analysis = cea\nset Output directory = alone",
+                  mu,
+                  about_loudest) +
             one_sided_brake +
             "subsection Scene\n subsection Body lining_upper\n"
             "  set Temperature = " +

@@ -59,7 +59,8 @@ namespace
                pin_on_beam(folder,
                            "subsection Scene\n subsection Body pin\n"
                            "  set Shape = gmsh\n"
-                           "  set Mesh file = pin.msh\n end\nend\n"));
+                           "  set Mesh file = pin.msh\n end\nend\n",
+                           "0.015"));
     stop_with_checkpoint("mesh");
     const std::string before = text_of("mesh/out/checkpoint.h5");
     write_pin(3);

@@ -17,12 +17,17 @@ using namespace squeal::testing;
 
 namespace
 {
-  const std::vector<std::string> coarse = {"Scene/Body disc/Cells = 16, 3, 1",
-                                           "Scene/Body pad/Cells = 2, 2, 2",
-                                           "Scene/Body support/Cells = 2, 2, 6",
-                                           "Sweep/Axis e_pad/Number = 21",
-                                           "Output/Plots = false",
-                                           "Overwrite = true"};
+  const std::vector<std::string> coarse = {
+    "Scene/Body disc/Cells = 16, 3, 1",
+    "Scene/Body pad/Cells = 2, 2, 2",
+    "Scene/Body support/Cells = 2, 2, 6",
+    "Sweep/Axis e_pad/Number = 21",
+    // the pair of 5 kHz
+    "Eigenvalues/Lowest frequency = 4400",
+    "Eigenvalues/Highest frequency = 5600",
+    "Output/Plots = false",
+    "Output/Report = false",
+    "Overwrite = true"};
 
   Outcome
   run(const std::vector<std::string> &command,
@@ -31,7 +36,7 @@ namespace
       std::vector<std::string>        settings)
   {
     std::vector<std::string> all = command;
-    settings.insert(settings.end(), coarse.begin(), coarse.end());
+    settings.insert(settings.begin(), coarse.begin(), coarse.end());
     settings.push_back("Output directory = " + directory);
     for (const auto &setting : settings)
       {
@@ -93,16 +98,12 @@ namespace
   void
   radius(const std::string &program)
   {
-    run({program},
-        "pad_radius.prm",
-        "radii",
-        {"Sweep/Axis mu/Values = 0.5", "Sweep/Axis radius/Number = 3"});
-    run({program},
-        "zones.prm",
-        "alone",
-        {"Sweep/Axis e_pad/From = 1e9",
-         "Sweep/Axis e_pad/To = 1e11",
-         "Sweep/Axis mu/Values = 0.5"});
+    std::vector<std::string> settings = {"Sweep/Axis e_pad/From = 1e10",
+                                         "Sweep/Axis e_pad/To = 10^10.5",
+                                         "Sweep/Axis mu/Values = 0.5"};
+    run({program}, "zones.prm", "alone", settings);
+    settings.push_back("Sweep/Axis radius/Number = 3");
+    run({program}, "pad_radius.prm", "radii", settings);
     const Table all = read_csv("radii/unstable_ranges.csv"),
                 one = read_csv("alone/unstable_ranges.csv");
     std::size_t n   = 0;
@@ -129,7 +130,9 @@ namespace
     run({program},
         "stability_map_preload.prm",
         "about_preload",
-        {"Sweep/Axis mu/Values = 0.3", "Sweep/Direct checks = 2"});
+        {"Sweep/Axis e_pad/Number = 9",
+         "Sweep/Axis mu/Values = 0.3",
+         "Sweep/Direct checks = 2"});
     const Table table  = read_csv("about_preload/eigenvalues.csv");
     std::size_t n_open = 0;
     Worst       error;
@@ -140,7 +143,7 @@ namespace
         check(table.is_missing(i, "residual_rel"), "a residual is not formed");
         error.add(table.real(i, "error_estimate_rel"));
       }
-    check(table.n_rows() > 21 && n_open > 0,
+    check(table.n_rows() > 9 && n_open > 0,
           "points of the contact open as the pad becomes stiffer");
     check(error.largest() <= 1e-6,
           "every pair has its error: " + std::to_string(error.largest()));
