@@ -11,6 +11,7 @@
 #include "worst.h"
 
 #include <cmath>
+#include <filesystem>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -35,6 +36,8 @@ namespace
       const std::string              &directory,
       std::vector<std::string>        settings)
   {
+    // What an earlier run has left, such as its basis, must not serve.
+    std::filesystem::remove_all(directory);
     std::vector<std::string> all = command;
     settings.insert(settings.begin(), coarse.begin(), coarse.end());
     settings.push_back("Output directory = " + directory);
