@@ -140,6 +140,10 @@ ENDDATA
     spoilt("*Node\n", "*Node, system=C\n", "SYSTEM=C is not read");
     spoilt("*Node\n", "*Include, input=nodes.inp\n*Node\n", "*INCLUDE");
     spoilt("*Node\n", "*Node, input=nodes.inp\n", "INPUT=");
+    spoilt("4, 5, 6, 7, 8\n*Elset",
+           "4, 5, 6, 7, 8\n9, 2, 3, 4, 1, 6, 7, 8, 5\n*Elset, elset=both\n9,\n"
+           "*Elset",
+           "elements 1 and 9 have the same corners");
     spoilt("*Node\n", "*Ngen\n1, 2, 1\n*Node\n", "*NGEN is not read");
     spoilt("type=C3D8", "", "*ELEMENT needs TYPE");
     spoilt("type=C3D8\n1, 1, 2, 3, 4,",
@@ -199,6 +203,9 @@ ENDDATA
     spoilt("1       3\nEND", "1       2\nEND", "no opposite corners");
     spoilt("PLOAD4  5       1", "PLOAD4  5       2", "element 2");
     spoilt("ENDDATA", "INCLUDE 'a.bdf'\nENDDATA", "INCLUDE");
+    spoilt("ENDDATA",
+           "CHEXA,2,7,1,2,3,4,5,6\n,7,8\nENDDATA",
+           "elements 1 and 2 have the same corners");
     spoilt("ENDDATA", "GRDSET,,4\nENDDATA", "GRDSET");
     spoilt("ENDDATA", "PARAM,WTMASS,0.\nENDDATA", "WTMASS must be positive");
     spoilt("ENDDATA", "MAT1,3,1.,,.3,1.\nENDDATA", "material 3 is there twice");

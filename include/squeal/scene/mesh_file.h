@@ -66,6 +66,8 @@ namespace squeal
     /** Keywords of the file that say something of the model, such as couplings,
      * and are not followed. */
     std::set<std::string> passed_over;
+    /** Whether the format writes a cell once for each of its groups. */
+    bool repeats_cells = false;
   };
 
   /** Gives physical tags to the names of a mesh that has names only, and groups
