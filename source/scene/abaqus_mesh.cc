@@ -31,6 +31,7 @@ namespace squeal
         {"SYSTEM", "write the nodes in the global system"},
         {"ELGEN", "list the elements"},
         {"ELCOPY", "list the elements"},
+        {"IMPERFECTION", "write the moved nodes"},
         {"PARAMETER", "write the numbers themselves"}};
       const auto it = ways.find(keyword);
       return it == ways.end() ? nullptr : it->second;
@@ -42,6 +43,7 @@ namespace squeal
     keyword_changes_model(const std::string &keyword)
     {
       static const std::set<std::string> names{"BOUNDARY",
+                                               "CLOAD",
                                                "COMPOSITE MODAL DAMPING",
                                                "CONNECTOR SECTION",
                                                "CONTACT",
@@ -51,6 +53,8 @@ namespace squeal
                                                "DAMPING",
                                                "DASHPOT",
                                                "DISTRIBUTING COUPLING",
+                                               "DLOAD",
+                                               "DSLOAD",
                                                "EMBEDDED ELEMENT",
                                                "EQUATION",
                                                "EXPANSION",
@@ -65,6 +69,7 @@ namespace squeal
                                                "MATRIX ASSEMBLE",
                                                "MATRIX INPUT",
                                                "MODAL DAMPING",
+                                               "MODEL CHANGE",
                                                "MPC",
                                                "NONSTRUCTURAL MASS",
                                                "PRE-TENSION SECTION",

@@ -140,6 +140,7 @@ ENDDATA
     spoilt("*Node\n", "*Node, system=C\n", "SYSTEM=C is not read");
     spoilt("*Node\n", "*Include, input=nodes.inp\n*Node\n", "*INCLUDE");
     spoilt("*Node\n", "*Node, input=nodes.inp\n", "INPUT=");
+    spoilt("*Node\n", "*Imperfection\n1, .1\n*Node\n", "write the moved");
     spoilt("4, 5, 6, 7, 8\n*Elset",
            "4, 5, 6, 7, 8\n9, 2, 3, 4, 1, 6, 7, 8, 5\n*Elset, elset=both\n9,\n"
            "*Elset",

@@ -104,7 +104,9 @@ namespace
                         "*Initial conditions, type=STRESS\nlow, 1.\n"
                         "*Rotary inertia, elset=low\n1., 1., 1.\n*STEP\n"
                         "*Boundary\nfloor, 1, 3\n"
-                        "*Modal damping\n1, 10, .01\n"),
+                        "*Modal damping\n1, 10, .01\n"
+                        "*Model change, remove\nlow,\n*Cload\n1, 1, 5.\n"
+                        "*Dload\nlow, P1, 5.\n*Dsload\nskin, P, 5.\n"),
           Shape::abaqus,
           {"skin"},
           {"*NONSTRUCTURAL MASS",
@@ -112,7 +114,11 @@ namespace
            "*INITIAL CONDITIONS",
            "*ROTARY INERTIA",
            "*BOUNDARY",
-           "*MODAL DAMPING"});
+           "*MODAL DAMPING",
+           "*MODEL CHANGE",
+           "*CLOAD",
+           "*DLOAD",
+           "*DSLOAD"});
     const std::string text = replaced_word(one_cell,
                                            "ENDDATA",
                                            "SPC1,1,123456,1,THRU,4\n"
