@@ -188,6 +188,7 @@ namespace squeal
   {
     if (open_part.empty())
       text.fail_at(keyword.line, "*END PART without *PART");
+    resolve_sections(*current);
     open_part.clear();
     current = &model;
   }
@@ -233,6 +234,7 @@ namespace squeal
   {
     if (open_instance.empty())
       text.fail_at(keyword.line, "*END INSTANCE without *INSTANCE");
+    resolve_sections(draft);
     Instance  &instance      = instances[upper_case(open_instance)];
     const auto first_node    = model.points.size(),
                first_element = model.elements.size();
@@ -250,15 +252,29 @@ namespace squeal
   void
   AbaqusReader::read_section()
   {
-    const std::string cells = needed("ELSET");
-    const auto        it    = current->element_sets.find(upper_case(cells));
-    if (it == current->element_sets.end())
-      text.fail_at(keyword.line,
-                   "there is no set of elements " + prm::in_quotes(cells) +
-                     " above");
-    current->sections.push_back({it->second.members,
+    current->sections.push_back({needed("ELSET"),
+                                 keyword.line,
+                                 {},
                                  upper_case(needed("MATERIAL")),
                                  !option("ORIENTATION").empty()});
+  }
+
+  /** Sets may grow behind the section that names them. */
+  void
+  AbaqusReader::resolve_sections(AbaqusPart &part) const
+  {
+    for (auto &section : part.sections)
+      {
+        if (section.set.empty())
+          continue;
+        const auto it = part.element_sets.find(upper_case(section.set));
+        if (it == part.element_sets.end())
+          text.fail_at(section.line,
+                       "there is no set of elements " +
+                         prm::in_quotes(section.set));
+        section.elements = it->second.members;
+        section.set.clear();
+      }
   }
 
   void
@@ -344,6 +360,7 @@ namespace squeal
         throw InputError(text.name() +
                          ": an instance is moved or turned to places that "
                          "are no numbers");
+    resolve_sections(model);
     for (const auto &section : model.sections)
       if (section.is_oriented)
         {

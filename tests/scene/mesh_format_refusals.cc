@@ -145,6 +145,9 @@ ENDDATA
            "4, 5, 6, 7, 8\n9, 2, 3, 4, 1, 6, 7, 8, 5\n*Elset, elset=both\n9,\n"
            "*Elset",
            "elements 1 and 9 have the same corners");
+    spoilt("*End Part",
+           "*Solid section, elset=b, material=M\n*End Part",
+           "in.inp:19: there is no set of elements 'b'");
     spoilt("*Node\n", "*Ngen\n1, 2, 1\n*Node\n", "*NGEN is not read");
     spoilt("type=C3D8", "", "*ELEMENT needs TYPE");
     spoilt("type=C3D8\n1, 1, 2, 3, 4,",

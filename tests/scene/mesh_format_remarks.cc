@@ -44,6 +44,13 @@ namespace
           check(remark.find("material") == std::string::npos,
                 "no disagreement once the material is taken");
       }
+    // A section may stand before the cells that it is for.
+    const std::string section =
+      "*SOLID SECTION, ELSET=both, MATERIAL=STEEL\n,\n";
+    const std::string second = "*ELEMENT, TYPE=C3D8R";
+    std::ofstream("steel.inp") << replaced_word(
+      replaced_word(two_cells, section, ""), second, section + second);
+    take_mesh_materials(scene);
     check_close(read_mesh_body(scene.bodies[0]).vertices.back()[2],
                 .002,
                 1e-15,
