@@ -230,6 +230,9 @@ namespace
            "Abaqus hold one matrix",
            Role::mass,
            "MAAX");
+    refuse("replication",
+           header + term + "=,=,*(1),=,=,*(1),==\n",
+           "bad.txt:3: replication");
     refuse("several matrices",
            header + "DMIG,M,0,6,2\n" + term,
            "which of the DMIG matrices K, M to take");

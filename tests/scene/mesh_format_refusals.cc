@@ -207,6 +207,9 @@ ENDDATA
     spoilt("1       3\nEND", "1       2\nEND", "no opposite corners");
     spoilt("PLOAD4  5       1", "PLOAD4  5       2", "element 2");
     spoilt("ENDDATA", "INCLUDE 'a.bdf'\nENDDATA", "INCLUDE");
+    spoilt("GRID    3", "=,*(1),=,*(1.),==\nGRID    3", "replication");
+    spoilt("GRID    3", "=(2)\nGRID    3", "write the entries out");
+    spoilt("GRID    3", "=       *(1)    =\nGRID    3", "replication");
     spoilt("ENDDATA",
            "CHEXA,2,7,1,2,3,4,5,6\n,7,8\nENDDATA",
            "elements 1 and 2 have the same corners");
