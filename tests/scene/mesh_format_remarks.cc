@@ -81,6 +81,21 @@ namespace
     body.material_from_mesh_file = true;
     take_mesh_materials(scene);
     check_close(body.density, 3925., 1e-13, "rho by PARAM,WTMASS");
+    for (const std::string line : {"PARAM,WTMASS,.5 $ kg",
+                                   "PARAM   WTMASS  .5",
+                                   " param*  WTMASS          .5"})
+      {
+        std::ofstream("weights.bdf")
+          << "SOL 103\nCEND\nSET 1 = 1,2,3,4,5,6,7,8,9,10,11\n"
+          << line << "\nPARAM,G,.03\n"
+          << replaced_word(one_cell, "BEGIN BULK", "BEGIN  BULK");
+        take_mesh_materials(scene);
+        check_close(body.density, 3925., 1e-13, "in the case control: " + line);
+        check(read_mesh_body(body).remarks.at(0).find("PARAM,G") !=
+                std::string::npos,
+              "damping there is said not to be followed");
+      }
+    std::ofstream("weights.bdf") << text;
     check(read_mesh_body(body).remarks.at(0).find("MAT1 damping (GE)") !=
             std::string::npos,
           "damping of the file is said not to be followed");
@@ -136,6 +151,8 @@ namespace
                                            "CDAMP2,33,5.,1,1\n"
                                            "NSM1,4,PSOLID,.5,7\n"
                                            "TEMPD,1,300.\n"
+                                           "GRDSET,,,,,,,456\n"
+                                           "GRID,22,,9.,9.,9.,,123456\n"
                                            "ENDDATA");
     names(text,
           Shape::nastran,
@@ -146,7 +163,22 @@ namespace
            "CMASS2",
            "CDAMP2",
            "NSM1",
-           "TEMPD"});
+           "TEMPD",
+           "GRDSET permanent constraints (PS)",
+           "GRID permanent constraints (PS)"});
+    names(replaced_word(one_cell, "RBE2,99,1,123,2,3\n", "")
+            .replace(one_cell.find("MAT1*"),
+                     one_cell.find("PLOAD4") - one_cell.find("MAT1*"),
+                     "MAT9,3,1.+11\n"),
+          Shape::nastran,
+          {},
+          {"material '3', which is not isotropic (MAT9)"});
+    names(replaced_word(replaced_word(one_cell, "RBE2,99,1,123,2,3\n", ""),
+                        "PSOLID  7",
+                        "PCOMPS  7"),
+          Shape::nastran,
+          {},
+          {"1 of its cells (first: element 1) no material"});
     check(mesh_of(text, Shape::nastran).remarks[0].find("ALPHA1") ==
             std::string::npos,
           "damping of 0 is none");

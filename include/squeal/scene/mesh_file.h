@@ -28,6 +28,7 @@ namespace squeal
       tetrahedron,
       wedge,
       pyramid,
+      fluid, /**< of any shape */
       other_volume
     };
     struct Element
