@@ -262,6 +262,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/contact_map.cc
     source/results/cost_at_error.cc
     source/results/csv_dialect.cc
+    source/results/dataset_55.cc
     source/results/display_mesh.cc
     source/results/drawn_bodies.cc
     source/results/hdf5_file.cc

@@ -2,12 +2,14 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/inputs_read.h>
 #include <squeal/base/number_text.h>
+#include <squeal/base/run_log.h>
 #include <squeal/parameters/names.h>
 #include <squeal/parameters/response_parameters.h>
 #include <squeal/parameters/text.h>
 #include <squeal/results/measured_shapes.h>
 #include <squeal/results/table.h>
 
+#include "dataset_55.h"
 #include "universal_lines.h"
 
 #include <Eigen/Geometry>
@@ -21,71 +23,6 @@ namespace squeal
 {
   namespace
   {
-    using Complex = std::complex<double>;
-
-    /** Frequency from the numbers of record 8. */
-    double
-    frequency_of(const int analysis, const std::vector<double> &reals)
-    {
-      const bool is_normal = analysis == 2;
-      if (reals.size() < (is_normal ? 1u : 2u))
-        return 0.;
-      return is_normal ? reals[0] : std::abs(reals[1]) / (2. * M_PI);
-    }
-
-    MeasuredShape
-    read_shape(UniversalLines &lines)
-    {
-      MeasuredShape shape;
-      shape.name = prm::trim(lines.take("a title"));
-      for (unsigned int i = 0; i < 4; ++i)
-        lines.take("a title");
-      const std::vector<int> kind = lines.integers(6, "the kind of the data");
-      const int analysis = kind[1], data = kind[4], n_values = kind[5];
-      if (analysis != 2 && analysis != 3 && analysis != 7)
-        lines.fail("analysis type " + std::to_string(analysis) +
-                   " is no mode; 2, 3 or 7 are read");
-      if (data != 2 && data != 4 && data != 5 && data != 6)
-        lines.fail("data type " + std::to_string(data) +
-                   " is not read; 2 and 4 (real), 5 and 6 (complex) are");
-      if (n_values != 3 && n_values != 6)
-        lines.fail(std::to_string(n_values) +
-                   " values a node; three or six are read");
-      const bool is_complex = data > 4;
-      // Double precision has wider fields.
-      const bool         is_double = data == 4 || data == 6;
-      const unsigned int width     = is_double ? 20 : 13;
-      const unsigned int n_in_line = is_double ? 4 : 6;
-      const std::string  what      = "the numbers of the mode";
-      const auto         counts    = lines.integers(2, what);
-      if (counts[0] < 0 || counts[0] > 6 || counts[1] < 0 || counts[1] > 1000)
-        lines.fail("wrong counts in " + what);
-      const auto reals = lines.numbers(counts[1], 13, 6, what);
-      shape.frequency  = frequency_of(analysis, reals);
-      while (!lines.is_mark())
-        {
-          const int  node   = lines.integers(1, "a node")[0];
-          const auto values = lines.numbers(n_values * (is_complex ? 2 : 1),
-                                            width,
-                                            n_in_line,
-                                            "a displacement");
-          if (node < 1)
-            lines.fail("node " + std::to_string(node) + " is below 1");
-          const auto [place, is_new] = shape.nodes.try_emplace(node);
-          if (!is_new)
-            lines.fail("node " + std::to_string(node) +
-                       " is there twice in one shape");
-          for (unsigned int c = 0; c < 3; ++c)
-            place->second[c] = is_complex
-                                 ? Complex(values[2 * c], values[2 * c + 1])
-                                 : Complex(values[c]);
-        }
-      lines.take("the end of the dataset");
-      if (shape.nodes.empty())
-        lines.fail("the shape has no node");
-      return shape;
-    }
-
     using Turn = std::array<Vector3, 3>; /**< the axes of a system */
 
     /** What a universal file holds. */
@@ -97,6 +34,7 @@ namespace squeal
       std::map<int, Turn>             turns;   /**< Cartesian systems */
       std::set<int>                   unread;  /**< systems of other kinds */
       double                          length = 1.; /**< units in a metre */
+      OtherDatasets                   other;
     };
 
     /** The global system has no number, or 1 where the file defines no 1. */
@@ -258,7 +196,10 @@ namespace squeal
           const std::string number =
             prm::trim(lines.take("a dataset's number"));
           if (number == "55")
-            model.shapes.push_back(read_shape(lines));
+            {
+              if (auto shape = read_dataset_55(lines, model.other))
+                model.shapes.push_back(std::move(*shape));
+            }
           else if (number == "15" || number == "781" || number == "2411")
             read_nodes(lines, number != "15", model);
           else if (number == "18")
@@ -342,7 +283,13 @@ namespace squeal
       else
         model.shapes = read_table(path);
       if (model.shapes.empty())
-        throw InputError(path + ": holds no shape (no dataset 55, no row)");
+        throw InputError(
+          path + ": holds no shape (" +
+          (model.other.skipped.empty()
+             ? "no dataset 55, no row"
+             : "no displacements, velocities or accelerations: " +
+                 model.other.skipped) +
+          ")");
       return model;
     }
 
@@ -385,6 +332,19 @@ namespace squeal
                 "164 (metres without it)");
           }
     }
+
+    void
+    tell(const OtherDatasets &other, const std::string &path, RunLog &log)
+    {
+      if (!other.skipped.empty())
+        log.info(path + ": not taken as shapes, as they are no motions: " +
+                 other.skipped);
+      if (!other.unsaid.empty())
+        log.warning(path +
+                    " does not say whether its datasets 55 are motions; they "
+                    "are taken as such: " +
+                    other.unsaid);
+    }
   } // namespace
 
 
@@ -396,13 +356,14 @@ namespace squeal
   }
 
   std::vector<MeasuredShape>
-  read_measured_shapes(const MeasurementParameters &measurement)
+  read_measured_shapes(const MeasurementParameters &measurement, RunLog &log)
   {
     std::vector<std::string> names;
     for (const auto &point : measurement.points)
       names.push_back(point.name);
     const UniversalModel model = read_shapes(measurement.shapes_file);
     refuse_other_places(model, measurement);
+    tell(model.other, measurement.shapes_file, log);
     const auto &shapes = model.shapes;
     for (const auto &shape : shapes)
       for (const auto &[name, value] : shape.points)

@@ -31,6 +31,7 @@ namespace squeal
         {"SYSTEM", "write the nodes in the global system"},
         {"ELGEN", "list the elements"},
         {"ELCOPY", "list the elements"},
+        {"IMPERFECTION", "write the moved nodes"},
         {"PARAMETER", "write the numbers themselves"}};
       const auto it = ways.find(keyword);
       return it == ways.end() ? nullptr : it->second;
@@ -42,6 +43,7 @@ namespace squeal
     keyword_changes_model(const std::string &keyword)
     {
       static const std::set<std::string> names{"BOUNDARY",
+                                               "CLOAD",
                                                "COMPOSITE MODAL DAMPING",
                                                "CONNECTOR SECTION",
                                                "CONTACT",
@@ -51,6 +53,8 @@ namespace squeal
                                                "DAMPING",
                                                "DASHPOT",
                                                "DISTRIBUTING COUPLING",
+                                               "DLOAD",
+                                               "DSLOAD",
                                                "EMBEDDED ELEMENT",
                                                "EQUATION",
                                                "EXPANSION",
@@ -65,6 +69,7 @@ namespace squeal
                                                "MATRIX ASSEMBLE",
                                                "MATRIX INPUT",
                                                "MODAL DAMPING",
+                                               "MODEL CHANGE",
                                                "MPC",
                                                "NONSTRUCTURAL MASS",
                                                "PRE-TENSION SECTION",
@@ -183,6 +188,7 @@ namespace squeal
   {
     if (open_part.empty())
       text.fail_at(keyword.line, "*END PART without *PART");
+    resolve_sections(*current);
     open_part.clear();
     current = &model;
   }
@@ -228,6 +234,7 @@ namespace squeal
   {
     if (open_instance.empty())
       text.fail_at(keyword.line, "*END INSTANCE without *INSTANCE");
+    resolve_sections(draft);
     Instance  &instance      = instances[upper_case(open_instance)];
     const auto first_node    = model.points.size(),
                first_element = model.elements.size();
@@ -245,15 +252,29 @@ namespace squeal
   void
   AbaqusReader::read_section()
   {
-    const std::string cells = needed("ELSET");
-    const auto        it    = current->element_sets.find(upper_case(cells));
-    if (it == current->element_sets.end())
-      text.fail_at(keyword.line,
-                   "there is no set of elements " + prm::in_quotes(cells) +
-                     " above");
-    current->sections.push_back({it->second.members,
+    current->sections.push_back({needed("ELSET"),
+                                 keyword.line,
+                                 {},
                                  upper_case(needed("MATERIAL")),
                                  !option("ORIENTATION").empty()});
+  }
+
+  /** Sets may grow behind the section that names them. */
+  void
+  AbaqusReader::resolve_sections(AbaqusPart &part) const
+  {
+    for (auto &section : part.sections)
+      {
+        if (section.set.empty())
+          continue;
+        const auto it = part.element_sets.find(upper_case(section.set));
+        if (it == part.element_sets.end())
+          text.fail_at(section.line,
+                       "there is no set of elements " +
+                         prm::in_quotes(section.set));
+        section.elements = it->second.members;
+        section.set.clear();
+      }
   }
 
   void
@@ -339,6 +360,7 @@ namespace squeal
         throw InputError(text.name() +
                          ": an instance is moved or turned to places that "
                          "are no numbers");
+    resolve_sections(model);
     for (const auto &section : model.sections)
       if (section.is_oriented)
         {

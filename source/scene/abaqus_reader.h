@@ -67,6 +67,7 @@ namespace squeal
                                       const std::string &instance) const;
     void                      read_surface();
     void                      read_section();
+    void                      resolve_sections(AbaqusPart &part) const;
     void                      read_elastic();
     void                      read_density();
     void                      read_viscoelastic();

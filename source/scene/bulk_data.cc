@@ -87,6 +87,9 @@ namespace squeal
             split_free_fields(file, line);
           else
             split_fixed_fields(line);
+          if (!line.entry.empty() && line.entry[0] == '=')
+            file.fail("replication ('=' in the first field) is not read: write "
+                      "the entries out");
           if (!line.entry.empty() && line.entry.back() == '*')
             line.entry.pop_back();
           if (!line.entry.empty() &&

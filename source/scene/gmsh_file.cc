@@ -222,6 +222,7 @@ namespace squeal
       const std::string version(next_field("version"));
       const long        type = next_integer("file type");
       version_4              = version == "4.1";
+      file.repeats_cells     = !version_4;
       if (!version_4 && version != "2" && version != "2.1" && version != "2.2")
         text.fail("format " + prm::in_quotes(version) +
                   " is not read: save the mesh as version 4.1 or 2.2 "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 
+#include <squeal/parameters/text.h>
+
 #include <squeal/scene/imported_model.h>
 #include <squeal/scene/matrix_formats.h>
 #include <squeal/scene/matrix_import.h>
@@ -318,6 +320,13 @@ namespace squeal
       Format format = part.format;
       if (format == Format::automatic)
         format = import::detect_format(file);
+      if (format != Format::nastran && !part.matrix_name.empty())
+        throw InputError(
+          file.name() +
+          ": 'Matrix name' = " + prm::in_quotes(part.matrix_name) +
+          " has no meaning here: files of MatrixMarket and "
+          "Abaqus hold one matrix, those with DMIG several: leave "
+          "it empty or give the right file");
       if (format == Format::matrix_market)
         return import::read_matrix_market(file);
       if (format == Format::abaqus)

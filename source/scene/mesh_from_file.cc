@@ -80,6 +80,8 @@ namespace squeal
 
     private:
       void         collect_hexahedra();
+      void         refuse_two_cells(const MeshFile::Element &first,
+                                    const MeshFile::Element &second) const;
       void         add_points(const MeshFile::Element &element);
       void         orient_hexahedra();
       void         find_boundary();
@@ -109,8 +111,7 @@ namespace squeal
     void
     FileBody::collect_hexahedra()
     {
-      // Format 2 repeats a cell for each physical group that it is in.
-      std::set<Hexahedron> known;
+      std::map<Hexahedron, const MeshFile::Element *> known;
       has_second_order = std::any_of(file.elements.begin(),
                                      file.elements.end(),
                                      [&](const MeshFile::Element &element) {
@@ -129,14 +130,31 @@ namespace squeal
             Hexahedron corners;
             std::copy_n(element.nodes.begin(), 8, corners.begin());
             std::sort(corners.begin(), corners.end());
-            if (!known.insert(corners).second)
-              continue;
+            const auto [first, is_new] = known.emplace(corners, &element);
+            if (!is_new)
+              {
+                refuse_two_cells(*first->second, element);
+                continue;
+              }
             const auto &n = element.nodes;
             hexahedra.push_back(
               {{n[0], n[1], n[3], n[2], n[4], n[5], n[7], n[6]}});
             tags.push_back(element.tag);
             add_points(element);
           }
+    }
+
+    /** Format 2 of Gmsh repeats a cell for each physical group that it is in;
+     * otherwise cells of the same corners are two. */
+    void
+    FileBody::refuse_two_cells(const MeshFile::Element &first,
+                               const MeshFile::Element &second) const
+    {
+      if (!file.repeats_cells || first.nodes != second.nodes)
+        selection.fail("has two cells at one place: elements " +
+                       std::to_string(first.tag) + " and " +
+                       std::to_string(second.tag) +
+                       " have the same corners: leave one of them out");
     }
 
     void
@@ -382,8 +400,8 @@ namespace squeal
       if (!names.empty())
         mesh.remarks.push_back(
           "mesh file '" + body.mesh_file + "': not followed are " + names +
-          ": what they hold, tie, load or add to mass, stiffness and damping "
-          "is for the scene");
+          ": what they hold, tie, load, remove or add to mass, stiffness and "
+          "damping is for the scene");
       if (const auto remark = material_remark(body, file); !remark.empty())
         mesh.remarks.push_back(remark);
     }

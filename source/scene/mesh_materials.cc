@@ -72,9 +72,15 @@ namespace squeal
   {
     const MeshSelection selection(file, body);
     std::set<int>       positions;
+    std::vector<long>   without;
     for (const auto &element : file.elements)
-      if (selection.holds(element) && element.material >= 0)
-        positions.insert(element.material);
+      if (selection.holds(element))
+        {
+          if (element.material >= 0)
+            positions.insert(element.material);
+          else
+            without.push_back(element.tag);
+        }
     std::string others;
     for (const int position : positions)
       {
@@ -91,13 +97,20 @@ namespace squeal
              ? "has " + values(m.young_modulus, m.poisson_ratio, m.density)
              : m.fault);
       }
+    if (!others.empty())
+      others = "gives its cells the material " + others;
+    // Files of a mesh alone have no materials.
+    if (!without.empty() && !file.materials.empty())
+      others += (others.empty() ? "gives " : ", and ") +
+                std::to_string(without.size()) +
+                " of its cells (first: element " +
+                std::to_string(without.front()) + ") no material that is read";
     if (others.empty())
       return "";
     return "body '" + body.name + "' has " +
            (body.material_model == BodyParameters::MaterialModel::isotropic
               ? values(body.young_modulus, body.poisson_ratio, body.density)
               : "an orthotropic material") +
-           "; mesh file '" + body.mesh_file +
-           "' gives its cells the material " + others;
+           "; mesh file '" + body.mesh_file + "' " + others;
   }
 } // namespace squeal

@@ -56,6 +56,8 @@ namespace squeal
           return "pyramids";
         case Kind::higher_order_hexahedron:
           return "hexahedra of third or higher order";
+        case Kind::fluid:
+          return "cells of a fluid";
         case Kind::other_volume:
           return "cells of an unknown kind";
         case Kind::low_dimensional:
@@ -174,6 +176,10 @@ namespace squeal
                   std::to_string(n) + ")";
     const bool only_order = count.count(Kind::higher_order_hexahedron) == 1 &&
                             count.size() <= 1 + count.count(Kind::hexahedron);
+    if (count.count(Kind::fluid) > 0)
+      fail("holds " + others +
+           ", but bodies are solid: leave what is filled with a fluid out "
+           "(PSOLID, FCTN)");
     if (!others.empty())
       fail("holds " + others +
            ", but only hexahedra with 8, 20 or 27 nodes are used: " +

@@ -84,6 +84,8 @@ namespace squeal
             const auto section = sections.find(cell.property);
             if (section != sections.end())
               {
+                if (section->second.is_fluid)
+                  element.kind = Kind::fluid;
                 const auto material = materials.find(section->second.material);
                 if (material != materials.end())
                   element.material = material->second;

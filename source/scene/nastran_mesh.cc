@@ -18,8 +18,6 @@ namespace squeal
 
   namespace
   {
-    const char *const bulk_begin = "BEGIN BULK";
-
     /** Entries that hold, tie or load points or add mass, stiffness or damping,
      * which a mesh alone does not do. */
     bool
@@ -39,6 +37,21 @@ namespace squeal
         "NSM",     "NSM1",    "NSML",    "NSML1",   "NSMADD",  "TEMP",
         "TEMPD",   "TABDMP1"};
       return names.count(name) > 0;
+    }
+
+    /** Why a material of another entry than MAT1 cannot be used; null for what
+     * is none or is of plates alone. */
+    const char *
+    fault_of_material(const std::string &name)
+    {
+      static const std::map<std::string, const char *> faults{
+        {"MAT9", "is not isotropic (MAT9)"},
+        {"MAT11", "is not isotropic (MAT11)"},
+        {"MAT12", "is not isotropic (MAT12)"},
+        {"MAT10", "is a fluid (MAT10)"},
+        {"MATHP", "is hyperelastic (MATHP)"}};
+      const auto it = faults.find(name);
+      return it == faults.end() ? nullptr : it->second;
     }
 
     /** Names of plates by what stands in front of the number of nodes. */
@@ -117,18 +130,42 @@ namespace squeal
 
 
 
-  /** What precedes the bulk data controls an analysis. */
+  /** What precedes the bulk data controls an analysis; parameters may stand
+   * there, too. */
   void
   NastranReader::go_to_bulk_data()
   {
     while (text.next())
-      if (import::upper_case(import::trimmed(text.line()))
-            .compare(0, std::string(bulk_begin).size(), bulk_begin) == 0)
+      if (const auto words = import::split_at_blanks_and_commas(text.line());
+          import::upper_case(words[0]) == "BEGIN" &&
+          import::upper_case(words[1]).compare(0, 4, "BULK") == 0)
         {
           has_bulk_begin = true;
+          take_case_control(text.line_number());
           return;
         }
     text.rewind();
+  }
+
+  /** Takes what matters of the lines up to @p n_lines, which is that of BEGIN
+   * BULK. */
+  void
+  NastranReader::take_case_control(const unsigned int n_lines)
+  {
+    text.rewind();
+    while (text.next() && text.line_number() < n_lines)
+      {
+        const auto line = text.line();
+        const auto words =
+          import::split_at_blanks_and_commas(line.substr(0, line.find('$')));
+        const std::string name = import::upper_case(words[0]);
+        if (name == "PARAM" || name == "PARAM*")
+          read_parameter({"PARAM",
+                          {std::string(words[1]), std::string(words[2])},
+                          text.line_number()});
+        else if (prm::starts_with(name, "INCLUDE"))
+          text.fail("INCLUDE is not followed: put the files together");
+      }
   }
 
   MeshFile
@@ -157,6 +194,7 @@ namespace squeal
       read_point(entry);
     else if (name == "GRDSET")
       {
+        note_constraints(entry);
         if (integer_or(entry, 1, 0, "coordinate system") != 0)
           text.fail_at(entry.line,
                        "GRDSET: coordinates in a system of their own are not "
@@ -167,18 +205,16 @@ namespace squeal
              name == "CTRIA3" || name == "CTRIA6" || name == "CTRIAR")
       read_cell(entry);
     else if (name == "PSOLID" || name == "PLSOLID")
-      {
-        const long property = integer(entry, 0, "property");
-        if (!sections
-               .emplace(property,
-                        Section{integer(entry, 1, "material"), entry.line})
-               .second)
-          text.fail_at(entry.line,
-                       "property " + std::to_string(property) +
-                         " is there twice");
-      }
+      read_property(entry);
     else if (name == "MAT1")
       read_material(entry);
+    else if (const char *fault = fault_of_material(name))
+      add_material(entry,
+                   {std::to_string(integer(entry, 0, "number of a material")),
+                    fault,
+                    0.,
+                    0.,
+                    0.});
     else if (name == "MATT1")
       faults[integer(entry, 0, "number of a material")] =
         "depends on temperature";
@@ -222,6 +258,15 @@ namespace squeal
     file.nodes.emplace_back(real_or_zero(entry, 2, "coordinate"),
                             real_or_zero(entry, 3, "coordinate"),
                             real_or_zero(entry, 4, "coordinate"));
+    note_constraints(entry);
+  }
+
+  /** Field PS of GRID and GRDSET holds points at zero. */
+  void
+  NastranReader::note_constraints(const BulkEntry &entry)
+  {
+    if (integer_or(entry, 6, 0, "permanent constraints (PS)") != 0)
+      file.passed_over.insert(entry.name + " permanent constraints (PS)");
   }
 
   void
@@ -266,6 +311,22 @@ namespace squeal
   }
 
   void
+  NastranReader::read_property(const BulkEntry &entry)
+  {
+    const long        property = integer(entry, 0, "property");
+    const std::string function =
+      entry.name == "PSOLID" ? import::upper_case(entry.field(6)) : "";
+    if (!sections
+           .emplace(property,
+                    Section{integer(entry, 1, "material"),
+                            function == "PFLUID" || function == "FFLUID",
+                            entry.line})
+           .second)
+      text.fail_at(entry.line,
+                   "property " + std::to_string(property) + " is there twice");
+  }
+
+  void
   NastranReader::read_material(const BulkEntry &entry)
   {
     const long         number = integer(entry, 0, "number of a material");
@@ -286,9 +347,18 @@ namespace squeal
     material.density       = real_or_zero(entry, 4, "density");
     if (real_or_zero(entry, 7, "structural damping") != 0.)
       file.passed_over.insert("MAT1 damping (GE)");
-    if (!materials.emplace(number, file.materials.size()).second)
-      text.fail_at(entry.line,
-                   "material " + std::to_string(number) + " is there twice");
+    add_material(entry, material);
+  }
+
+  void
+  NastranReader::add_material(const BulkEntry          &entry,
+                              const MeshFile::Material &material)
+  {
+    if (!materials
+           .emplace(integer(entry, 0, "number of a material"),
+                    file.materials.size())
+           .second)
+      text.fail_at(entry.line, "material " + material.name + " is there twice");
     file.materials.push_back(material);
   }
 
@@ -303,16 +373,21 @@ namespace squeal
         file.passed_over.insert("PARAM," + name);
     if (name != "WTMASS")
       return;
-    mass_factor = real_or_zero(entry, 1, "factor of weights");
-    if (!(mass_factor > 0.))
+    const double factor = real_or_zero(entry, 1, "factor of weights");
+    if (!(factor > 0.))
       text.fail_at(entry.line, "PARAM,WTMASS must be positive");
+    // Programs differ in which of two values they take.
+    if (mass_factor && *mass_factor != factor)
+      text.fail_at(entry.line,
+                   "PARAM,WTMASS has another value above: leave one of them");
+    mass_factor = factor;
   }
 
   void
   NastranReader::finish_materials()
   {
     for (auto &material : file.materials)
-      material.density *= mass_factor;
+      material.density *= mass_factor.value_or(1.);
     for (const auto &[number, fault] : faults)
       if (const auto it = materials.find(number); it != materials.end())
         file.materials[it->second].fault = fault;

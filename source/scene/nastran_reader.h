@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -45,15 +46,21 @@ namespace squeal
     struct Section
     {
       long         material;
+      bool         is_fluid;
       unsigned int line;
     };
 
     void go_to_bulk_data();
+    void take_case_control(const unsigned int n_lines);
     void take(const import::BulkEntry &entry);
     void read_point(const import::BulkEntry &entry);
     void read_cell(const import::BulkEntry &entry);
     void read_load(const import::BulkEntry &entry);
+    void read_property(const import::BulkEntry &entry);
     void read_material(const import::BulkEntry &entry);
+    void add_material(const import::BulkEntry  &entry,
+                      const MeshFile::Material &material);
+    void note_constraints(const import::BulkEntry &entry);
     void read_parameter(const import::BulkEntry &entry);
     void finish_materials();
     void read_set(const import::BulkEntry &entry, const std::size_t first);
@@ -88,7 +95,8 @@ namespace squeal
     std::map<long, int>                    materials;
     /** Of materials that entries beside MAT1 make depend on more. */
     std::map<long, std::string> faults;
-    double mass_factor = 1.; /**< of weights as densities: PARAM,WTMASS */
+    /** Of weights as densities: PARAM,WTMASS. */
+    std::optional<double>                            mass_factor;
     std::map<long, std::vector<std::array<long, 2>>> point_sets, cell_sets;
     MeshGroups                                       groups{file};
   };

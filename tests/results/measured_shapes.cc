@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Motions of nodes that a universal file gives in a system of its own: turned
-// into the global axes, or refused where the system is not known.
+// into the global axes, or refused where the system is not known. Datasets of
+// stress and strain are no shapes.
 #include <squeal/base/exceptions.h>
+#include <squeal/base/run_log.h>
+#include <squeal/parameters/response_parameters.h>
 #include <squeal/results/measured_shapes.h>
 
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "check.h"
 
@@ -88,11 +92,77 @@ namespace
           "a node without a system moves in the global axes");
     return shapes[0].nodes.at(2);
   }
+
+  /** A dataset 55 of one node with the first two values 1 and 2. */
+  std::string
+  shape(const std::string &title,
+        const int          characteristic,
+        const int          specific,
+        const int          n_values = 3)
+  {
+    std::vector<double> values(n_values);
+    values[0] = 1.;
+    values[1] = 2.;
+    return dataset("    55",
+                   title + "\nNONE\nNONE\nNONE\nNONE\n" +
+                     integers({1, 2, characteristic, specific, 2, n_values}) +
+                     integers({2, 4, 0, 1}) + reals({1000., 1., 0., 0.}) +
+                     integers({1}) + reals(values));
+  }
+
+  /** Names of the shapes of a file; @p log gets what the run log shows. */
+  std::vector<std::string>
+  names_of(const std::string &text, std::string &log)
+  {
+    std::ofstream("kinds.uff") << text;
+    MeasurementParameters m;
+    m.shapes_file = "kinds.uff";
+    std::ostringstream       out;
+    RunLog                   run_log(true, out);
+    std::vector<std::string> names;
+    for (const auto &measured : read_measured_shapes(m, run_log))
+      names.push_back(measured.name);
+    // The console breaks long lines.
+    log.clear();
+    std::istringstream words(out.str());
+    for (std::string word; words >> word;)
+      log += word + " ";
+    return names;
+  }
+
+  void
+  test_kinds()
+  {
+    using Names = std::vector<std::string>;
+    std::string log;
+    check(names_of(shape("u", 2, 8) + shape("v", 3, 11, 6) + shape("a", 2, 12),
+                   log) == Names{"u", "v", "a"} &&
+            log.empty(),
+          "displacements, velocities and accelerations");
+    check(names_of(shape("s", 4, 2, 6) + shape("u", 2, 8) +
+                     shape("e", 4, 3, 6) + shape("r", 2, 9),
+                   log) == Names{"u"},
+          "stress, strain and reactions are passed over");
+    for (const char *part :
+         {"'s' (stress)", "'e' (strain)", "'r' (reaction forces)"})
+      check(log.find(part) != std::string::npos, "the log names " + log);
+    check(names_of(shape("open", 2, 0) + shape("u", 2, 8), log) ==
+              Names{"open", "u"} &&
+            log.find("warning") != std::string::npos &&
+            log.find("'open'") != std::string::npos &&
+            log.find("'u'") == std::string::npos,
+          "a kind that is not said is warned of");
+    check_throws<InputError>(
+      [&]() { names_of(shape("s", 4, 2, 6), log); },
+      "no displacements, velocities or accelerations: 's' (stress)",
+      "refused: a file of stress alone");
+  }
 } // namespace
 
 int
 main()
 {
+  test_kinds();
   write(turned(7, 0), 7);
   const auto moved = second_node();
   check_close(moved[0].real(), -2., 1e-12, "its second direction is -x");

@@ -220,6 +220,19 @@ namespace
            "no DMIG matrix 'MAAX'; there are K",
            Role::mass,
            "MAAX");
+    refuse("a name where the format has none",
+           banner + "general\n1 1 1\n1 1 1.\n",
+           "'Matrix name' = 'MAAX' has no meaning here",
+           Role::mass,
+           "MAAX");
+    refuse("a name where the format has none",
+           "1,1, 1,1, 1.\n",
+           "Abaqus hold one matrix",
+           Role::mass,
+           "MAAX");
+    refuse("replication",
+           header + term + "=,=,*(1),=,=,*(1),==\n",
+           "bad.txt:3: replication");
     refuse("several matrices",
            header + "DMIG,M,0,6,2\n" + term,
            "which of the DMIG matrices K, M to take");

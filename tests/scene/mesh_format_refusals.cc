@@ -140,6 +140,14 @@ ENDDATA
     spoilt("*Node\n", "*Node, system=C\n", "SYSTEM=C is not read");
     spoilt("*Node\n", "*Include, input=nodes.inp\n*Node\n", "*INCLUDE");
     spoilt("*Node\n", "*Node, input=nodes.inp\n", "INPUT=");
+    spoilt("*Node\n", "*Imperfection\n1, .1\n*Node\n", "write the moved");
+    spoilt("4, 5, 6, 7, 8\n*Elset",
+           "4, 5, 6, 7, 8\n9, 2, 3, 4, 1, 6, 7, 8, 5\n*Elset, elset=both\n9,\n"
+           "*Elset",
+           "elements 1 and 9 have the same corners");
+    spoilt("*End Part",
+           "*Solid section, elset=b, material=M\n*End Part",
+           "in.inp:19: there is no set of elements 'b'");
     spoilt("*Node\n", "*Ngen\n1, 2, 1\n*Node\n", "*NGEN is not read");
     spoilt("type=C3D8", "", "*ELEMENT needs TYPE");
     spoilt("type=C3D8\n1, 1, 2, 3, 4,",
@@ -199,6 +207,19 @@ ENDDATA
     spoilt("1       3\nEND", "1       2\nEND", "no opposite corners");
     spoilt("PLOAD4  5       1", "PLOAD4  5       2", "element 2");
     spoilt("ENDDATA", "INCLUDE 'a.bdf'\nENDDATA", "INCLUDE");
+    spoilt("BEGIN BULK", "INCLUDE 'a.bdf'\nBEGIN BULK", "in.bdf:1: INCLUDE");
+    spoilt("GRID    3", "=,*(1),=,*(1.),==\nGRID    3", "replication");
+    spoilt("GRID    3", "=(2)\nGRID    3", "write the entries out");
+    spoilt("GRID    3", "=       *(1)    =\nGRID    3", "replication");
+    spoilt("ENDDATA",
+           "CHEXA,2,7,1,2,3,4,5,6\n,7,8\nENDDATA",
+           "elements 1 and 2 have the same corners");
+    spoilt(
+      "PSOLID  7       3", "PSOLID,7,3,,,,,PFLUID", "cells of a fluid (1)");
+    spoilt("ENDDATA", "MAT9,3,1.+11\nENDDATA", "material 3 is there twice");
+    spoilt("BEGIN BULK",
+           "PARAM,WTMASS,.25\nBEGIN BULK\nPARAM,WTMASS,.5",
+           "in.bdf:3: PARAM,WTMASS has another value above");
     spoilt("ENDDATA", "GRDSET,,4\nENDDATA", "GRDSET");
     spoilt("ENDDATA", "PARAM,WTMASS,0.\nENDDATA", "WTMASS must be positive");
     spoilt("ENDDATA", "MAT1,3,1.,,.3,1.\nENDDATA", "material 3 is there twice");
@@ -244,6 +265,15 @@ ENDDATA
     refuses_material(changed(bdf, "ENDDATA", "MATF1,3,5\nENDDATA"),
                      Shape::nastran,
                      "depends on frequency");
+    for (const auto &[entry, fault] :
+         {std::pair("MAT9", "not isotropic (MAT9)"),
+          std::pair("MAT10", "a fluid"),
+          std::pair("MAT11", "not isotropic (MAT11)"),
+          std::pair("MAT12", "not isotropic (MAT12)"),
+          std::pair("MATHP", "hyperelastic")})
+      refuses_material(changed(bdf, "MAT1    3", std::string(entry) + ",3,"),
+                       Shape::nastran,
+                       fault);
     refuses_material(
       changed(bdf, "PSOLID  7", "PSOLID  8"), Shape::nastran, "no material");
   }

@@ -5,7 +5,6 @@
 // instances, skins and loads name the faces that they are meant to name.
 
 #include <squeal/base/exceptions.h>
-#include <squeal/scene/mesh_materials.h>
 
 #include "gmsh_annulus.h"
 #include "mesh_texts.h"
@@ -118,59 +117,6 @@ namespace
 
 
 
-  const std::string two_cells = R"(*HEADING
-two cells on top of each other
-*NODE, NSET=all
-1, 0, 0, 0
-2, 1, 0, 0
-3, 1, 1, 0
-4, 0, 1, 0
-5, 0, 0, 1
-6, 1, 0, 1
-7, 1, 1, 1
-8, 0, 1, 1
-9, 0, 0, 2
-10, 1, 0, 2
-11, 1, 1, 2
-12, 0, 1, 2
-*ELEMENT, TYPE=C3D8I, ELSET=low
-10, 1, 2, 3, 4, 5, 6, 7, 8
-*ELEMENT, TYPE=C3D8R, ELSET=high
-20, 5, 6, 7, 8, 9, 10, 11, 12
-*NSET, NSET=floor, GENERATE
-1, 4, 1
-*NSET, NSET="roof"
- 9, 10, 11,
- 12
-*ELSET, ELSET=both
-low, high
-*SURFACE, NAME=skin
-both,
-*SURFACE, NAME=Side
-both, S4
-*SURFACE, NAME=points, TYPE=NODE
-roof,
-*MATERIAL, NAME=Steel
-*DENSITY
-7.85e-9,
-*ELASTIC
-210000., .3
-*SOLID SECTION, ELSET=both, MATERIAL=STEEL
-,
-*STEP
-*FREQUENCY
-10,
-*END STEP
-)";
-
-  std::string
-  replaced_word(std::string text, const std::string &old, const std::string &by)
-  {
-    const auto at = text.find(old);
-    check(at != std::string::npos, "the test changes '" + old + "'");
-    return text.replace(at, old.size(), by);
-  }
-
   /** Number of the body's faces of each name. */
   std::map<std::string, unsigned int>
   count(const BodyMesh &mesh)
@@ -243,33 +189,11 @@ Cube-1.20, S2
 
 
 
-  const std::string bulk = R"(BEGIN BULK
-GRID    1               0.      0.      0.
-GRID    2               1.      0.      0.
-GRID    3               1.      1.      0.
-GRID    4               0.      1.      0.
-GRID    5               0.      0.      1.
-GRID    6               1.      0.      1.
-GRID    7               1.      1.      1.
-GRID    8               0.      1.      1.
-GRID,21,,.5,0.,-.05
-CHEXA   1       7       1       2       3       4       5       6       +A
-+A      7       8       21
-PSOLID  7       3
-MAT1*   3               2.1+5                           .3
-*       7.85-9
-PLOAD4  5       1       1.0                             1       3
-SET1,11,5,THRU,8
-SET3,12,ELEM,1
-RBE2,99,1,123,2,3
-ENDDATA
-)";
-
   void
   nastran_entries()
   {
     const BodyMesh mesh =
-      mesh_of(bulk, Shape::nastran, "set 12", {"load 5", "set 11"});
+      mesh_of(one_cell, Shape::nastran, "set 12", {"load 5", "set 11"});
     check(count(mesh) == Count{{"load 5", 1}, {"set 11", 1}, {"unnamed", 4}},
           "loads and sets of points name faces");
     check(mesh.curved.size() == 1, "one middle point makes a curved cell");
@@ -286,125 +210,6 @@ ENDDATA
   }
 
 
-
-  void
-  materials_of_files()
-  {
-    SceneParameters scene;
-    scene.bodies.resize(2);
-    for (auto &body : scene.bodies)
-      {
-        body.name                    = "steel";
-        body.mesh_length_unit        = 1e-3;
-        body.mesh_mass_unit          = 1e3;
-        body.young_modulus           = 1.;
-        body.material_from_mesh_file = true;
-      }
-    scene.bodies[0].shape      = Shape::abaqus;
-    scene.bodies[0].mesh_file  = "steel.inp";
-    scene.bodies[0].mesh_faces = {"skin"};
-    scene.bodies[1].shape      = Shape::nastran;
-    scene.bodies[1].mesh_file  = "steel.bdf";
-    std::ofstream("steel.inp") << two_cells;
-    std::ofstream("steel.bdf") << bulk;
-    take_mesh_materials(scene);
-    for (auto &body : scene.bodies)
-      {
-        check_close(body.young_modulus, 2.1e11, 1e-14, "E in Pa");
-        check_close(body.density, 7850., 1e-13, "rho in kg/m^3");
-        check_close(body.poisson_ratio, .3, 1e-15, "nu");
-        for (const auto &remark : read_mesh_body(body).remarks)
-          check(remark.find("material") == std::string::npos,
-                "no disagreement once the material is taken");
-      }
-    check_close(read_mesh_body(scene.bodies[0]).vertices.back()[2],
-                .002,
-                1e-15,
-                "lengths in m");
-    scene.bodies[0].density *= 1.001;
-    check(read_mesh_body(scene.bodies[0]).remarks.at(0).find("'Steel'") !=
-            std::string::npos,
-          "a disagreement is said");
-  }
-
-  /** Densities that are weights over g, and damping, which is the scene's. */
-  void
-  factors_of_materials()
-  {
-    std::string text = bulk;
-    text.replace(text.find("MAT1*"),
-                 text.find("PLOAD4") - text.find("MAT1*"),
-                 "MAT1,3,2.1+5,,.3,7.85-9,,,.02\nPARAM,WTMASS,.5\n");
-    std::ofstream("weights.bdf") << text;
-    SceneParameters scene;
-    scene.bodies.resize(1);
-    BodyParameters &body         = scene.bodies[0];
-    body.name                    = "steel";
-    body.shape                   = Shape::nastran;
-    body.mesh_file               = "weights.bdf";
-    body.mesh_length_unit        = 1e-3;
-    body.mesh_mass_unit          = 1e3;
-    body.material_from_mesh_file = true;
-    take_mesh_materials(scene);
-    check_close(body.density, 3925., 1e-13, "rho by PARAM,WTMASS");
-    check(read_mesh_body(body).remarks.at(0).find("MAT1 damping (GE)") !=
-            std::string::npos,
-          "damping of the file is said not to be followed");
-  }
-
-  /** Checks that the first remark on a file has every one of the words. */
-  void
-  names(const std::string              &text,
-        const Shape                     shape,
-        const std::vector<std::string> &faces,
-        const std::vector<std::string> &words)
-  {
-    const auto remarks = mesh_of(text, shape, "", faces).remarks;
-    check(!remarks.empty(), "there is a remark");
-    for (const auto &word : words)
-      check(remarks[0].find(word) != std::string::npos,
-            "not followed is " + word + ": " + remarks[0]);
-  }
-
-  /** What else files say of mass, stiffness and damping is named in the log. */
-  void
-  what_is_not_followed()
-  {
-    names(replaced_word(two_cells,
-                        "*STEP\n",
-                        "*Nonstructural mass, elset=low, units=TOTAL MASS\n"
-                        "1e-5\n*Foundation\nlow, F1, 5.\n"
-                        "*Initial conditions, type=STRESS\nlow, 1.\n"
-                        "*Rotary inertia, elset=low\n1., 1., 1.\n*STEP\n"
-                        "*Boundary\nfloor, 1, 3\n"
-                        "*Modal damping\n1, 10, .01\n"),
-          Shape::abaqus,
-          {"skin"},
-          {"*NONSTRUCTURAL MASS",
-           "*FOUNDATION",
-           "*INITIAL CONDITIONS",
-           "*ROTARY INERTIA",
-           "*BOUNDARY",
-           "*MODAL DAMPING"});
-    const std::string text = replaced_word(bulk,
-                                           "ENDDATA",
-                                           "SPC1,1,123456,1,THRU,4\n"
-                                           "SPCADD,2,1\n"
-                                           "PARAM,G,0.05\n"
-                                           "PARAM,ALPHA1,0.\n"
-                                           "CMASS2,31,1.,1,1\n"
-                                           "CDAMP2,33,5.,1,1\n"
-                                           "NSM1,4,PSOLID,.5,7\n"
-                                           "TEMPD,1,300.\n"
-                                           "ENDDATA");
-    names(text,
-          Shape::nastran,
-          {},
-          {"SPC1", "SPCADD", "PARAM,G", "CMASS2", "CDAMP2", "NSM1", "TEMPD"});
-    check(mesh_of(text, Shape::nastran).remarks[0].find("ALPHA1") ==
-            std::string::npos,
-          "damping of 0 is none");
-  }
 
   void
   ties_of_files()
@@ -451,8 +256,5 @@ main()
   same_body_from_every_format();
   abaqus_sets();
   nastran_entries();
-  materials_of_files();
-  factors_of_materials();
-  what_is_not_followed();
   ties_of_files();
 }

@@ -248,6 +248,88 @@ namespace squeal
       std::ofstream(body.mesh_file, std::ios::binary) << text;
       return read_mesh_body(body);
     }
+
+
+
+    /** An Abaqus file of two cells, mm and tonnes. */
+    inline const std::string two_cells = R"(*HEADING
+two cells on top of each other
+*NODE, NSET=all
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 0, 0, 1
+6, 1, 0, 1
+7, 1, 1, 1
+8, 0, 1, 1
+9, 0, 0, 2
+10, 1, 0, 2
+11, 1, 1, 2
+12, 0, 1, 2
+*ELEMENT, TYPE=C3D8I, ELSET=low
+10, 1, 2, 3, 4, 5, 6, 7, 8
+*ELEMENT, TYPE=C3D8R, ELSET=high
+20, 5, 6, 7, 8, 9, 10, 11, 12
+*NSET, NSET=floor, GENERATE
+1, 4, 1
+*NSET, NSET="roof"
+ 9, 10, 11,
+ 12
+*ELSET, ELSET=both
+low, high
+*SURFACE, NAME=skin
+both,
+*SURFACE, NAME=Side
+both, S4
+*SURFACE, NAME=points, TYPE=NODE
+roof,
+*MATERIAL, NAME=Steel
+*DENSITY
+7.85e-9,
+*ELASTIC
+210000., .3
+*SOLID SECTION, ELSET=both, MATERIAL=STEEL
+,
+*STEP
+*FREQUENCY
+10,
+*END STEP
+)";
+
+    /** A Nastran file of one cell, mm and tonnes. */
+    inline const std::string one_cell = R"(BEGIN BULK
+GRID    1               0.      0.      0.
+GRID    2               1.      0.      0.
+GRID    3               1.      1.      0.
+GRID    4               0.      1.      0.
+GRID    5               0.      0.      1.
+GRID    6               1.      0.      1.
+GRID    7               1.      1.      1.
+GRID    8               0.      1.      1.
+GRID,21,,.5,0.,-.05
+CHEXA   1       7       1       2       3       4       5       6       +A
++A      7       8       21
+PSOLID  7       3
+MAT1*   3               2.1+5                           .3
+*       7.85-9
+PLOAD4  5       1       1.0                             1       3
+SET1,11,5,THRU,8
+SET3,12,ELEM,1
+RBE2,99,1,123,2,3
+ENDDATA
+)";
+
+    /** @p text with the first @p old replaced. */
+    inline std::string
+    replaced_word(std::string        text,
+                  const std::string &old,
+                  const std::string &by)
+    {
+      const auto at = text.find(old);
+      check(at != std::string::npos, "the test changes '" + old + "'");
+      return text.replace(at, old.size(), by);
+    }
   } // namespace testing
 } // namespace squeal
 

@@ -11,6 +11,7 @@
 namespace squeal
 {
   struct MeasurementParameters;
+  class RunLog;
 
   /** A shape of a measured mode. */
   struct MeasuredShape
@@ -27,7 +28,8 @@ namespace squeal
    * Reads the datasets 55 of a universal file (normal or complex modes of three
    * or six motions a node, real or complex), or a CSV file with the columns
    * shape, frequency_hz, point, real and imag. What begins with "-1" alone in a
-   * line is a universal file.
+   * line is a universal file. Of datasets 55 those count that hold
+   * displacements, velocities or accelerations, or do not say what they hold.
    *
    * Throws InputError "file:line: ..." for a file that is neither, that is cut
    * off, holds no shape, numbers that are none, a node or point that a shape
@@ -35,10 +37,13 @@ namespace squeal
    */
   std::vector<MeasuredShape> read_measured_shapes(const std::string &path);
 
-  /** Reads "Measurement/Shapes file". Throws InputError as above, and for a
-   * point by name that is not in "Measurement/Points", with the nearest one. */
+  /** Reads "Measurement/Shapes file". @p log gets the datasets 55 that are no
+   * motions and a warning of those that do not say it. Throws InputError as
+   * above, and for a point by name that is not in "Measurement/Points", with
+   * the nearest one. */
   std::vector<MeasuredShape> read_measured_shapes(
-    const MeasurementParameters &measurement);
+    const MeasurementParameters &measurement,
+    RunLog                      &log);
 } // namespace squeal
 
 #endif

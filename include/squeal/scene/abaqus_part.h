@@ -28,6 +28,10 @@ namespace squeal
     };
     struct Section
     {
+      /** The set of elements as written, and where; empty once the elements
+       * are known. */
+      std::string               set;
+      unsigned int              line;
       std::vector<unsigned int> elements;
       std::string               material; /**< in capitals */
       bool                      is_oriented;

@@ -31,7 +31,8 @@ namespace squeal
 
     /** Moves to the next line that is not empty and cuts it into fields, of
      * small, large or free format; false at the end. Throws InputError where a
-     * line has too many fields. */
+     * line has too many fields or replicates the entry before ('=' in the first
+     * field). */
     bool next_bulk_line(TextFile &file, BulkLine &line);
 
     /** An entry with its continuation lines. */

@@ -113,7 +113,7 @@ namespace squeal
    * else: a missing, empty, truncated or binary file, complex, dense, pattern
    * and rectangular matrices, an entry that is given twice, out of range or not
    * finite, the wrong number of entries, an unsymmetric stiffness, a part of C
-   * in a role that is none.
+   * in a role that is none, a name of a matrix where the format has none.
    *
    * Sources: the Matrix Market exchange formats (NIST), the keyword reference
    * of Abaqus (*MATRIX INPUT, *MATRIX OUTPUT), the bulk data entry DMIG of the

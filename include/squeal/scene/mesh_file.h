@@ -28,6 +28,7 @@ namespace squeal
       tetrahedron,
       wedge,
       pyramid,
+      fluid, /**< of any shape */
       other_volume
     };
     struct Element
@@ -66,6 +67,8 @@ namespace squeal
     /** Keywords of the file that say something of the model, such as couplings,
      * and are not followed. */
     std::set<std::string> passed_over;
+    /** Whether the format writes a cell once for each of its groups. */
+    bool repeats_cells = false;
   };
 
   /** Gives physical tags to the names of a mesh that has names only, and groups

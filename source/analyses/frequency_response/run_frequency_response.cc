@@ -171,8 +171,9 @@ namespace squeal
     const auto                      &p = context.parameters;
     const ResponseGrid               grid(p);
     const std::vector<MeasuredShape> measured =
-      p.measurement.shapes_file.empty() ? std::vector<MeasuredShape>()
-                                        : read_measured_shapes(p.measurement);
+      p.measurement.shapes_file.empty()
+        ? std::vector<MeasuredShape>()
+        : read_measured_shapes(p.measurement, context.log);
     const std::vector<StateResponse> states =
       solve_states(context, grid, measured);
     warn(context, states);

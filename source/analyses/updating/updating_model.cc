@@ -56,10 +56,11 @@ namespace squeal
     /** The measured shape of each frequency, found by its name. */
     std::vector<MeasuredShape>
     shapes_of(const std::vector<MeasuredFrequency> &data,
-              const MeasurementParameters          &m)
+              const MeasurementParameters          &m,
+              RunLog                               &log)
     {
       refuse_equal_names(data, m.frequencies_file);
-      const std::vector<MeasuredShape> all = read_measured_shapes(m);
+      const std::vector<MeasuredShape> all = read_measured_shapes(m, log);
       std::vector<std::string>         names;
       for (const auto &shape : all)
         names.push_back(shape.name);
@@ -147,7 +148,7 @@ namespace squeal
                        std::to_string(u.numbers.size()) +
                        " numbers of Updating/Numbers");
     if (u.pairing == UpdatingParameters::Pairing::shape)
-      shapes = shapes_of(data, m);
+      shapes = shapes_of(data, m, context.log);
     std::vector<std::string> paths;
     for (const auto &number : u.numbers)
       {
