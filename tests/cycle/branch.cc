@@ -45,7 +45,7 @@ namespace
           k    = i;
         }
     const double amplitude =
-      change_amplitudes(map, steady, linear, k, 20000).front();
+      change_amplitudes(map, steady, linear, k, 20000).front().front();
     const Eigen::Index    n = m.n_modes();
     const Eigen::VectorXd x = .5 * amplitude * linear.right.col(k).real();
     const MotionState     start{
