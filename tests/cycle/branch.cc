@@ -128,6 +128,11 @@ namespace
     extended.restore(shorter.memory());
     check(extended.advance(), "made longer");
     check_same(whole.branch(), extended.branch(), "extended");
+    BranchRun cut = run(4);
+    cut.restore(whole.memory());
+    check(cut.n_points() == shorter.n_points() && cut.advance(),
+          "no more points than are asked for now");
+    check_same(shorter.branch(), cut.branch(), "cut");
     unsigned int n_held = 0;
     for (const BranchPoint &x : whole.branch().points)
       n_held += x.motion.is_held;
