@@ -284,46 +284,6 @@ namespace squeal
 
 
 
-    /** What the damping that keeps impacts from ringing does to the growing
-     * pairs of the band: modes near the cut-off follow their motion too, and
-     * are damped in that. */
-    void
-    report_cut_off_damping(const PreparedTransient &prepared,
-                           const Parameters        &p,
-                           RunLog                  &log)
-    {
-      const double ratio = p.transient.cut_off_damping;
-      if (ratio == 0.)
-        return;
-      ReducedContactModel undamped = prepared.pressed.model();
-      add_cut_off_damping(undamped, -ratio);
-      const LinearizedMotion without =
-        linearize(undamped,
-                  prepared.steady,
-                  prepared.pressed.sliding_friction(),
-                  prepared.pressed.speed());
-      for (const unsigned int k : prepared.branches)
-        {
-          const std::complex<double> lambda = prepared.linear.lambda[k];
-          if (lambda.real() <= 0.)
-            continue;
-          Eigen::Index nearest;
-          (without.lambda.array() - lambda).abs().minCoeff(&nearest);
-          const std::complex<double> shift = lambda - without.lambda[nearest];
-          const std::string          text =
-            "damping at the cut-off shifts the pair at " +
-            rounded_text(lambda.imag() / (2. * M_PI), 6) + " Hz by " +
-            rounded_text(shift.real(), 3) + " 1/s and " +
-            rounded_text(shift.imag() / (2. * M_PI), 3) + " Hz";
-          log.info("  " + text);
-          if (std::abs(shift.real()) >
-              std::max(3., .02 * std::abs(lambda.real())))
-            log.warning(text + ": lower it or raise the cut-off");
-        }
-    }
-
-
-
     /** Warns where what the reduced model leaves out counts for a growing pair
      * of the band. */
     void
@@ -414,7 +374,12 @@ namespace squeal
        {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
        {"pairs in the band", std::to_string(prepared.branches.size())}});
-    report_cut_off_damping(prepared, p, context.log);
+    report_cut_off_damping(prepared.pressed,
+                           prepared.steady,
+                           prepared.linear,
+                           growing_pairs(prepared.linear, p.eigen),
+                           p,
+                           context.log);
     report_fastest(prepared.linear, p, context.log);
     report_reduction(prepared, p, context.log);
     SavedTransient saved(prepared.pressed.nodes(), context);
