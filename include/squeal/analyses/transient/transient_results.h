@@ -86,8 +86,18 @@ namespace squeal
                                              what the force drifts by */
     /** Neither force vibrates by more than noise, in the first half of the run
      * either. */
-    bool   is_silent = false;
-    double frequency = 0.; /**< of the periodic resultant that is judged, Hz */
+    bool is_silent = false;
+    /** What the rms about the slow part changes by from the first half of that
+     * time to the second: of the normal force, N, and of the force that is
+     * judged, as a share of the larger one. */
+    double rms_change = 0., rms_change_share = 0.;
+    double frequency = 0.; /**< of the periodic resultant that is judged, Hz; 0:
+                              not known */
+    /** Of the motion that grows fastest about steady sliding, Hz, where samples
+     * are too far apart for it: what lines they have may be other ones folded
+     * down, and frequencies, harmonics, repetition and phase are left empty. 0:
+     * they are not. */
+    double beyond_samples = 0.;
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
