@@ -160,7 +160,7 @@ namespace
     f.most_rms = f.mean_normal = 1.;
     const std::string text     = transient_headline(f, {});
     check(has(text,
-              "limit cycle stands beside it of a frequency that its "
+              "a sustained vibration stands beside it of a frequency that its "
               "samples do not tell"),
           "the frequency is left open: " + text);
     const Table table = transient_table(f);
