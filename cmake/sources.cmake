@@ -328,6 +328,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/pressed_model.cc
     source/model/pressed_parameters.cc
     source/model/pressed_scene.cc
+    source/model/reduced_motions.cc
     source/model/rotor_symmetry.cc
     source/model/turning_modes.cc)
 
@@ -346,7 +347,6 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/shape_output.cc)
 
 set(SQUEAL_SOURCES_ANALYSES
-    source/analyses/run_figures.cc
     source/analyses/angles/run_angles.cc
     source/analyses/cea/run_cea.cc
     source/analyses/frequency_response/response_solution.cc
@@ -373,6 +373,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/preload/preload_tables.cc
     source/analyses/preload/run_preload.cc
     source/analyses/preload/stiffness_entry_check.cc
+    source/analyses/run_figures.cc
     source/analyses/sweep/run_sweep.cc
     source/analyses/sweep/stopping_change.cc
     source/analyses/sweep/sweep_axis_check.cc
@@ -395,10 +396,8 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_table.cc
     source/analyses/transient/drive_warnings.cc
     source/analyses/transient/force_statistics.cc
-    source/analyses/transient/growth_outside.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
-    source/analyses/transient/transient_run_figures.cc
     source/analyses/transient/run_transient.cc
     source/analyses/transient/saved_transient.cc
     source/analyses/transient/transient_campaign.cc
@@ -409,6 +408,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_phase.cc
     source/analyses/transient/transient_plots.cc
     source/analyses/transient/transient_run.cc
+    source/analyses/transient/transient_run_figures.cc
     source/analyses/transient/transient_sound.cc
     source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc

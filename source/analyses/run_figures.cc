@@ -5,6 +5,13 @@
 
 namespace squeal
 {
+  double
+  RunFigure::relative(const double difference, const double of_value) const
+  {
+    return std::abs(difference) /
+           (std::isfinite(scale) ? scale : std::abs(of_value));
+  }
+
   bool
   RunFigures::is_solved() const
   {

@@ -6,6 +6,8 @@
 #include <squeal/cycle/branch_run.h>
 #include <squeal/cycle/period_equations.h>
 
+#include <algorithm>
+
 namespace squeal
 {
   namespace
@@ -192,10 +194,14 @@ namespace squeal
       {
         Side              &side    = sides[i];
         const NamedNumbers numbers = memory.group(std::to_string(i));
-        const std::size_t  n       = numbers.count("n_points", most_points);
+        const std::size_t  stored  = numbers.count("n_points", most_points),
+                          n        = std::min<std::size_t>(stored,
+                                                    settings.n_points + 1);
         side.step                  = numbers.number("step");
-        side.is_lost               = numbers.count("is_lost", 1) == 1;
-        side.turns                 = numbers.count("turns", 1) == 1;
+        // With fewer points than before it ends before it was lost.
+        const bool is_whole = stored <= settings.n_points;
+        side.is_lost        = is_whole && numbers.count("is_lost", 1) == 1;
+        side.turns          = is_whole && numbers.count("turns", 1) == 1;
         side.points.resize(1);
         for (std::size_t k = 1; k < n; ++k)
           side.points.push_back(point_from(numbers.group(std::to_string(k))));

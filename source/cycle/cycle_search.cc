@@ -234,6 +234,57 @@ namespace squeal
         result.coarse.status = CycleStatus::aperiodic;
       return result;
     }
+
+    /** How near node @p j comes to opening (1: it does) or to sticking in the
+     * motion @p orbit; 0 where it is open in steady sliding. */
+    double
+    share_of_change(const PeriodMap     &map,
+                    const SteadySliding &steady,
+                    const Orbit         &orbit,
+                    const unsigned int   j)
+    {
+      const double pressing = steady.forces[3 * j];
+      if (steady.status[j] == ContactStatus::open || !(pressing > 0.))
+        return 0.;
+      double share = 0.;
+      for (const MotionState &state : orbit.states)
+        share = std::max(share, 1. - state.forces[3 * j] / pressing);
+      const double way = orbit.step * std::abs(map.sliding_speed()) *
+                         map.reduced_model().speed_ratio[j];
+      // In the first step the forces leave those of steady sliding.
+      for (unsigned int i = 1; i < orbit.n_steps() && way > 0.; ++i)
+        {
+          const Eigen::Vector3d moved =
+            (orbit.motions[i + 1] - orbit.motions[i]).segment<3>(3 * j);
+          share =
+            std::max(share, 1. - std::hypot(way + moved[1], moved[2]) / way);
+        }
+      return share;
+    }
+
+    /** Sets the amplitudes of the start. A pair of contacts that does not take
+     * part in the motion has shares of rounding size: the one that changes
+     * first counts. Throws ComputationError where no node moves. */
+    void
+    set_start_amplitudes(const std::vector<std::vector<double>> &of_pairs,
+                         CycleResult                            &result)
+    {
+      bool is_there = false;
+      for (const std::vector<double> &changes : of_pairs)
+        if (!changes.empty())
+          {
+            const double first = changes.front(),
+                         half  = changes[changes.size() / 2];
+            result.first_change =
+              is_there ? std::min(result.first_change, first) : first;
+            result.half_change =
+              is_there ? std::min(result.half_change, half) : half;
+            is_there = true;
+          }
+      if (!is_there)
+        throw ComputationError("no node is closed in steady sliding");
+    }
+
     /** The rms of a force whose harmonics have the differences of those of @p a
      * and @p b, as far as both go. */
     double
@@ -294,7 +345,7 @@ namespace squeal
 
 
 
-  std::vector<double>
+  std::vector<std::vector<double>>
   change_amplitudes(const PeriodMap        &map,
                     const SteadySliding    &steady,
                     const LinearizedMotion &linear,
@@ -307,32 +358,25 @@ namespace squeal
       (model.participation * linear.right.col(k).segment(n, n))
         .cwiseAbs()
         .maxCoeff();
-    const double speed        = std::abs(map.sliding_speed()),
-                 small        = small_motion * speed / fastest;
-    const Orbit         orbit = map.run(state_of_pair(steady, linear, k, small),
+    const double small = small_motion * std::abs(map.sliding_speed()) / fastest;
+    const Orbit  orbit = map.run(state_of_pair(steady, linear, k, small),
                                 2. * M_PI / linear.lambda[k].imag(),
                                 n_steps);
-    std::vector<double> result;
-    for (unsigned int j = 0; j < model.n_nodes(); ++j)
-      if (steady.status[j] != ContactStatus::open && steady.forces[3 * j] > 0.)
-        {
-          double share = 0.;
-          for (const MotionState &state : orbit.states)
-            share =
-              std::max(share, 1. - state.forces[3 * j] / steady.forces[3 * j]);
-          const double way = orbit.step * speed * model.speed_ratio[j];
-          // In the first step the forces leave those of steady sliding.
-          for (unsigned int i = 1; i < orbit.n_steps() && way > 0.; ++i)
-            {
-              const Eigen::Vector3d moved =
-                (orbit.motions[i + 1] - orbit.motions[i]).segment<3>(3 * j);
-              share = std::max(share,
-                               1. - std::hypot(way + moved[1], moved[2]) / way);
-            }
-          if (share > 0.)
-            result.push_back(small / share);
-        }
-    std::sort(result.begin(), result.end());
+    std::vector<unsigned int> pairs = map.nodes_of_pairs();
+    if (pairs.empty())
+      pairs.push_back(model.n_nodes());
+    std::vector<std::vector<double>> result;
+    unsigned int                     first = 0;
+    for (const unsigned int n_nodes : pairs)
+      {
+        std::vector<double> &of_pair = result.emplace_back();
+        for (unsigned int j = first; j < first + n_nodes; ++j)
+          if (const double share = share_of_change(map, steady, orbit, j);
+              share > 0.)
+            of_pair.push_back(small / share);
+        std::sort(of_pair.begin(), of_pair.end());
+        first += n_nodes;
+      }
     return result;
   }
 
@@ -346,18 +390,16 @@ namespace squeal
              const LimitCycleParameters &settings)
   {
     CycleResult  result;
-    const double period               = 2. * M_PI / linear.lambda[k].imag();
-    result.pair                       = linear.lambda[k];
-    const std::vector<double> changes = change_amplitudes(
-      map,
-      steady,
-      linear,
-      k,
-      stable_steps(map.reduced_model(), period, settings.run_steps, 1));
-    if (changes.empty())
-      throw ComputationError("no node is closed in steady sliding");
-    result.first_change = changes.front();
-    result.half_change  = changes[changes.size() / 2];
+    const double period = 2. * M_PI / linear.lambda[k].imag();
+    result.pair         = linear.lambda[k];
+    set_start_amplitudes(
+      change_amplitudes(
+        map,
+        steady,
+        linear,
+        k,
+        stable_steps(map.reduced_model(), period, settings.run_steps, 1)),
+      result);
     MotionState start =
       state_of_pair(steady, linear, k, settings.start * result.half_change);
     if (!(settings.run_time > 0.))

@@ -162,10 +162,42 @@ namespace squeal
                              "'Rotation speed'");
       }
 
+      /** What a limit cycle has nothing of, as it stands under constant loads,
+       * speeds and friction. */
+      void
+      check_nothing_passes(const Parameters &p)
+      {
+        const TransientParameters &t = p.transient;
+        if (t.start != TransientParameters::Start::steady_sliding)
+          refuse_entry("Transient",
+                       "Start",
+                       "must be steady sliding: limit cycles start from there");
+        if (t.final_speed_ratio != 1.)
+          refuse_entry("Transient",
+                       "Final speed ratio",
+                       "must be 1: limit cycles have one sliding speed");
+        if (t.friction_impulse != 0.)
+          refuse_entry("Transient",
+                       "Friction impulse",
+                       "must be 0: limit cycles start from a growing pair");
+        for (const ContactParameters &c : p.scene.contacts)
+          if (c.state == State::stick)
+            refuse_entry("Scene/Contact " + c.name,
+                         "Contact state",
+                         "= stick: limit cycles are those about steady "
+                         "sliding; use full or preload");
+      }
+
       void
       check_limit_cycle(const Parameters &p)
       {
         check_periodic_motions(p);
+        check_nothing_passes(p);
+        if (p.limit_cycle.starts > 0 && !p.limit_cycle.campaign)
+          refuse_entry("Limit cycle",
+                       "Starts",
+                       "must be 0 without 'Campaign', in which motions from "
+                       "other starts are followed");
         if (!p.limit_cycle.campaign)
           {
             check_branch(p.sweep.axes);

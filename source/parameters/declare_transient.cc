@@ -68,14 +68,15 @@ namespace squeal
                "reduced integrator; those above follow without inertia.",
                "Hz")
           .resolution();
-        schema.add("Cut-off damping",
-                   t.cut_off_damping,
-                   Allowed::number(0., 1.),
-                   "Damping ratio at 'Cut-off' of the reduced integrator, "
-                   "which falls as the eighth power of the frequency below "
-                   "it: takes the ringing of impacts at 1.2 times the cut-off "
-                   "away (0.2 does). The log says how far it shifts the "
-                   "growing pairs of the band.");
+        schema.add(
+          "Cut-off damping",
+          t.cut_off_damping,
+          Allowed::number(0., 1.),
+          "Damping ratio at 'Cut-off' of the reduced integrator and "
+          "above it, which falls as the eighth power of the frequency "
+          "below it: takes the ringing of impacts at 1.2 times the cut-off "
+          "away (0.2 does). The log says how far it shifts the "
+          "growing pairs of the band.");
         schema
           .add("Interface cut-off",
                t.interface_cut_off,

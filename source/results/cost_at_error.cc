@@ -9,6 +9,13 @@
 
 namespace squeal
 {
+  namespace
+  {
+    /** Over the cost of the dearest rung: no power law of two rungs is good for
+     * more decades. */
+    constexpr double farthest_cost = 1e3;
+  } // namespace
+
   std::optional<CostAtError>
   cost_at_error(const std::vector<double> &costs,
                 const std::vector<double> &errors,
@@ -33,7 +40,9 @@ namespace squeal
     const double slope  = (to.second - from.second) / (to.first - from.first);
     if (!(slope < 0.))
       return {};
-    return CostAtError{
-      std::exp(from.first + (std::log(goal) - from.second) / slope), beyond};
+    const double cost = from.first + (std::log(goal) - from.second) / slope;
+    if (cost > rungs.back().first + std::log(farthest_cost))
+      return {};
+    return CostAtError{std::exp(cost), beyond};
   }
 } // namespace squeal

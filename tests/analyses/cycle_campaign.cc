@@ -192,6 +192,16 @@ namespace
     check(outcome_table({stable}).is_missing(0, "stays"),
           "nothing is said of motions that were not followed");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");
+    const Table outside = outcome_table({}, {}, {}, {700., 2. * M_PI * 51660.});
+    check(outside.text(0, "outcome") ==
+              "steady sliding in the band, growth outside" &&
+            outside.real(0, "outside_hz") > 51659. &&
+            outside.real(0, "outside_sigma_per_s") == 700.,
+          "what grows outside the band is said");
+    check(outcome_table({}).is_missing(0, "outside_hz") &&
+            outcome_table({stable}, {}, {}, {700., 4e5}).text(0, "outcome") ==
+              "stable limit cycle",
+          "and changes nothing of cycles of the band");
   }
 
 

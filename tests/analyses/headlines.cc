@@ -5,12 +5,14 @@
 
 #include "check.h"
 
+#include <squeal/analyses/transient/force_statistics.h>
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
 #include <squeal/output/open_signs.h>
 #include <squeal/parameters/entry_traits.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace squeal;
@@ -156,6 +158,61 @@ namespace
         check(text(all).empty(), "and none beyond it");
         motion.lambda[2] = -motion.lambda[2];
       }
+  }
+
+  /** Lines of samples that are too far apart for what grows are not those of
+   * the motion. */
+  void
+  growth_beyond_samples()
+  {
+    LinearizedMotion motion;
+    motion.lambda.resize(2);
+    motion.lambda << std::complex<double>(700., 2. * M_PI * 30e3),
+      std::complex<double>(20., 2. * M_PI * 3e3);
+    TransientParameters t;
+    t.integrator    = TransientParameters::Integrator::reduced;
+    t.end_time      = .05;
+    const auto told = [&](const double interval) {
+      return !(frequency_beyond_samples(motion, t, interval) > 0.);
+    };
+    check(told(1. / 61e3) && !told(1. / 59e3), "two samples a period");
+    t.end_time = .005;
+    check(told(1. / 59e3), "what has no time to grow stays small");
+    motion.lambda[0] = -motion.lambda[0];
+    t.end_time       = .05;
+    check(told(1. / 59e3), "what decays does not count");
+
+    TransientFigures f;
+    f.verdict         = "undecided";
+    f.growing_outside = "a motion at 30000 Hz, outside the band, grows";
+    f.has_limit_cycle = true;
+    f.beyond_samples  = 30e3;
+    f.repetition      = unknown;
+    f.most_rms = f.mean_normal = 1.;
+    const std::string text     = transient_headline(f, {});
+    check(has(text,
+              "a sustained vibration stands beside it of a frequency that its "
+              "samples do not tell"),
+          "the frequency is left open: " + text);
+    const Table table = transient_table(f);
+    for (const char *column :
+         {"limit_cycle_frequency_hz", "largest_line_hz", "repetition"})
+      check(table.is_missing(0, column), std::string(column) + " is empty");
+  }
+
+  void
+  changes_of_rms()
+  {
+    // sqrt((1 + 49)/2) = 5 and sqrt((16 + 184)/2) = 10.
+    const std::vector<double> rising  = {1., 7., 4., std::sqrt(184.)},
+                              falling = {4., std::sqrt(184.), 1., 7.};
+    check(std::abs(change_of_rms(rising) - 5.) < 1e-12 &&
+            std::abs(change_of_rms(falling) + 5.) < 1e-12,
+          "rms of the last two quarters less that of the first two");
+    check(std::abs(share_of_change(rising) - .5) < 1e-12 &&
+            std::abs(share_of_change(falling) + .5) < 1e-12 &&
+            share_of_change({0., 0., 0., 0.}) == 0.,
+          "over the larger one");
   }
 
   using Type = Table::Type;
@@ -429,6 +486,8 @@ main()
   signs();
   verdicts();
   growth_outside_the_band();
+  growth_beyond_samples();
+  changes_of_rms();
   answers();
   symbols();
   rates();

@@ -94,6 +94,15 @@ namespace
     return 0.;
   }
 
+  /** What the error of @p name on the coarse rung is measured by. */
+  double
+  figure_extent(const Table &table, const std::string &name)
+  {
+    return std::abs(figure(table, "degree = 1", name) -
+                    figure(table, "degree = 2", name)) /
+           figure(table, "degree = 1", name, "error_rel");
+  }
+
   /** The rungs are the single runs with their settings, and errors those
    * against the finest one. */
   void
@@ -148,6 +157,11 @@ namespace
     check(figure(t, "degree = 1", "secant_stiffness_n_per_m", "error_rel") >
             1e-3,
           "elements of first degree are stiffer");
+    // A position has no size of its own.
+    const double extent = figure_extent(t, "centre_x_m");
+    check(std::abs(extent - figure_extent(t, "centre_y_m")) < 1e-9 * extent &&
+            extent > .01 && extent < .2,
+          "positions are measured by the face: " + std::to_string(extent));
     check(pressed({"Analysis = preload", "Discretization/Degree = 1"}).code ==
             0,
           "a single run");

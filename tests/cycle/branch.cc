@@ -45,7 +45,7 @@ namespace
           k    = i;
         }
     const double amplitude =
-      change_amplitudes(map, steady, linear, k, 20000).front();
+      change_amplitudes(map, steady, linear, k, 20000).front().front();
     const Eigen::Index    n = m.n_modes();
     const Eigen::VectorXd x = .5 * amplitude * linear.right.col(k).real();
     const MotionState     start{
@@ -128,6 +128,11 @@ namespace
     extended.restore(shorter.memory());
     check(extended.advance(), "made longer");
     check_same(whole.branch(), extended.branch(), "extended");
+    BranchRun cut = run(4);
+    cut.restore(whole.memory());
+    check(cut.n_points() == shorter.n_points() && cut.advance(),
+          "no more points than are asked for now");
+    check_same(shorter.branch(), cut.branch(), "cut");
     unsigned int n_held = 0;
     for (const BranchPoint &x : whole.branch().points)
       n_held += x.motion.is_held;

@@ -279,6 +279,15 @@ namespace
            {"'Transient/Integrator'", "must be reduced"});
     refuse("Limit cycle/Steps per period = 8",
            {"'Limit cycle/Steps per period' = '8'", "from 32 to"});
+    refuse("Limit cycle/Starts = 3", {"'Limit cycle/Starts'", "'Campaign'"});
+    refuse("Scene/Contact pad_disc/Contact state = stick",
+           {"'Scene/Contact pad_disc/Contact state' = stick", "full"});
+    refuse("Transient/Friction impulse = 0.3",
+           {"'Transient/Friction impulse'", "must be 0"});
+    refuse("Transient/Start = ramp",
+           {"'Transient/Start'", "must be steady sliding"});
+    refuse("Transient/Final speed ratio = 0.5",
+           {"'Transient/Final speed ratio'", "must be 1"});
     const auto branch = [&](const std::string &entry, const std::string &from) {
       std::vector<std::string> all = scene;
       all.insert(all.end(),

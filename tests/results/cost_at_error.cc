@@ -46,6 +46,9 @@ main()
              "a rung that is good by chance does not count");
   check(!cost_at_error(costs, errors, 2.), "every rung is good: only a bound");
   check(!cost_at_error({10.}, {1.}, .1), "one rung has no law");
+  check(cost_at_error(costs, errors, 1.01e-6).has_value() &&
+          !cost_at_error(costs, errors, .99e-6),
+        "a law of two rungs tells no more than three decades");
   check(!cost_at_error({10., 100.}, {1e-2, 1.}, 1e-3), "errors that rise");
   return 0;
 }

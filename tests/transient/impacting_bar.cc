@@ -225,6 +225,11 @@ namespace
   void
   damped()
   {
+    check(cut_off_damping(.2, 10e3, 5e3) == .2 / 256. &&
+            cut_off_damping(.2, 10e3, 10e3) == .2,
+          "the ratio falls as the eighth power below the cut-off");
+    check(cut_off_damping(.2, 10e3, 25e3) == .2,
+          "motions of the interface far above it have the ratio there");
     Impact before;
     for (const unsigned int n : {40, 80, 160})
       {

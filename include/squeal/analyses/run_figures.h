@@ -23,6 +23,14 @@ namespace squeal
     double stated = std::numeric_limits<double>::quiet_NaN();
     /** An error by itself, whose true value is 0. */
     bool is_error = false;
+    /** What differences and stated errors are measured by, in the unit of the
+     * value; NaN: the value itself. Of a position the value says nothing, which
+     * may be 0 by symmetry or by where the scene stands. */
+    double scale = std::numeric_limits<double>::quiet_NaN();
+
+    /** @p difference over the scale or, without one, over the size of @p value.
+     */
+    double relative(const double difference, const double value) const;
   };
 
   /** What one run gives without its files, and what it takes: for analyses that

@@ -16,7 +16,7 @@ namespace squeal
    * The branch of follow_branch() point by point, first towards smaller numbers
    * from the start and then towards larger ones. What it has found can be kept
    * and gone on from, with the same bits as without a stop, and with more
-   * points than before.
+   * or fewer points than before.
    */
   class BranchRun
   {

@@ -23,7 +23,8 @@ namespace squeal
   {
     std::complex<double> pair; /**< 1/s */
     /** Of the start: kinetic amplitude as in LinearizedMotion, sqrt(J), at
-     * which the first closed node opens or sticks, and half of them. */
+     * which the first closed node opens or sticks, and half of those of the
+     * pair of contacts that vibrates most: others may stay quiet. */
     double             first_change = 0., half_change = 0.;
     double             recurrence = 1.; /**< of the run before, see there */
     RunFigures         run;             /**< what that has come to */
@@ -50,14 +51,17 @@ namespace squeal
     //@}
   };
 
-  /** Amplitudes of pair @p k, sqrt(J), at which the closed nodes one after the
-   * other open or stick if the motion stays linear, ascending: a period of the
-   * exact steps at a small amplitude is scaled up. */
-  std::vector<double> change_amplitudes(const PeriodMap        &map,
-                                        const SteadySliding    &steady,
-                                        const LinearizedMotion &linear,
-                                        const Eigen::Index      k,
-                                        const unsigned int      n_steps);
+  /** Amplitudes of pair @p k of @p linear, sqrt(J), at which the closed nodes one
+   * after the other open or stick if the motion stays linear, ascending, of
+   * every pair of contacts of @p map: a period of @p n_steps exact steps at a
+   * small amplitude is scaled up. Empty where no node of a pair of contacts
+   * moves. */
+  std::vector<std::vector<double>> change_amplitudes(
+    const PeriodMap        &map,
+    const SteadySliding    &steady,
+    const LinearizedMotion &linear,
+    const Eigen::Index      k,
+    const unsigned int      n_steps);
 
   /**
    * The periodic motion near @p start, by shooting with half the steps of @p

@@ -20,7 +20,8 @@ namespace squeal
    * the finest. @p costs and @p errors (positive, in any order of cost) have
    * one entry a rung. Nothing if there are fewer than two rungs, if every rung
    * is at or below the goal (the cost is then only bounded), or if the errors
-   * do not fall towards a goal beyond the finest rung.
+   * do not fall towards a goal beyond the finest rung, or if it lies beyond a
+   * thousand times the cost of the dearest one.
    */
   std::optional<CostAtError> cost_at_error(const std::vector<double> &costs,
                                            const std::vector<double> &errors,

@@ -127,8 +127,8 @@ namespace squeal
     const Block          &observers   = {},
     const Flexibility     flexibility = Flexibility::complete);
 
-  /** The damping ratio @p ratio (f/cut_off)^8 at frequency @p f, both in Hz
-   * (theory.md, "Ringing at the cut-off"). */
+  /** The damping ratio @p ratio min(1, (f/cut_off)^8) at frequency @p f, both in
+   * Hz (theory.md, "Ringing at the cut-off"). */
   double cut_off_damping(const double ratio,
                          const double cut_off,
                          const double f);

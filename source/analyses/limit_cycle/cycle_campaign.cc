@@ -7,8 +7,10 @@
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/model/pressed_scene.h>
+#include <squeal/model/reduced_motions.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/column_title.h>
 #include <squeal/results/html_report.h>
@@ -72,8 +74,18 @@ namespace squeal
                     about->sliding,
                     about->pressed.sliding_friction(),
                     about->pressed.speed());
+        const std::vector<Eigen::Index> growing =
+          growing_pairs(linear, p.eigen);
+        if (const std::string text = text_of_growth_outside(linear, p);
+            !text.empty())
+          context.log.warning(place_of(run) + text +
+                              ": no limit cycle is sought from it");
+        if (p.transient.cut_off_damping > 0. && !growing.empty())
+          context.log.info("  " + place_of(run));
+        report_cut_off_damping(
+          about->pressed, about->sliding, linear, growing, p, context.log);
         std::vector<CycleResult> cycles;
-        for (const Eigen::Index k : growing_pairs(linear, p.eigen))
+        for (const Eigen::Index k : growing)
           cycles.push_back(cycle_of(*about, linear, k, p.limit_cycle));
         Timers::Section   section(context.timers, "Solve: other starts");
         const PointTrials trials             = trials_of(*about,
@@ -82,12 +94,26 @@ namespace squeal
                                              p.limit_cycle,
                                              p.transient.time_step);
         const std::vector<std::string> pairs = names_of_pairs(p.scene);
-        return {outcome_table(cycles, trials, pairs),
+        return {outcome_table(cycles, trials, pairs, growth_outside(linear, p)),
                 cycle_table(cycles, p.limit_cycle.harmonics, pairs),
                 trial_table_of(trials, cycles)};
       }
 
     private:
+      /** "mu = 0.3, held: " of the point of @p run. */
+      std::string
+      place_of(const CampaignRun &run) const
+      {
+        const auto &axes = context.parameters.sweep.axes;
+        std::string text;
+        for (std::size_t a = 0; a < axes.size(); ++a)
+          text += (text.empty() ? "" : ", ") + axes[a].name + " = " +
+                  rounded_text(run.shown.at(a), 5);
+        if (!run.top.empty())
+          text += (text.empty() ? "" : ", ") + run.top;
+        return text.empty() ? text : text + ": ";
+      }
+
       /** A search that breaks off has not converged. */
       CycleResult
       cycle_of(const SteadyModel          &about,

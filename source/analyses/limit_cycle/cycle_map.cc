@@ -23,6 +23,11 @@ namespace squeal
       using Marker = ChartSeries::Marker;
       return {
         marked_series("steady sliding", Marker::circle, .6, Ink::grey, false),
+        marked_series("steady sliding in the band, growth outside",
+                      Marker::square,
+                      1.,
+                      Ink::grey,
+                      false),
         marked_series(
           "stable limit cycle", Marker::circle, 2., Ink::blue, false),
         marked_series(

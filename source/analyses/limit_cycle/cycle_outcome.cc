@@ -73,6 +73,7 @@ namespace squeal
       const std::vector<CycleResult> &cycles;
       const std::vector<MotionTrial> &trials; /**< the last from the cycle */
       CycleOutcome                    outcome;
+      std::complex<double> outside = 0.; /**< growth outside the band, 1/s */
 
       const CycleResult *
       heard() const
@@ -142,6 +143,30 @@ namespace squeal
          count(&CycleOutcome::n_different)},
         {{"n_stable", Type::integer, "", "stable ones"},
          count(&CycleOutcome::n_stable)}};
+    }
+
+    /** What grows outside the band, where it is the fastest. */
+    std::vector<PointColumn>
+    outside_columns()
+    {
+      const auto of_outside = [](const Table::Column &declaration, auto value) {
+        return PointColumn{declaration, [value](const PointRow &row) {
+                             return row.outside.real() > 0.
+                                      ? Cell(value(row.outside))
+                                      : Cell();
+                           }};
+      };
+      using Lambda = std::complex<double>;
+      return {
+        of_outside({"outside_hz",
+                    Type::real,
+                    "Hz",
+                    "of the motion outside the band that grows fastest "
+                    "of all"},
+                   [](const Lambda &x) { return x.imag() / (2. * M_PI); }),
+        of_outside(
+          {"outside_sigma_per_s", Type::real, "1/s", "its growth rate"},
+          [](const Lambda &x) { return x.real(); })};
     }
 
     std::vector<PointColumn>
@@ -250,6 +275,8 @@ namespace squeal
           return c ? &c->figures : nullptr;
         });
       result.insert(result.end(), of_pairs.begin(), of_pairs.end());
+      const std::vector<PointColumn> outside = outside_columns();
+      result.insert(result.end(), outside.begin(), outside.end());
       return result;
     }
   } // namespace
@@ -297,10 +324,13 @@ namespace squeal
   Table
   outcome_table(const std::vector<CycleResult> &cycles,
                 const PointTrials              &trials,
-                const std::vector<std::string> &pairs)
+                const std::vector<std::string> &pairs,
+                const std::complex<double>      outside)
   {
     CycleOutcome outcome = outcome_of(cycles);
-    const bool   all_end_there =
+    if (cycles.empty() && outside.real() > 0.)
+      outcome.text = "steady sliding in the band, growth outside";
+    const bool all_end_there =
       trials.cycle >= 0 &&
       std::all_of(trials.motions.begin(),
                   trials.motions.end(),
@@ -318,8 +348,9 @@ namespace squeal
       outcome.text = is_far_from_stable
                        ? "unstable limit cycle that motions stay near"
                        : "limit cycle, stable in time";
-    return table_of(columns(pairs),
-                    std::vector<PointRow>{{cycles, trials.motions, outcome}});
+    return table_of(
+      columns(pairs),
+      std::vector<PointRow>{{cycles, trials.motions, outcome, outside}});
   }
 
   Table
@@ -330,6 +361,6 @@ namespace squeal
     const std::vector<CycleResult> none;
     const std::vector<MotionTrial> not_followed;
     return table_of(columns(pairs),
-                    std::vector<PointRow>{{none, not_followed, outcome}});
+                    std::vector<PointRow>{{none, not_followed, outcome, 0.}});
   }
 } // namespace squeal

@@ -10,6 +10,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
 
@@ -177,25 +178,6 @@ namespace squeal
 
 
 
-  std::vector<Eigen::Index>
-  growing_pairs(const LinearizedMotion &linear, const EigenParameters &band)
-  {
-    std::vector<Eigen::Index> result;
-    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
-      if (const double f = linear.lambda[k].imag() / (2. * M_PI);
-          linear.lambda[k].real() > 0. && f >= band.lowest_frequency &&
-          f <= band.highest_frequency)
-        result.push_back(k);
-    std::sort(result.begin(),
-              result.end(),
-              [&](const Eigen::Index a, const Eigen::Index b) {
-                return linear.lambda[a].real() > linear.lambda[b].real();
-              });
-    return result;
-  }
-
-
-
   void
   run_limit_cycle(RunContext &context)
   {
@@ -234,10 +216,16 @@ namespace squeal
        {"contact nodes", std::to_string(pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(steady.n_closed())},
        {"pairs to follow", std::to_string(pairs.size())}});
+    const std::string outside = text_of_growth_outside(linear, p);
     if (pairs.empty())
       throw ComputationError(
         "no pair of the band grows about steady sliding: there is nothing to "
-        "start a limit cycle from");
+        "start a limit cycle from" +
+        (outside.empty() ? "" : "; " + outside));
+    if (!outside.empty())
+      context.log.warning(outside + ": no limit cycle is sought from it");
+    report_cut_off_damping(
+      pressed, steady, linear, growing_pairs(linear, p.eigen), p, context.log);
     const PeriodMap          map = period_map_of(about);
     std::vector<CycleResult> cycles;
     {

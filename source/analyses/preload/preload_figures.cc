@@ -5,7 +5,9 @@
 #include <squeal/base/timers.h>
 #include <squeal/model/pressed_model.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace squeal
 {
@@ -20,6 +22,19 @@ namespace squeal
                                            : table.real(row, column);
     }
 
+    /** Diagonal of the box about the points of a contact pair, m. */
+    double
+    extent_of(const ContactGeometry &geometry)
+    {
+      dealii::Point<3> low = geometry.points.front(), high = low;
+      for (const dealii::Point<3> &x : geometry.points)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            low[c]  = std::min(low[c], x[c]);
+            high[c] = std::max(high[c], x[c]);
+          }
+      return low.distance(high);
+    }
   } // namespace
 
 
@@ -49,7 +64,10 @@ namespace squeal
                                "peak_pressure_pa"})
         {
           const std::string column = steps.column(i, name);
-          run.figures.push_back({column, last_step_of(t, column)});
+          RunFigure         figure{column, last_step_of(t, column)};
+          if (std::string(name).rfind("centre_", 0) == 0)
+            figure.scale = extent_of(full.pressed.nodes().pairs()[i].geometry);
+          run.figures.push_back(figure);
         }
     return run;
   }

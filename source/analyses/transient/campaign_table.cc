@@ -86,7 +86,12 @@ namespace squeal
          "pressure there over the mean one in steady sliding, all pairs",
          4},
         {"n_unknowns", Type::integer, "", "of the finite elements"},
-        {"n_modes", Type::integer, "", "that move in the reduced model"}};
+        {"n_modes", Type::integer, "", "that move in the reduced model"},
+        {"rms_normal_change_n",
+         Type::real,
+         "N",
+         "of the rms from the first to the second half of its time",
+         3}};
     }
 
     Columns
@@ -167,11 +172,14 @@ namespace squeal
       const auto vibrating           = [&](const double value) {
         return f.vibrates ? or_missing(value) : Cell();
       };
+      const auto of_lines = [&](const double value) {
+        return f.beyond_samples > 0. ? Cell() : vibrating(value);
+      };
       return {f.verdict == "unstable" ? "no"
               : f.verdict == "stable" ? "yes"
                                       : "undecided",
               or_missing(b && b->fit.is_valid ? b->fit.rate : nan),
-              vibrating(f.frequency),
+              of_lines(f.frequency),
               f.rms_normal,
               f.min_normal,
               f.max_normal,
@@ -189,16 +197,17 @@ namespace squeal
               pairs,
               choice_name(run.parameters.transient.integrator),
               vibrating(f.frequency_ci),
-              vibrating(f.largest_line),
+              of_lines(f.largest_line),
               or_missing(sigma_with_full_contact(prepared, run.parameters)),
               or_missing(f.macroscopic_friction),
-              f.phase,
+              or_missing(f.phase),
               vibrating(f.repetition),
               or_missing(record.samples.empty()
                            ? nan
                            : record.samples.front().leading_edge),
               prepared.pressed.n_unknowns(),
-              prepared.pressed.model().n_modes()};
+              prepared.pressed.model().n_modes(),
+              or_missing(f.rms_change)};
     }
 
     std::vector<Cell>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/force_statistics.h>
+#include <squeal/base/worst_of.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,6 +132,25 @@ namespace squeal
     for (unsigned int k = first; k < end; ++k)
       result.add(stretches.at(k));
     return result;
+  }
+
+
+
+  double
+  change_of_rms(const std::vector<double> &quarters)
+  {
+    return (std::hypot(quarters.at(2), quarters.at(3)) -
+            std::hypot(quarters.at(0), quarters.at(1))) /
+           M_SQRT2;
+  }
+
+  double
+  share_of_change(const std::vector<double> &quarters)
+  {
+    const double size = worst_of(std::hypot(quarters.at(0), quarters.at(1)),
+                                 std::hypot(quarters.at(2), quarters.at(3))) /
+                        M_SQRT2;
+    return size > 0. ? change_of_rms(quarters) / size : 0.;
   }
 
 

@@ -144,7 +144,9 @@ namespace squeal
            shown("frequency_linear_hz") + " Hz"},
         {"limit cycle", limit_cycle_text(f)},
         {"normal force",
-         shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") + " N, " +
+         shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") +
+           " N, which changes by " + shown("rms_normal_change_n") +
+           " N from half to half of its time, " +
            (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
            " to " + shown("max_normal_n") + " N"},
         {"nodes: slip, stick, stick-slip, separating, never closed",
@@ -209,6 +211,20 @@ namespace squeal
         }
     }
 
+    /** Warns where the rms of a limit cycle has not settled. */
+    void
+    warn_of_rising_rms(const TransientFigures &f, RunLog &log)
+    {
+      constexpr double settled = 0.02;
+      if (f.has_limit_cycle && std::abs(f.rms_change_share) > settled)
+        log.warning(
+          "the rms of the limit cycle still " +
+          std::string(f.rms_change_share > 0. ? "rises" : "falls") + ", by " +
+          rounded_text(100. * std::abs(f.rms_change_share), 2) +
+          " % between the halves of the time that it is taken over: raise "
+          "'Transient/End time'");
+    }
+
     void
     report_run(RunContext              &context,
                const Model             &model,
@@ -237,6 +253,7 @@ namespace squeal
         write_animation(context, model, prepared, record, motion);
       log_pairs(context.log, tables.branches);
       warn_of_other_contact(f, context.log);
+      warn_of_rising_rms(f, context.log);
       if (!left_out.empty())
         context.log.info("  " + left_out);
 
@@ -284,46 +301,6 @@ namespace squeal
 
 
 
-    /** What the damping that keeps impacts from ringing does to the growing
-     * pairs of the band: modes near the cut-off follow their motion too, and
-     * are damped in that. */
-    void
-    report_cut_off_damping(const PreparedTransient &prepared,
-                           const Parameters        &p,
-                           RunLog                  &log)
-    {
-      const double ratio = p.transient.cut_off_damping;
-      if (ratio == 0.)
-        return;
-      ReducedContactModel undamped = prepared.pressed.model();
-      add_cut_off_damping(undamped, -ratio);
-      const LinearizedMotion without =
-        linearize(undamped,
-                  prepared.steady,
-                  prepared.pressed.sliding_friction(),
-                  prepared.pressed.speed());
-      for (const unsigned int k : prepared.branches)
-        {
-          const std::complex<double> lambda = prepared.linear.lambda[k];
-          if (lambda.real() <= 0.)
-            continue;
-          Eigen::Index nearest;
-          (without.lambda.array() - lambda).abs().minCoeff(&nearest);
-          const std::complex<double> shift = lambda - without.lambda[nearest];
-          const std::string          text =
-            "damping at the cut-off shifts the pair at " +
-            rounded_text(lambda.imag() / (2. * M_PI), 6) + " Hz by " +
-            rounded_text(shift.real(), 3) + " 1/s and " +
-            rounded_text(shift.imag() / (2. * M_PI), 3) + " Hz";
-          log.info("  " + text);
-          if (std::abs(shift.real()) >
-              std::max(3., .02 * std::abs(lambda.real())))
-            log.warning(text + ": lower it or raise the cut-off");
-        }
-    }
-
-
-
     /** Warns where what the reduced model leaves out counts for a growing pair
      * of the band. */
     void
@@ -351,6 +328,17 @@ namespace squeal
     }
 
 
+
+    /** Warns where a growing motion is too fast for the samples. */
+    void
+    warn_of_sampling(const LinearizedMotion    &linear,
+                     const TransientParameters &t,
+                     RunLog                    &log)
+    {
+      const double f = frequency_beyond_samples(linear, t, t.sample_interval);
+      if (f > 0.)
+        log.warning(text_of_sampling(f, t.sample_interval));
+    }
 
     /** What grows fastest in the reduced model about steady sliding, in the
      * band or not, and whether the run has that motion. */
@@ -414,7 +402,13 @@ namespace squeal
        {"contact nodes", std::to_string(prepared.pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(prepared.steady.n_closed())},
        {"pairs in the band", std::to_string(prepared.branches.size())}});
-    report_cut_off_damping(prepared, p, context.log);
+    report_cut_off_damping(prepared.pressed,
+                           prepared.steady,
+                           prepared.linear,
+                           growing_pairs(prepared.linear, p.eigen),
+                           p,
+                           context.log);
+    warn_of_sampling(prepared.linear, p.transient, context.log);
     report_fastest(prepared.linear, p, context.log);
     report_reduction(prepared, p, context.log);
     SavedTransient saved(prepared.pressed.nodes(), context);

@@ -5,6 +5,7 @@
 #include <squeal/analyses/transient/campaign_table.h>
 #include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/transient_results.h>
+#include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/model/pressed_scene.h>
@@ -93,6 +94,9 @@ namespace squeal
                                   context.timers);
         const TransientFigures f = evaluate_transient(
           prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
+        if (f.beyond_samples > 0.)
+          context.log.warning(text_of_sampling(
+            f.beyond_samples, run.parameters.transient.sample_interval));
         return {campaign_row(run, prepared, record, f), phase_table(record, f)};
       }
 

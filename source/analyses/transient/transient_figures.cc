@@ -270,6 +270,8 @@ namespace squeal
       f.by_tangential = !(largest_of(late.normal) > least) && touches &&
                         largest_of(late.tangential) > least;
       const auto &judged = f.by_tangential ? late.tangential : late.normal;
+      f.rms_change       = change_of_rms(late.normal);
+      f.rms_change_share = share_of_change(judged);
       f.least_rms        = *std::min_element(judged.begin(), judged.end());
       f.most_rms         = largest_of(judged);
       f.is_silent        = true;
@@ -316,6 +318,13 @@ namespace squeal
         {
           normal.push_back(samples[i].normal);
           tangential.push_back(samples[i].tangential);
+        }
+      f.beyond_samples =
+        frequency_beyond_samples(prepared.linear, p.transient, interval);
+      if (f.beyond_samples > 0.)
+        {
+          f.repetition = f.phase = not_known;
+          return;
         }
       evaluate_lines(without_slow_part(f.by_tangential ? tangential : normal),
                      interval,
@@ -389,6 +398,20 @@ namespace squeal
 
 
 
+  double
+  frequency_beyond_samples(const LinearizedMotion    &linear,
+                           const TransientParameters &t,
+                           const double               interval)
+  {
+    /** What grows by fewer e-foldings over a run stays small. */
+    constexpr double           least_e_foldings = 7.;
+    const std::complex<double> lambda           = fastest_growth(linear, t);
+    const double               f                = lambda.imag() / (2. * M_PI);
+    return f * interval > .5 && lambda.real() * t.end_time > least_e_foldings
+             ? f
+             : 0.;
+  }
+
   bool
   nothing_vibrates(const TransientFigures &f)
   {
@@ -413,6 +436,9 @@ namespace squeal
   std::string
   limit_cycle_text(const TransientFigures &f)
   {
+    if (f.has_limit_cycle && f.beyond_samples > 0.)
+      return "a frequency that its samples do not tell, as a motion at " +
+             rounded_text(f.beyond_samples, 5) + " Hz grows";
     if (f.has_limit_cycle)
       return rounded_text(f.frequency, 5) +
              (std::isfinite(f.frequency_ci)

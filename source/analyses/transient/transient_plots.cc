@@ -95,7 +95,7 @@ namespace squeal
           chart.series.push_back(curve);
         }
       chart.y.lower = std::max({1e-30, 1e-12 * largest, 0.5 * least});
-      if (f.has_limit_cycle)
+      if (f.has_limit_cycle && f.frequency > 0.)
         chart.lines = {{true,
                         1e-3 * f.frequency,
                         rounded_text(f.frequency, 5) + " Hz",

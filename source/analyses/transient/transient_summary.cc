@@ -107,6 +107,11 @@ namespace squeal
          Type::real,
          "",
          "correlation of the normal force periods later, in samples",
+         3},
+        {"rms_normal_change_n",
+         Type::real,
+         "N",
+         "of the rms from the first to the second half of its time",
          3}};
     }
 
@@ -127,6 +132,9 @@ namespace squeal
       const auto vibrating = [&](const double value) {
         return nothing_vibrates(f) ? Cell() : or_missing(value);
       };
+      const auto of_lines = [&](const double value) {
+        return f.beyond_samples > 0. ? Cell() : vibrating(value);
+      };
       return {f.verdict,
               fitted(b.fit.rate),
               fitted(b.fit.rate_ci),
@@ -137,7 +145,7 @@ namespace squeal
               has ? or_missing(b.sigma_cea) : Cell(),
               has ? or_missing(b.frequency_cea) : Cell(),
               yes_or_no(f.has_limit_cycle),
-              vibrating(f.frequency),
+              of_lines(f.frequency),
               f.mean_normal,
               f.rms_normal,
               f.min_normal,
@@ -161,8 +169,9 @@ namespace squeal
               f.iterations_per_step,
               f.n_inversions,
               vibrating(f.frequency_ci),
-              vibrating(f.largest_line),
+              of_lines(f.largest_line),
               vibrating(f.repetition),
+              or_missing(f.rms_change),
               known(b.sigma_reduction),
               known(b.frequency_reduction)};
     }

@@ -22,11 +22,25 @@ namespace squeal
     kind_of_cycle(const TransientFigures &f)
     {
       constexpr double least_repetition = 0.9;
-      return f.repetition < least_repetition
+      return f.beyond_samples > 0. ? "sustained vibration"
+             : f.repetition < least_repetition
                ? "sustained vibration without a period"
                : "limit cycle";
     }
   } // namespace
+
+
+
+  std::string
+  text_of_sampling(const double frequency, const double interval)
+  {
+    return "the fastest growth about steady sliding is that of a motion at " +
+           rounded_text(frequency, 5) +
+           " Hz, and 'Transient/Sample interval' = " +
+           rounded_text(interval, 3) + " s tells no line above " +
+           rounded_text(.5 / interval, 5) +
+           " Hz: lines, repetition and phase are left empty";
+  }
 
 
 
@@ -109,7 +123,7 @@ namespace squeal
       explained_verdict(f, trigger) + (growth.empty() ? "" : ", " + growth);
     if (f.has_limit_cycle) // which the verdict names where it is not unstable
       return text + (f.verdict == "unstable" ? ", " + kind_of_cycle(f) : "") +
-             " at " + limit_cycle_text(f);
+             (f.beyond_samples > 0. ? " of " : " at ") + limit_cycle_text(f);
     text += "; no limit cycle: " + reason_for_no_cycle(f);
     return f.verdict == "unstable"
              ? text

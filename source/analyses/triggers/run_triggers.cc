@@ -8,6 +8,7 @@
 #include <squeal/base/stop_request.h>
 #include <squeal/model/measured_points.h>
 #include <squeal/model/pressed_scene.h>
+#include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/html_report.h>
@@ -78,10 +79,7 @@ namespace squeal
           scene.find_steady(p.scene.contacts, context.log, context.timers);
         LinearizedMotion linear;
         if (about)
-          linear = linearize(about->pressed.model(),
-                             about->sliding,
-                             about->pressed.sliding_friction(),
-                             about->pressed.speed());
+          linear = linear_motion(*about, p);
         for (std::size_t i = 0; i < places.size(); ++i)
           {
             const std::string &name = p.measurement.points[places[i]].name;
@@ -92,6 +90,26 @@ namespace squeal
       }
 
     private:
+      /** Says what grows outside the band, and what the damping at the cut-off
+       * does to the pair of the band that is nearest to growth. */
+      LinearizedMotion
+      linear_motion(const SteadyModel &about, const Parameters &p)
+      {
+        LinearizedMotion linear = linearize(about.pressed.model(),
+                                            about.sliding,
+                                            about.pressed.sliding_friction(),
+                                            about.pressed.speed());
+        if (const std::string text = text_of_growth_outside(linear, p);
+            !text.empty())
+          context.log.warning(text + ": nothing is struck there");
+        std::vector<Eigen::Index> pairs = pairs_in_band(linear, p.eigen);
+        if (pairs.size() > 1)
+          pairs.resize(1);
+        report_cut_off_damping(
+          about.pressed, about.sliding, linear, pairs, p, context.log);
+        return linear;
+      }
+
       static TriggerResult
       without(const std::string &name, const std::string &status)
       {

@@ -39,15 +39,15 @@ namespace squeal
       std::size_t             finest = 0;
 
       /** How far a figure of one of the rungs is from that of the finest one,
-       * relative; of an error, that itself. NaN where one of them is not there.
-       */
+       * relative to that or to its scale; of an error, that itself. NaN where
+       * one of them is not there. */
       double
       error_of(const RunFigure &figure) const
       {
         if (figure.is_error)
           return std::abs(figure.value);
         const double reference = reference_of(figure);
-        return std::abs(figure.value - reference) / std::abs(reference);
+        return figure.relative(figure.value - reference, reference);
       }
 
       double
@@ -174,7 +174,7 @@ namespace squeal
               figure.name,
               or_missing(figure.value),
               std::isfinite(error) ? Cell(error) : Cell(),
-              or_missing(std::abs(figure.stated / figure.value)),
+              or_missing(figure.relative(figure.stated, figure.value)),
               figure.is_error
                 ? "exact"
                 : setting_text(climbed.ladder,

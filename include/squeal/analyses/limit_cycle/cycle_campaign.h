@@ -8,6 +8,7 @@
 #include <squeal/results/table.h>
 #include <squeal/transient/linearized_motion.h>
 
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,6 @@ namespace squeal
 {
   class RunContext;
   class HtmlReport;
-
-  /** Growing pairs of the band, the fastest first. */
-  std::vector<Eigen::Index> growing_pairs(const LinearizedMotion &linear,
-                                          const EigenParameters  &band);
 
   /**
    * The limit cycles of every growing pair at each point of the axes of `Sweep`
@@ -80,10 +77,13 @@ namespace squeal
    * within a hundredth of 1 say; one that is unstable by more is not. One whose
    * stability is left open is not heard where all motions from elsewhere end
    * elsewhere. @p pairs: the contact pairs where there are several, each with
-   * its own columns. */
+   * its own columns. @p outside: the growth outside the band, 1/s, 0 where there
+   * is none: without growing pairs of the band steady sliding is not stable
+   * then. */
   Table outcome_table(const std::vector<CycleResult> &cycles,
-                      const PointTrials              &trials = {},
-                      const std::vector<std::string> &pairs  = {});
+                      const PointTrials              &trials  = {},
+                      const std::vector<std::string> &pairs   = {},
+                      const std::complex<double>      outside = 0.);
 
   /** Of the points of two axes, for each top: which outcome, and the kHz of the
    * cycle that is heard. */

@@ -76,6 +76,13 @@ namespace squeal
     std::vector<double> normal, tangential; /**< four each */
   };
 
+  /** The rms over the last two of four @p quarters less that over the first two,
+   * N. */
+  double change_of_rms(const std::vector<double> &quarters);
+
+  /** That over the larger one of the two, -1 to 1; 0 where both are 0. */
+  double share_of_change(const std::vector<double> &quarters);
+
   /** Of the stretch number @p first up to the one before @p end. */
   QuarterVibrations vibrations_of(const std::vector<ForceStatistics> &stretches,
                                   const unsigned int                  first,

@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/eigen/complex_pairs.h>
+#include <squeal/model/reduced_motions.h>
 #include <squeal/output/force_charts.h>
 #include <squeal/results/table.h>
 #include <squeal/transient/growth.h>
@@ -85,8 +86,18 @@ namespace squeal
                                              what the force drifts by */
     /** Neither force vibrates by more than noise, in the first half of the run
      * either. */
-    bool   is_silent = false;
-    double frequency = 0.; /**< of the periodic resultant that is judged, Hz */
+    bool is_silent = false;
+    /** What the rms about the slow part changes by from the first half of that
+     * time to the second: of the normal force, N, and of the force that is
+     * judged, as a share of the larger one. */
+    double rms_change = 0., rms_change_share = 0.;
+    double frequency = 0.; /**< of the periodic resultant that is judged, Hz; 0:
+                              not known */
+    /** Of the motion that grows fastest about steady sliding, Hz, where samples
+     * are too far apart for it: what lines they have may be other ones folded
+     * down, and frequencies, harmonics, repetition and phase are left empty. 0:
+     * they are not. */
+    double beyond_samples = 0.;
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
@@ -118,18 +129,12 @@ namespace squeal
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
 
-  /** Whether a run by the integrator of @p t has the motion of eigenvalue
-   * @p lambda, 1/s, of the reduced model. Above the cut-off the reduced model
-   * has motions that the bodies do not have: they are motions of the reduced
-   * integrator, not of those of all unknowns. */
-  bool is_of_the_run(const std::complex<double> lambda,
-                     const TransientParameters &t);
-
-  /** What grows fastest about steady sliding, of the motions of the run, if it
-   * grows and is outside the band of @p parameters, as
-   * TransientFigures::growing_outside. */
-  std::string text_of_growth_outside(const LinearizedMotion &linear,
-                                     const Parameters       &parameters);
+  /** The frequency of fastest_growth(), Hz, where samples @p interval, s, apart
+   * are fewer than two a period and the motion has the time to become large,
+   * else 0. */
+  double frequency_beyond_samples(const LinearizedMotion    &linear,
+                                  const TransientParameters &t,
+                                  const double               interval);
 
   /** The limit cycle in words, or why there is none. */
   std::string limit_cycle_text(const TransientFigures &figures);

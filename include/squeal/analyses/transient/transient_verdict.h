@@ -28,6 +28,10 @@ namespace squeal
    * fit tells no rate. */
   std::string growth_text(const TransientFigures &figures);
 
+  /** That samples @p interval, s, apart tell nothing of a motion at
+   * @p frequency, Hz, and what is left empty for it. */
+  std::string text_of_sampling(const double frequency, const double interval);
+
   /** Why the leading pair has no growth rate. */
   std::string reason_for_no_rate(const TransientFigures &figures);
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Motions of the reduced model about steady sliding: which of them grow, which
+// a run has, and what the damping at the cut-off does to them.
+
+#include <squeal/base/number_text.h>
+#include <squeal/base/run_log.h>
+#include <squeal/model/reduced_motions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  std::vector<Eigen::Index>
+  pairs_in_band(const LinearizedMotion &linear, const EigenParameters &band)
+  {
+    std::vector<Eigen::Index> result;
+    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
+      if (const double f = linear.lambda[k].imag() / (2. * M_PI);
+          f >= band.lowest_frequency && f <= band.highest_frequency)
+        result.push_back(k);
+    std::sort(result.begin(),
+              result.end(),
+              [&](const Eigen::Index a, const Eigen::Index b) {
+                return linear.lambda[a].real() > linear.lambda[b].real();
+              });
+    return result;
+  }
+
+  std::vector<Eigen::Index>
+  growing_pairs(const LinearizedMotion &linear, const EigenParameters &band)
+  {
+    std::vector<Eigen::Index> result = pairs_in_band(linear, band);
+    result.erase(std::find_if(result.begin(),
+                              result.end(),
+                              [&](const Eigen::Index k) {
+                                return !(linear.lambda[k].real() > 0.);
+                              }),
+                 result.end());
+    return result;
+  }
+
+
+
+  bool
+  is_of_the_run(const std::complex<double> lambda, const TransientParameters &t)
+  {
+    return t.integrator == TransientParameters::Integrator::reduced ||
+           std::abs(lambda.imag()) <= 2. * M_PI * t.cut_off;
+  }
+
+  std::complex<double>
+  fastest_growth(const LinearizedMotion &linear, const TransientParameters &t)
+  {
+    Eigen::Index k = -1;
+    for (Eigen::Index i = 0; i < linear.lambda.size(); ++i)
+      if (is_of_the_run(linear.lambda[i], t) &&
+          (k < 0 || linear.lambda[i].real() > linear.lambda[k].real()))
+        k = i;
+    // Below is rounding.
+    return k >= 0 && linear.lambda[k].real() > 1e-9 * std::abs(linear.lambda[k])
+             ? linear.lambda[k]
+             : 0.;
+  }
+
+  std::complex<double>
+  growth_outside(const LinearizedMotion &linear, const Parameters &p)
+  {
+    const std::complex<double> lambda    = fastest_growth(linear, p.transient);
+    const double               frequency = lambda.imag() / (2. * M_PI);
+    return frequency >= p.eigen.lowest_frequency &&
+               frequency <= p.eigen.highest_frequency
+             ? 0.
+             : lambda;
+  }
+
+  std::string
+  text_of_growth_outside(const LinearizedMotion &linear, const Parameters &p)
+  {
+    const std::complex<double> lambda = growth_outside(linear, p);
+    if (!(lambda.real() > 0.))
+      return "";
+    return "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
+           " Hz, outside the band, grows (sigma of " +
+           rounded_text(lambda.real(), 3) + " 1/s)";
+  }
+
+
+
+  void
+  report_cut_off_damping(const PressedModel              &pressed,
+                         const SteadySliding             &steady,
+                         const LinearizedMotion          &linear,
+                         const std::vector<Eigen::Index> &pairs,
+                         const Parameters                &p,
+                         RunLog                          &log)
+  {
+    const double ratio = p.transient.cut_off_damping;
+    if (ratio == 0. || pairs.empty())
+      return;
+    ReducedContactModel undamped = pressed.model();
+    add_cut_off_damping(undamped, -ratio);
+    const LinearizedMotion without =
+      linearize(undamped, steady, pressed.sliding_friction(), pressed.speed());
+    for (const Eigen::Index k : pairs)
+      {
+        const std::complex<double> lambda = linear.lambda[k];
+        Eigen::Index               nearest;
+        (without.lambda.array() - lambda).abs().minCoeff(&nearest);
+        const std::complex<double> shift = lambda - without.lambda[nearest];
+        const std::string          text =
+          "damping at the cut-off shifts the pair at " +
+          rounded_text(lambda.imag() / (2. * M_PI), 6) + " Hz by " +
+          rounded_text(shift.real(), 3) + " 1/s and " +
+          rounded_text(shift.imag() / (2. * M_PI), 3) + " Hz";
+        log.info("  " + text);
+        if (std::abs(shift.real()) >
+            std::max(3., .02 * std::abs(lambda.real())))
+          log.warning(text + ": lower it or raise the cut-off");
+      }
+  }
+} // namespace squeal
