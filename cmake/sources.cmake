@@ -48,6 +48,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_damping_in_time.cc
     source/parameters/check_imported.cc
     source/parameters/check_layers.cc
+    source/parameters/check_limit_cycle.cc
     source/parameters/check_matrices.cc
     source/parameters/check_means.cc
     source/parameters/check_parameters.cc

@@ -56,6 +56,14 @@ namespace squeal
     /** Preload and transient: one contact, a load, times in order. */
     void check_transient(const Parameters &parameters);
 
+    /** Periodic motions are those of the reduced model in the fixed frame with
+     * one coefficient of friction at all slip rates. */
+    void check_periodic_motions(const Parameters &parameters);
+
+    /** The same and what limit cycles have nothing of, their branches and
+     * campaigns. */
+    void check_limit_cycle(const Parameters &parameters);
+
     /** The axis that branches of limit cycles are followed along, if there is
      * one. */
     void check_branch(const std::vector<SweepAxisParameters> &axes);
