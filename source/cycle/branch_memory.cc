@@ -199,7 +199,7 @@ namespace squeal
                                                     settings.n_points + 1);
         side.step                  = numbers.number("step");
         // With fewer points than before it ends before it was lost.
-        const bool is_whole = stored <= settings.n_points;
+        const bool is_whole = n == stored;
         side.is_lost        = is_whole && numbers.count("is_lost", 1) == 1;
         side.turns          = is_whole && numbers.count("turns", 1) == 1;
         side.points.resize(1);

@@ -60,17 +60,20 @@ namespace squeal
     }
 
     /** The state of the run of @p time from @p start in which the fewest nodes
-     * touch, in the middle of that time: the forces of all others are unknowns
-     * of the periodic motion that starts there, and the derivative over the
-     * period has as many columns. */
+     * touch, in the middle of that time: their forces are unknowns of the
+     * periodic motion that starts there, and the derivative over the period has
+     * three columns for each. The start itself where there is no such run. */
     MotionState
     with_fewest_closed(const PeriodMap   &map,
                        const MotionState &start,
                        const double       time,
                        const unsigned int n_steps)
     {
-      const Orbit orbit    = map.run(start, time, n_steps);
-      const auto  n_closed = [&](const unsigned int i) {
+      PeriodicMotion tried;
+      if (!try_orbit(map, start, time, n_steps, {}, nullptr, tried))
+        return start;
+      const Orbit &orbit    = tried.orbit;
+      const auto   n_closed = [&](const unsigned int i) {
         const Eigen::VectorXd &forces = orbit.states[i].forces;
         unsigned int           result = 0;
         for (Eigen::Index j = 0; 3 * j < forces.size(); ++j)
@@ -362,12 +365,9 @@ namespace squeal
     const Orbit  orbit = map.run(state_of_pair(steady, linear, k, small),
                                 2. * M_PI / linear.lambda[k].imag(),
                                 n_steps);
-    std::vector<unsigned int> pairs = map.nodes_of_pairs();
-    if (pairs.empty())
-      pairs.push_back(model.n_nodes());
     std::vector<std::vector<double>> result;
     unsigned int                     first = 0;
-    for (const unsigned int n_nodes : pairs)
+    for (const unsigned int n_nodes : map.nodes_of_pairs())
       {
         std::vector<double> &of_pair = result.emplace_back();
         for (unsigned int j = first; j < first + n_nodes; ++j)

@@ -162,21 +162,30 @@ namespace squeal
     const std::string error = headline_error(
       {error_of_column("reduction", all, "error_estimate_rel"),
        error_of_column("mesh", all, "discretisation_error_rel")});
-    const OpenSigns   open    = open_signs(all);
+    const OpenSigns    open   = open_signs(loudest);
+    const unsigned int n_open = open.n_growing + open.n_decaying;
+    const std::string  left_open =
+      "at " + std::to_string(n_open) + " of " +
+      std::to_string(loudest.n_rows()) +
+      " angles the mesh leaves open whether the loudest pair grows";
     const std::string verdict = verdict_of(loudest) +
-                                (open.any() ? "; " + open.text : "") +
+                                (open.any() ? "; " + left_open : "") +
                                 "; largest error of a pair: " + error;
     if (open.any())
-      context.log.warning(open.text + " (of all angles)");
+      context.log.warning(left_open + ": refine it or raise "
+                                      "'Discretization/Degree'");
     context.record.figures = {
       {"largest error of a pair, relative", error},
       {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Rotor angles of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
     const auto sigma = loudest.reals("sigma_per_s");
-    report.set_verdict(*std::max_element(sigma.begin(), sigma.end()) > 0.
-                         ? HtmlReport::Verdict::bad
-                         : HtmlReport::Verdict::good,
+    // Growth at an angle counts where its mesh decides it.
+    const auto n_growing = static_cast<unsigned int>(std::count_if(
+      sigma.begin(), sigma.end(), [](const double s) { return s > 0.; }));
+    report.set_verdict(n_growing > open.n_growing ? HtmlReport::Verdict::bad
+                       : open.any()               ? HtmlReport::Verdict::neutral
+                                                  : HtmlReport::Verdict::good,
                        verdict,
                        context.record.figures);
     if (p.output.plots && context.is_root)
