@@ -28,6 +28,12 @@ namespace squeal
     held = &corrections;
   }
 
+  void
+  LocatedTransient::set_neighbour(const Orbit &orbit)
+  {
+    neighbour = &orbit;
+  }
+
   const StepCorrections &
   LocatedTransient::corrections() const
   {
@@ -63,6 +69,18 @@ namespace squeal
   }
 
 
+
+  Eigen::VectorXd
+  LocatedTransient::guess_of_forces() const
+  {
+    if (!neighbour)
+      return ReducedTransient::guess_of_forces();
+    // Where the nodes close and open along a motion like this one is known, and
+    // what the forces differ by changes little from step to step.
+    const std::size_t i = used.velocity.size();
+    return neighbour->states[i + 1].forces +
+           (forces() - neighbour->states[i].forces);
+  }
 
   Eigen::VectorXd
   LocatedTransient::by_jumps(const ChangesInStep &changes) const

@@ -137,11 +137,12 @@ namespace squeal
             const unsigned int     n_steps,
             const ContactPast     &past,
             const StepCorrections *held,
-            PeriodicMotion        &m)
+            PeriodicMotion        &m,
+            const Orbit           *neighbour)
   {
     try
       {
-        m.orbit = map.run(start, period, n_steps, past, held);
+        m.orbit = map.run(start, period, n_steps, past, held, neighbour);
       }
     catch (const ComputationError &)
       {

@@ -4,10 +4,16 @@
 #include <squeal/cycle/period_derivative.h>
 #include <squeal/cycle/period_map.h>
 
+#include <algorithm>
+
 namespace squeal
 {
   namespace
   {
+    /** Residual of the contact in plain runs, which are exact to the first
+     * order of their steps: that of transients. */
+    constexpr double plain_tolerance = 1e-8;
+
     /** Of nodes that do not know a law of their own: mu of LocatedTransient. */
     TransientDrive
     constant_drive(const double speed)
@@ -63,9 +69,11 @@ namespace squeal
                  const double           time,
                  const unsigned int     n_steps,
                  const ContactPast     &past,
-                 const StepCorrections *held) const
+                 const StepCorrections *held,
+                 const Orbit           *neighbour) const
   {
-    return run_by(drive, start, time, n_steps, past, held);
+    return run_by(
+      drive, start, time, n_steps, past, held, neighbour, tolerance);
   }
 
   Orbit
@@ -84,7 +92,14 @@ namespace squeal
       std::vector<Eigen::VectorXd>(n_steps),
       std::vector<Eigen::VectorXd>(n_steps,
                                    Eigen::VectorXd::Zero(model.n_modes()))};
-    return run_by(forced, start, time, n_steps, past, &none);
+    return run_by(forced,
+                  start,
+                  time,
+                  n_steps,
+                  past,
+                  &none,
+                  nullptr,
+                  std::max(tolerance, plain_tolerance));
   }
 
   Orbit
@@ -93,17 +108,21 @@ namespace squeal
                     const double           time,
                     const unsigned int     n_steps,
                     const ContactPast     &past,
-                    const StepCorrections *held) const
+                    const StepCorrections *held,
+                    const Orbit           *neighbour,
+                    const double           contact_tolerance) const
   {
     Orbit orbit;
     orbit.step = time / n_steps;
     orbit.past = past;
     LocatedTransient motion(
-      model, orbit.step, driven_by, friction, nodal_force, tolerance);
+      model, orbit.step, driven_by, friction, nodal_force, contact_tolerance);
     motion.start(start.coordinates, start.velocities, start.forces);
     motion.set_past(past);
     if (held)
       motion.hold(*held);
+    if (neighbour && neighbour->n_steps() == n_steps)
+      motion.set_neighbour(*neighbour);
     orbit.states.push_back(start);
     orbit.motions.push_back(motion.motion());
     for (unsigned int i = 0; i < n_steps; ++i)

@@ -81,7 +81,8 @@ namespace squeal
                 settings.n_steps,
                 past,
                 held,
-                next) &&
+                next,
+                &m.orbit) &&
               next.residual < best.residual)
             best = std::move(next);
           if (full_only || best.residual < (1. - .2 * step) * m.residual)
@@ -258,7 +259,8 @@ namespace squeal
                        settings.n_steps,
                        motion.orbit.past_of(settings.n_steps),
                        nullptr,
-                       located) ||
+                       located,
+                       &motion.orbit) ||
             !(located.residual < Rule::near_enough))
           return false;
         take(located);

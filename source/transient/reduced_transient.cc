@@ -185,7 +185,7 @@ namespace squeal
     friction.set(t, step);
     prepare_step(step);
 
-    Eigen::VectorXd       guess  = 3. * (lambda - lambda_1) + lambda_2;
+    Eigen::VectorXd       guess  = guess_of_forces();
     const ContactReport   report = solver.solve(step, guess);
     const Eigen::VectorXd force =
       load - model.participation.transpose() * guess;
@@ -221,6 +221,12 @@ namespace squeal
   void
   ReducedTransient::finish_step(Eigen::VectorXd &, Eigen::VectorXd &)
   {
+  }
+
+  Eigen::VectorXd
+  ReducedTransient::guess_of_forces() const
+  {
+    return 3. * (lambda - lambda_1) + lambda_2;
   }
 
 

@@ -32,13 +32,18 @@ namespace squeal
     /** Takes these, which must live on, instead of locating changes. */
     void hold(const StepCorrections &corrections);
 
+    /** Solves the contact of each step from the forces after the same step of
+     * @p neighbour, which must live on and have as many steps. */
+    void set_neighbour(const Orbit &neighbour);
+
     /** Of all steps so far. */
     const StepCorrections &corrections() const;
 
   private:
-    void prepare_step(ContactStep &step) override;
-    void finish_step(Eigen::VectorXd &coordinates,
-                     Eigen::VectorXd &velocity) override;
+    void            prepare_step(ContactStep &step) override;
+    void            finish_step(Eigen::VectorXd &coordinates,
+                                Eigen::VectorXd &velocity) override;
+    Eigen::VectorXd guess_of_forces() const override;
     /** What jumps of forces in the step add to the coordinates; empty: there
      * are none. Bends add less than the steps are exact to. */
     Eigen::VectorXd by_jumps(const ChangesInStep &changes) const;
@@ -49,7 +54,8 @@ namespace squeal
     const CycleFriction       &friction;
     const double               dt;
     ContactPast                past;
-    const StepCorrections     *held = nullptr;
+    const StepCorrections     *held      = nullptr;
+    const Orbit               *neighbour = nullptr;
     StepCorrections            used;
     Eigen::VectorXd            force_at_start, motion_at_start; // of the step
   };

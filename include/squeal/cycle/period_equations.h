@@ -37,14 +37,16 @@ namespace squeal
   bool is_steady(const PeriodMap &map, const Orbit &orbit);
 
   /** The orbit of a period that starts at @p start with what it misses; false
-   * where a step has no solution. @p past, @p held: see PeriodMap::run(). */
+   * where a step has no solution. @p past, @p held, @p neighbour: see
+   * PeriodMap::run(). */
   bool try_orbit(const PeriodMap       &map,
                  const MotionState     &start,
                  const double           period,
                  const unsigned int     n_steps,
                  const ContactPast     &past,
                  const StepCorrections *held,
-                 PeriodicMotion        &motion);
+                 PeriodicMotion        &motion,
+                 const Orbit           *neighbour = nullptr);
 
   /** When the changes of status within steps are no longer located anew: the
    * steps jump a little where a change of one node disturbs what is told from

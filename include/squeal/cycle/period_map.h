@@ -34,13 +34,17 @@ namespace squeal
               std::vector<unsigned int>  nodes_of_pairs = {});
 
     /** @p past: of the start; changes of status in the first steps are located
-     * where it is known, or are those of @p held. Throws ComputationError where a step has no solution,
-     * InputError for steps that are too long. */
+     * where it is known, or are those of @p held. @p neighbour: a motion nearby,
+     * whose forces the contact is solved from where it has as many steps; the
+     * solution is the same to the tolerance and found sooner. Throws
+     * ComputationError where a step has no solution, InputError for steps that
+     * are too long. */
     Orbit run(const MotionState     &start,
               const double           time,
               const unsigned int     n_steps,
-              const ContactPast     &past = {},
-              const StepCorrections *held = nullptr) const;
+              const ContactPast     &past      = {},
+              const StepCorrections *held      = nullptr,
+              const Orbit           *neighbour = nullptr) const;
 
     /** The same with changes of status at the ends of steps, as those of a
      * ReducedTransient: of first order there, but no motion with many impacts
@@ -92,7 +96,9 @@ namespace squeal
                  const double           time,
                  const unsigned int     n_steps,
                  const ContactPast     &past,
-                 const StepCorrections *held) const;
+                 const StepCorrections *held,
+                 const Orbit           *neighbour,
+                 const double           contact_tolerance) const;
 
     const ReducedContactModel &model;
     TransientDrive             drive;

@@ -52,6 +52,9 @@ namespace squeal
     {
       return modes;
     }
+    /** Nodal forces, N, that the contact at the end of the step is solved from:
+     * those of the last steps go on. */
+    virtual Eigen::VectorXd guess_of_forces() const;
 
   private:
     /** Called before the contact of a step is solved: may move what slip is
