@@ -241,10 +241,10 @@ namespace squeal
     /** How near node @p j comes to opening (1: it does) or to sticking in the
      * motion @p orbit; 0 where it is open in steady sliding. */
     double
-    share_of_change(const PeriodMap     &map,
-                    const SteadySliding &steady,
-                    const Orbit         &orbit,
-                    const unsigned int   j)
+    nearness_to_change(const PeriodMap     &map,
+                       const SteadySliding &steady,
+                       const Orbit         &orbit,
+                       const unsigned int   j)
     {
       const double pressing = steady.forces[3 * j];
       if (steady.status[j] == ContactStatus::open || !(pressing > 0.))
@@ -371,7 +371,7 @@ namespace squeal
       {
         std::vector<double> &of_pair = result.emplace_back();
         for (unsigned int j = first; j < first + n_nodes; ++j)
-          if (const double share = share_of_change(map, steady, orbit, j);
+          if (const double share = nearness_to_change(map, steady, orbit, j);
               share > 0.)
             of_pair.push_back(small / share);
         std::sort(of_pair.begin(), of_pair.end());

@@ -92,6 +92,9 @@ namespace squeal
           refuse_entry("Transient",
                        "Final speed ratio",
                        "must be 1: steady sliding has one speed");
+        if (t.start != TransientParameters::Start::steady_sliding)
+          refuse_entry(
+            "Transient", "Start", "must be steady sliding: blows strike that");
       }
 
       /** Steps of a half sine: with fewer its impulse is off by more than 1 %,
@@ -170,6 +173,12 @@ namespace squeal
       check_blows(p);
       check_window(p);
       check_constant_drive(p.transient);
+      for (const ContactParameters &c : p.scene.contacts)
+        if (c.state == ContactParameters::State::stick)
+          refuse_entry("Scene/Contact " + c.name,
+                       "Contact state",
+                       "= stick: the blows of 'Analysis = triggers' strike "
+                       "steady sliding; use full or preload");
     }
   } // namespace prm
 } // namespace squeal

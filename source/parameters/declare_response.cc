@@ -102,7 +102,8 @@ namespace squeal
                    f.check_tolerance,
                    Allowed::positive(1.),
                    "Largest error there, relative to the largest response at "
-                   "that frequency, beyond which the run warns.");
+                   "that frequency and to the size of each response itself, "
+                   "beyond which the run warns.");
         schema.leave_section();
       }
 

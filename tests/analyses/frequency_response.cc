@@ -261,6 +261,40 @@ subsection Frequency response
           "responses are reciprocal with sticking contact");
   }
 
+  /** Differences of every response over its own size at the checked
+   * frequencies; the largest of them. */
+  double
+  worst_of_own_size()
+  {
+    const Table table = read_csv("out/direct_check.csv");
+    std::map<std::string, std::vector<std::size_t>> rows;
+    for (std::size_t r = 0; r < table.n_rows(); ++r)
+      rows[table.text(r, "contact_state") + "/" + table.text(r, "excitation") +
+           "/" + table.text(r, "response")]
+        .push_back(r);
+    Worst worst;
+    for (const auto &[name, of_one] : rows)
+      {
+        double squares = 0.;
+        for (const std::size_t r : of_one)
+          squares += std::norm(Complex(table.real(r, "direct_real"),
+                                       table.real(r, "direct_imag")));
+        const double size = std::sqrt(squares / of_one.size());
+        for (const std::size_t r : of_one)
+          {
+            const double difference =
+              std::hypot(table.real(r, "real") - table.real(r, "direct_real"),
+                         table.real(r, "imag") - table.real(r, "direct_imag"));
+            check_close(table.real(r, "difference_of_own_rel"),
+                        difference / size,
+                        1e-6,
+                        name + ": difference over its own size");
+            worst.add(difference / size);
+          }
+      }
+    return worst.largest();
+  }
+
   double
   worst_check()
   {
@@ -294,6 +328,7 @@ subsection Frequency response
           std::cout << "        " << residual << ", margin " << margin << ": "
                     << worst_check() << std::endl;
         }
+    check(worst_of_own_size() > 0., "differences of every response");
     check(error["fa3"] <= 1e-3,
           "superposition with both residual terms within 1e-3 of direct "
           "solutions");

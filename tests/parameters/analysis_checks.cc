@@ -344,6 +344,10 @@ namespace
        {"'Transient/Friction impulse'", "must be 0"}},
       {"Transient/Final speed ratio = 0.5",
        {"'Transient/Final speed ratio'", "must be 1"}},
+      {"Transient/Start = ramp",
+       {"'Transient/Start'", "must be steady sliding"}},
+      {"Scene/Contact pad_disc/Contact state = stick",
+       {"'Scene/Contact pad_disc/Contact state' = stick", "steady sliding"}},
       {"Transient/Integrator = implicit",
        {"'Transient/Integrator'", "must be reduced"}}};
     for (const auto &[change, parts] : faults)

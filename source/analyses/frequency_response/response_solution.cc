@@ -95,6 +95,37 @@ namespace squeal
     return worst;
   }
 
+  Eigen::MatrixXd
+  StateResponse::size_of_functions() const
+  {
+    constexpr double rounding = 1e-10;
+    if (checks.empty())
+      return {};
+    Eigen::MatrixXd size = 0. * checks.front().exact.cwiseAbs();
+    for (const ResponseCheck &check : checks)
+      size += check.exact.cwiseAbs2();
+    size                  = (size / checks.size()).cwiseSqrt();
+    const double smallest = rounding * worst_of(size);
+    return size.unaryExpr(
+      [=](const double s) { return s > smallest ? s : std::nan(""); });
+  }
+
+  StateResponse::WorstFunction
+  StateResponse::worst_function() const
+  {
+    const Eigen::MatrixXd size = size_of_functions();
+    WorstFunction         worst;
+    for (const ResponseCheck &check : checks)
+      for (Eigen::Index j = 0; j < size.cols(); ++j)
+        for (Eigen::Index i = 0; i < size.rows(); ++i)
+          if (const double error =
+                std::abs(check.superposed(i, j) - check.exact(i, j)) /
+                size(i, j);
+              error > worst.error)
+            worst = {error, i, j};
+    return worst;
+  }
+
   std::string
   StateResponse::unstable() const
   {

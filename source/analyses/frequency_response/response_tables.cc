@@ -224,6 +224,12 @@ namespace squeal
         Type::real,
         "",
         "over the largest response at that frequency",
+        2},
+       {"difference_of_own_rel",
+        Type::real,
+        "",
+        "over the root mean square of this response at all frequencies here; "
+        "empty where that is rounding of others",
         2}}));
     for (const auto &state : states)
       for_each_pair(
@@ -233,17 +239,22 @@ namespace squeal
         [&](const unsigned int       i,
             const unsigned int       j,
             const std::vector<Cell> &first) {
+          if (state.checks.empty())
+            return;
+          const double size = state.size_of_functions()(i, j);
           for (const auto &check : state.checks)
             {
               const auto a = check.exact(i, j), b = check.superposed(i, j);
-              add_row(table,
-                      first,
-                      {check.frequency,
-                       a.real(),
-                       a.imag(),
-                       b.real(),
-                       b.imag(),
-                       std::abs(b - a) / worst_of(check.exact.cwiseAbs())});
+              add_row(
+                table,
+                first,
+                {check.frequency,
+                 a.real(),
+                 a.imag(),
+                 b.real(),
+                 b.imag(),
+                 std::abs(b - a) / worst_of(check.exact.cwiseAbs()),
+                 std::isfinite(size) ? Cell(std::abs(b - a) / size) : Cell()});
             }
         });
     return table;

@@ -215,8 +215,8 @@ namespace squeal
     void
     warn_of_rising_rms(const TransientFigures &f, RunLog &log)
     {
-      constexpr double settled = 0.02;
-      if (f.has_limit_cycle && std::abs(f.rms_change_share) > settled)
+      if (f.has_limit_cycle &&
+          std::abs(f.rms_change_share) > settled_rms_change)
         log.warning(
           "the rms of the limit cycle still " +
           std::string(f.rms_change_share > 0. ? "rises" : "falls") + ", by " +

@@ -328,6 +328,34 @@ namespace squeal
 
 
 
+    /** Warns of the limit cycles whose rms has not settled. */
+    void
+    warn_of_rising_rms(const Table                    &table,
+                       const std::vector<CampaignRun> &runs,
+                       RunLog                         &log)
+    {
+      if (!table.has_column("rms_normal_change_n"))
+        return;
+      std::string text;
+      for (std::size_t k = 0; k < table.n_rows(); ++k)
+        {
+          const double change = table.real(k, "rms_normal_change_n"),
+                       rms    = table.real(k, "rms_normal_n");
+          if (table.text(k, "limit_cycle") == "yes" &&
+              std::abs(change) > settled_rms_change * rms)
+            text += (text.empty() ? "" : "; ") + run_label(runs[k], table) +
+                    " (by " + rounded_text(100. * std::abs(change) / rms, 2) +
+                    " %)";
+        }
+      if (!text.empty())
+        log.warning(
+          "the rms of these limit cycles still rises or falls between "
+          "the halves of the time that it is taken over: " +
+          text + ": raise 'Transient/End time'");
+    }
+
+
+
     std::string
     campaign_verdict(const Table &table, const Parameters &p)
     {
@@ -396,6 +424,7 @@ namespace squeal
       for (const auto &group : groups)
         runner.run(group);
     }
+    warn_of_rising_rms(results.table, runs, context.log);
     report_campaign(context, results, runs);
   }
 } // namespace squeal

@@ -418,42 +418,6 @@ namespace squeal
     return !(f.most_rms > least_vibration * f.mean_normal);
   }
 
-  std::string
-  reason_for_no_cycle(const TransientFigures &f)
-  {
-    if (nothing_vibrates(f))
-      return "nothing vibrates";
-    if (f.dies_out)
-      return "the vibration dies out";
-    return "the vibration is uneven, " + rounded_text(f.least_rms, 3) + " to " +
-           rounded_text(f.most_rms, 3) + " N rms of the " +
-           (f.by_tangential ? "tangential" : "normal") +
-           " force in the quarters of the second half of the run";
-  }
-
-
-
-  std::string
-  limit_cycle_text(const TransientFigures &f)
-  {
-    if (f.has_limit_cycle && f.beyond_samples > 0.)
-      return "a frequency that its samples do not tell, as a motion at " +
-             rounded_text(f.beyond_samples, 5) + " Hz grows";
-    if (f.has_limit_cycle)
-      return rounded_text(f.frequency, 5) +
-             (std::isfinite(f.frequency_ci)
-                ? " +- " + rounded_text(f.frequency_ci, 2) + " Hz"
-                : " Hz, in a run too short for an interval") +
-             (f.largest_line > 1.5 * f.frequency
-                ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
-                : "") +
-             ", repeats itself to " + rounded_text(f.repetition, 3) +
-             (f.by_tangential ? ", of the tangential force: the normal force "
-                                "is steady"
-                              : "");
-    return "none: " + reason_for_no_cycle(f);
-  }
-
 
 
   double

@@ -58,7 +58,19 @@ namespace squeal
      * not exact however many modes it has. */
     bool has_loss_factors = false;
 
+    /** Largest difference to direct solutions over the largest response at its
+     * frequency. */
     double worst_check() const;
+    /** Root mean square of every function, responses x excitations, over the
+     * checked frequencies; NaN where it is rounding of the largest one. */
+    Eigen::MatrixXd size_of_functions() const;
+    /** The function that superposition is farthest off for its own size. */
+    struct WorstFunction
+    {
+      double       error    = 0.; /**< over its own size */
+      Eigen::Index response = 0, excitation = 0;
+    };
+    WorstFunction worst_function() const;
     /** Names of pairs with sigma > 0. */
     std::string unstable() const;
   };

@@ -136,15 +136,9 @@ namespace squeal
                                   const TransientParameters &t,
                                   const double               interval);
 
-  /** The limit cycle in words, or why there is none. */
-  std::string limit_cycle_text(const TransientFigures &figures);
-
   /** Whether the force that is judged is steady, but for a drift and noise,
    * over the second half of the run. */
   bool nothing_vibrates(const TransientFigures &figures);
-
-  /** Of a run that has none: what it does instead. */
-  std::string reason_for_no_cycle(const TransientFigures &figures);
 
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
    * mean squares, N, of the normal force or, where that does not vibrate, of

@@ -28,6 +28,16 @@ namespace squeal
    * fit tells no rate. */
   std::string growth_text(const TransientFigures &figures);
 
+  /** The limit cycle in words, or why there is none. */
+  std::string limit_cycle_text(const TransientFigures &figures);
+
+  /** Of a run that has none: what it does instead. */
+  std::string reason_for_no_cycle(const TransientFigures &figures);
+
+  /** A limit cycle has settled where its rms changes by no more than this share
+   * between the halves of the time that it is taken over. */
+  constexpr double settled_rms_change = 0.02;
+
   /** That samples @p interval, s, apart tell nothing of a motion at
    * @p frequency, Hz, and what is left empty for it. */
   std::string text_of_sampling(const double frequency, const double interval);
