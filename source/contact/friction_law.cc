@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace squeal
 {
@@ -16,6 +17,34 @@ namespace squeal
     return {Eigen::VectorXd::Constant(n, coefficient),
             Eigen::VectorXd::Zero(n)};
   }
+
+
+
+  namespace
+  {
+    /** Of a table, s/m, before point @p i of it; 0 behind the last one. */
+    double
+    slope_before(const std::size_t          i,
+                 const std::vector<double> &speeds,
+                 const std::vector<double> &coefficients)
+    {
+      return i < speeds.size() ? (coefficients[i] - coefficients[i - 1]) /
+                                   (speeds[i] - speeds[i - 1])
+                               : 0.;
+    }
+
+    /** The point of a table at speed @p v, but for rounding, other than the
+     * first one, at rest. */
+    std::optional<std::size_t>
+    point_at(const double v, const std::vector<double> &speeds)
+    {
+      constexpr double rounding = 1e-9;
+      for (std::size_t i = 1; i < speeds.size(); ++i)
+        if (std::abs(v - speeds[i]) <= rounding * speeds[i])
+          return i;
+      return {};
+    }
+  } // namespace
 
 
 
@@ -63,7 +92,8 @@ namespace squeal
     const std::size_t i =
       std::upper_bound(speeds.begin(), speeds.end(), v) - speeds.begin();
     Assert(i > 0, dealii::ExcInternalError());
-    return coefficients[i - 1] + slope(v) * (v - speeds[i - 1]);
+    return coefficients[i - 1] +
+           slope_before(i, speeds, coefficients) * (v - speeds[i - 1]);
   }
 
 
@@ -75,12 +105,17 @@ namespace squeal
       return decay_speed > 0.
                ? -static_excess / decay_speed * std::exp(-v / decay_speed)
                : 0.;
-    if (kind == ContactParameters::FrictionLaw::constant || v >= speeds.back())
+    if (kind == ContactParameters::FrictionLaw::constant)
       return 0.;
-    const std::size_t i =
-      std::upper_bound(speeds.begin(), speeds.end(), v) - speeds.begin();
-    return (coefficients[i] - coefficients[i - 1]) /
-           (speeds[i] - speeds[i - 1]);
+    // A small vibration about a point of the table sees both slopes for half of
+    // the time: it gains and loses by their mean.
+    if (const auto i = point_at(v, speeds))
+      return .5 * (slope_before(*i, speeds, coefficients) +
+                   slope_before(*i + 1, speeds, coefficients));
+    return slope_before(std::upper_bound(speeds.begin(), speeds.end(), v) -
+                          speeds.begin(),
+                        speeds,
+                        coefficients);
   }
 
 
@@ -232,6 +267,31 @@ namespace squeal
     const FrictionLaw law(c);
     return law.is_constant() ? c.friction_slope
                              : law.slope(c.sliding_speed * speed_ratio);
+  }
+
+
+
+  std::string
+  remark_on_kink(const ContactParameters &c)
+  {
+    if (c.friction_law != ContactParameters::FrictionLaw::table)
+      return "";
+    const auto i = point_at(c.sliding_speed, c.friction_speeds);
+    if (!i)
+      return "";
+    const double before =
+                   slope_before(*i, c.friction_speeds, c.friction_coefficients),
+                 after = slope_before(
+                   *i + 1, c.friction_speeds, c.friction_coefficients);
+    return before == after
+             ? ""
+             : "the sliding speed of contact '" + c.name + "', " +
+                 rounded_text(c.sliding_speed, 4) +
+                 " m/s, is a point of its table of friction, where the slope "
+                 "changes from " +
+                 rounded_text(before, 3) + " to " + rounded_text(after, 3) +
+                 " s/m: growth rates are those of the mean slope, which small "
+                 "vibrations about the point have";
   }
 
 

@@ -2,6 +2,7 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/contact/contact_faces.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/contact/mortar.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/model/imported_system.h>
@@ -352,6 +353,9 @@ namespace squeal
       log.warning(remark);
     for (const auto &remark : remarks_on_points(*this))
       log.warning(remark);
+    for (const ContactParameters &c : scene.contacts)
+      if (const std::string remark = remark_on_kink(c); !remark.empty())
+        log.warning(remark);
     RunLog::Lines lines;
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {

@@ -89,6 +89,11 @@ namespace squeal
                        "none");
         if (l.stiffness_entry.empty())
           return;
+        if (l.run_in == PreloadParameters::RunIn::archard)
+          refuse_entry("Preload",
+                       "Stiffness entry",
+                       "has nothing to show with 'Run-in = archard': the depth "
+                       "of what is worn is arbitrary, and so is an approach");
         if (!starts_with(l.stiffness_entry, "Scene/"))
           refuse_entry("Preload",
                        "Stiffness entry",

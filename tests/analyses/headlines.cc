@@ -111,7 +111,11 @@ namespace
     f.repetition      = 1.;
     check(has(explained_verdict(f, none), "a limit cycle stands beside it"),
           "and beside a limit cycle");
-    f.verdict = "unstable";
+    f.has_unseen_motions = true;
+    check(has(explained_verdict(f, none), "unless a motion above the cut-off"),
+          "where not all motions are known, not for certain");
+    f.has_unseen_motions = false;
+    f.verdict            = "unstable";
     check(explained_verdict(f, squeal) == "unstable", "unstable says it all");
     f.frequency  = 3400.;
     f.repetition = .99;

@@ -157,6 +157,29 @@ end
                   "secant stiffness to the load is that of the load pressing");
   }
 
+  /** The depth of what has worn is arbitrary, and with it any approach. */
+  void
+  run_in()
+  {
+    std::vector<std::string> settings = {"Scene/Load press/Force = 0, 0, -100",
+                                         "Preload/Run-in = archard"};
+    const auto               json     = result_of(block_scene(), settings);
+    for (const char *name : {"approach_m",
+                             "secant_stiffness_n_per_m",
+                             "approach_of_load_m",
+                             "secant_stiffness_of_load_n_per_m"})
+      check(json.at(name).is_null(),
+            std::string(name) + " of worn faces: null");
+    check_close(json.at("normal_n").get<double>(), 100., 1e-6, "their force");
+    settings.insert(settings.end(),
+                    {"Preload/Stiffness entry = Scene/Body pad/Young modulus",
+                     "Preload/Stiffness values = 1e9, 1e10"});
+    const Outcome outcome = run(block_scene(), settings);
+    check(outcome.code != 0 &&
+            unbroken(outcome.errors).find("'Run-in") != std::string::npos,
+          "and no stiffness over a number of the scene: " + outcome.errors);
+  }
+
   void
   entries_without_effect()
   {
@@ -317,6 +340,7 @@ main(int argc, char **argv)
   program = argv[1];
   ring();
   loads();
+  run_in();
   entries_without_effect();
   symmetry_plane();
 }

@@ -51,6 +51,40 @@ namespace
         name + ": slope at " + number(v) + " m/s");
   }
 
+  /** About a point of a table vibrations have the mean of both slopes, and a
+   * speed that is off by rounding is there, too. */
+  void
+  slopes_at_points(const ContactParameters &contact)
+  {
+    const FrictionLaw          law(contact);
+    const std::vector<double> &v  = contact.friction_speeds,
+                              &mu = contact.friction_coefficients;
+    for (std::size_t i = 1; i < v.size(); ++i)
+      {
+        const double before = (mu[i] - mu[i - 1]) / (v[i] - v[i - 1]),
+                     after  = i + 1 < v.size()
+                                ? (mu[i + 1] - mu[i]) / (v[i + 1] - v[i])
+                                : 0.;
+        for (const double speed : {v[i], v[i] * (1. - 4e-16)})
+          {
+            check_close(law.slope(speed),
+                        .5 * (before + after),
+                        1e-12,
+                        "slope at point " + number(v[i]));
+            check_close(law.coefficient(speed),
+                        mu[i],
+                        1e-12,
+                        "value at point " + number(v[i]));
+          }
+        ContactParameters there = contact;
+        there.name              = "pad";
+        there.sliding_speed     = v[i];
+        check(remark_on_kink(there).find("'pad'") != std::string::npos,
+              "a sliding speed there is named");
+      }
+    check(remark_on_kink(contact).empty(), "one between points is not");
+  }
+
   void
   values()
   {
@@ -86,6 +120,7 @@ namespace
     check(points.coefficient(7.) == .5, "table: the last value beyond");
     check(points.at_rest() == .6, "table: the first value at rest");
     slopes(table(), "table");
+    slopes_at_points(table());
   }
 
   void

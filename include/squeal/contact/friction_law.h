@@ -47,7 +47,8 @@ namespace squeal
     bool is_constant_in_slip() const;
     /** mu >= 0 of a node that slips at @p slip_rate >= 0, m/s. */
     double coefficient(const double slip_rate) const;
-    /** dmu/d|v_t|, s/m; at a corner of a table that of the piece above. */
+    /** dmu/d|v_t|, s/m; at a point of a table the mean of both sides', by which
+     * small vibrations about it grow. */
     double slope(const double slip_rate) const;
     /** What the tangential force of a node that sticks is limited by. */
     double at_rest() const;
@@ -124,6 +125,10 @@ namespace squeal
    * own `friction_slope`. */
   double sliding_slope(const ContactParameters &contact,
                        const double             speed_ratio);
+
+  /** Says so where the sliding speed is a point of the pair's table at which
+   * the slope changes; else empty. */
+  std::string remark_on_kink(const ContactParameters &contact);
 
   /** True where the matrices hold the normal forces of the contact: damping
    * across the sliding, or a coefficient that depends on the slip rate. */

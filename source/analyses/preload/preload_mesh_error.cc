@@ -41,7 +41,8 @@ namespace squeal
       const SteadyModel steady =
         PressedModel(p, *space, bodies, cut_off_of_statics(p), timers)
           .steady(p.preload.tolerance, timers);
-      LoadSteps result(p.scene.contacts);
+      LoadSteps result(p.scene.contacts,
+                       p.preload.run_in == PreloadParameters::RunIn::archard);
       result.add(steady.pressed, steady.sliding, 1.);
       return result;
     }

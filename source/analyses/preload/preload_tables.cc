@@ -106,19 +106,20 @@ namespace squeal
               n(ContactStatus::stick)};
     }
 
-    /** @p z: all observed motions. */
+    /** @p z: all observed motions. @p is_worn: see LoadSteps. */
     std::vector<Cell>
     face_cells(const ContactPair     &pair,
                const unsigned int     number,
                const Eigen::VectorXd &forces,
-               const Eigen::VectorXd &z)
+               const Eigen::VectorXd &z,
+               const bool             is_worn)
     {
       const auto r      = contact_resultant(pair.geometry, forces);
       const auto motion = [&](const PressedModel::Observer what) {
         return z[PressedModel::observer(number, what)];
       };
       // All round a shaft nothing approaches along one normal.
-      const double target   = looks_to_one_side(pair.geometry)
+      const double target   = looks_to_one_side(pair.geometry) && !is_worn
                                 ? motion(PressedModel::target_at_contact)
                                 : std::nan(""),
                    approach = target - motion(PressedModel::far_face),
@@ -167,8 +168,10 @@ namespace squeal
 
 
 
-  LoadSteps::LoadSteps(const std::vector<ContactParameters> &contacts)
+  LoadSteps::LoadSteps(const std::vector<ContactParameters> &contacts,
+                       const bool                            worn)
     : names(names_of_several(contacts))
+    , is_worn(worn)
     , steps({{"load_share", Type::real, "", "share of the load", 3}})
   {
     for (const auto &column : force_columns())
@@ -205,7 +208,7 @@ namespace squeal
       {
         const Eigen::VectorXd forces = pairs[i].part(state.forces);
         append(force_cells(pairs[i], forces, pairs[i].part(state.status)), row);
-        append(face_cells(pairs[i], i, forces, z), row);
+        append(face_cells(pairs[i], i, forces, z, is_worn), row);
       }
     append({state.report.iterations, state.report.residual}, row);
     steps.add_row(row);

@@ -353,10 +353,15 @@ namespace squeal
       const std::string text      = "sigma of " + rounded_text(sigma, 5) +
                                " 1/s at " + rounded_text(frequency, 6) + " Hz";
       const bool is_there = is_of_the_run(linear.lambda[k], p.transient);
-      log.info("  largest of all motions about steady sliding: " + text +
-               (is_there ? ""
-                         : ", of the reduced model above its cut-off, which "
-                           "this run does not use"));
+      const bool has_all =
+        p.transient.integrator == TransientParameters::Integrator::reduced;
+      log.info(
+        "  largest of " +
+        std::string(has_all ? "all motions" : "the motions below the cut-off") +
+        " about steady sliding: " + text +
+        (is_there ? ""
+                  : ", of the reduced model above its cut-off, which "
+                    "this run does not use"));
       const std::string growing = text_of_growth_outside(linear, p);
       if (sigma > 0. && is_there &&
           (frequency < p.eigen.lowest_frequency ||

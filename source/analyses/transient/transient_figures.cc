@@ -377,7 +377,9 @@ namespace squeal
     TransientFigures f;
     evaluate_branches(prepared, record, p.transient, cea, f);
     f.growing_outside = text_of_growth_outside(prepared.linear, p);
-    f.verdict         = verdict_of(f);
+    f.has_unseen_motions =
+      p.transient.integrator != TransientParameters::Integrator::reduced;
+    f.verdict = verdict_of(f);
     evaluate_limit_cycle(prepared, record, p, f);
     evaluate_nodes(record, f);
     // Against the work of the whole run: at the start there is next to none.

@@ -27,6 +27,16 @@ namespace squeal
                ? "sustained vibration without a period"
                : "limit cycle";
     }
+
+    /** How it is related to steady sliding about which nothing that is known
+     * grows. */
+    std::string
+    beside(const TransientFigures &f)
+    {
+      return f.has_unseen_motions
+               ? "stands beside it (unless a motion above the cut-off grows)"
+               : "stands beside it";
+    }
   } // namespace
 
 
@@ -142,12 +152,11 @@ namespace squeal
          ? f.verdict + " about steady sliding"
          : f.verdict + " in the band; " + f.growing_outside);
     if (trigger.text == "squeal after the trigger")
-      return about +
-             "; squeals after the trigger: a limit cycle stands beside it";
+      return about + "; squeals after the trigger: a limit cycle " + beside(f);
     if (trigger.text == "squeal by itself")
       return about + "; squeals without the trigger";
     if (f.has_limit_cycle)
-      return about + "; a " + kind_of_cycle(f) + " stands beside it";
+      return about + "; a " + kind_of_cycle(f) + " " + beside(f);
     return f.growing_outside.empty() ? f.verdict : about;
   }
 

@@ -17,7 +17,10 @@ namespace squeal
   class LoadSteps
   {
   public:
-    explicit LoadSteps(const std::vector<ContactParameters> &contacts);
+    /** @p is_worn: the faces have run in; as the depth of what is worn is
+     * arbitrary, bodies have no approach and no secant stiffness then. */
+    explicit LoadSteps(const std::vector<ContactParameters> &contacts,
+                       const bool                            is_worn = false);
 
     void add(const PressedModel  &pressed,
              const SteadySliding &state,
@@ -40,6 +43,7 @@ namespace squeal
 
   private:
     const std::vector<std::string> names; /**< of several pairs */
+    const bool                     is_worn;
     Table                          steps;
   };
 

@@ -69,6 +69,9 @@ namespace squeal
     /** That motion in words, "a motion at 38995 Hz, outside the band, grows
      * (sigma of 6.52 1/s)"; empty where there is none that is of the run. */
     std::string growing_outside;
+    /** The run moves all unknowns, and motions above the cut-off are not among
+     * those that are linearised: they may grow. */
+    bool   has_unseen_motions = false;
     double linear_start = 0., linear_end = 0.; /**< of the linear phase, s */
 
     /** @name Over the second half of the run */
