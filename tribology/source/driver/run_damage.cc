@@ -220,8 +220,7 @@ namespace squeal::tribology
         return up_to +
                "all cycles of the pressure are compressive, in which '" +
                choice_name(fatigue.mean_stress) +
-               "' sees no damage: count a traction or take another 'Mean "
-               "stress'";
+               "' sees no damage: take another 'Mean stress'";
       return up_to + "no cycle counts" +
              (fatigue.endurance_limit > 0.
                 ? ": the largest stays below 'Endurance limit' = " +

@@ -48,7 +48,8 @@ namespace squeal::tribology
       schema.add("Mean stress",
                  f.mean_stress,
                  "Correction of the amplitude for the mean of the cycle, "
-                 "tension positive.");
+                 "tension positive; none for tractions, which are no normal "
+                 "stress.");
       schema.add("Ultimate strength",
                  f.ultimate_strength,
                  Allowed::number(0.),
