@@ -32,11 +32,13 @@ namespace squeal::tribology
 
 
     void
-    draw_maps(Context                              &context,
-              const DamageStudy                    &study,
-              const std::vector<ContactMap::Panel> &panels,
-              const std::string                    &name)
+    draw_maps(Context                       &context,
+              const DamageStudy             &study,
+              std::vector<ContactMap::Panel> panels,
+              const std::string             &name)
     {
+      for (ContactMap::Panel &panel : panels)
+        panel.values = study.grid.drawn_values(panel.values);
       ContactMap(study.grid.drawn_face())
         .plot(
           context.plotter, panels, context.plot_path(name + study.suffix()), 3);
