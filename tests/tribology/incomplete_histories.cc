@@ -210,6 +210,13 @@ namespace
     const std::string turned = run_damage("  set File = turned.h5\n");
     check(has(turned, direction) && !has(turned, "the friction power is"),
           "sliding the other way than the history says");
+    const std::string dragged = "the tractions point along (0, -1.0)";
+    write_history("dragged.h5", times, pressures, false, -.5);
+    check(has(run_damage("  set File = dragged.h5\n"), dragged),
+          "without slip rates tractions tell where the disc slides");
+    write_history("along.h5", times, pressures, false);
+    check(!has(run_damage("  set File = along.h5\n"), "the tractions point"),
+          "along the sliding they have no word");
     write_history("usual.h5", times, pressures, true);
     const std::string usual = run_damage("  set File = usual.h5\n");
     check(!has(usual, "the friction power is") &&
