@@ -204,6 +204,8 @@ namespace squeal::tribology
             if (!(value <= best[0]))
               best = {{value, p.depth}};
           }
+      if (best[0] == 0.) // alike at all depths
+        best[1] = NAN;
       return best;
     }
   } // namespace

@@ -13,6 +13,12 @@ namespace squeal::tribology
 {
   namespace
   {
+    /** Of the largest damage, by which the others may be lower where no place
+     * has the most. */
+    constexpr double alike = 0.005;
+
+
+
     void
     count(Context &context, DamageStudy &study, const std::string &name)
     {
@@ -151,6 +157,30 @@ namespace squeal::tribology
 
 
 
+    /** Entries that nothing of this history takes. */
+    void
+    warn_of_unused_entries(Context &context, const DamageStudy &study)
+    {
+      const HistoryLayout     &layout = study.reader.layout();
+      const SurfaceParameters &set    = context.parameters.surface, otherwise;
+      const auto               warn   = [&](const std::string &entry) {
+        context.log.warning(study.reader.path() + ": 'Surface/" + entry +
+                            "' is set but not used: " +
+                            (layout.has_status
+                                               ? "the status of the history tells contact, "
+                                                 "stick and slip"
+                                               : "the history has no slip rate"));
+      };
+      if (layout.has_status &&
+          set.contact_pressure != otherwise.contact_pressure)
+        warn("Contact pressure");
+      if ((layout.has_status || !layout.has_slip_rate) &&
+          set.stick_speed != otherwise.stick_speed)
+        warn("Stick speed");
+    }
+
+
+
     void
     evaluate_below_the_face(Context &context, DamageStudy &study)
     {
@@ -247,6 +277,12 @@ namespace squeal::tribology
         pair.empty() ? "the face" : "the face of " + pair;
       if (!(damage[worst] > 0.))
         return "no damage on " + face + ": " + why_no_damage(table, fatigue);
+      const std::string slope = " (slope " +
+                                slope_name(fatigue.exponents.front()) + ")" +
+                                (fatigue.constants.empty() ? ", an index" : "");
+      const double least = *std::min_element(damage.begin(), damage.end());
+      if (least >= (1. - alike) * damage[worst])
+        return "the same damage all over " + face + slope;
       const auto   place = study.grid.place(worst);
       const double along = study.grid.share_of_way(worst);
       return "most damage " +
@@ -257,9 +293,7 @@ namespace squeal::tribology
              " of " + face + ", at x = " + rounded_text(1e3 * place[0], 3) +
              " mm, y = " + rounded_text(1e3 * place[1], 3) + " mm: " +
              rounded_text(damage[worst] / sums.real(0, "mean_" + column), 3) +
-             " times the mean of the face (slope " +
-             slope_name(fatigue.exponents.front()) + ")" +
-             (fatigue.constants.empty() ? ", an index" : "");
+             " times the mean of the face" + slope;
     }
 
 
@@ -323,9 +357,12 @@ namespace squeal::tribology
           require_same_nodes(*r.study, *r.silent);
         }
       warn_of_what_is_missing(context, *r.study);
-      warn_of_missing_slip(context, *r.study);
-      if (r.silent)
-        warn_of_missing_slip(context, *r.silent);
+      for (const DamageStudy *study : {r.study.get(), r.silent.get()})
+        if (study)
+          {
+            warn_of_missing_slip(context, *study);
+            warn_of_unused_entries(context, *study);
+          }
       const std::string of = pair.empty() ? pair : ", " + pair;
       count(context, *r.study, (r.silent ? "squealing" : "contact") + of);
       if (r.silent)
