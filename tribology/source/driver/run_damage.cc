@@ -111,7 +111,7 @@ namespace squeal::tribology
               power += a * node.surface.friction_energy / t;
               impacts += node.surface.impacts / t;
               for (std::size_t c = 0; c < damage.size(); ++c)
-                damage[c] += a * node.damage[c] / study->damage.duration;
+                damage[c] += a * node.damage[c] / study->damage.period;
             }
           std::vector<Cell> row = {name_of_run(*study, studies),
                                    study->damage.duration,
@@ -218,11 +218,12 @@ namespace squeal::tribology
 
 
     RunRecord::Pairs
-    main_figures(const DamageStudy &study,
-                 const Table       &table,
-                 const double       exponent)
+    main_figures(const DamageStudy         &study,
+                 const Table               &table,
+                 const std::vector<double> &exponents)
     {
-      const std::string slope = slope_name(exponent);
+      const std::string slope = slope_name(exponents.back());
+      const double      lost  = study.damage.lost_share;
       return {
         {"nodes", std::to_string(study.grid.n_nodes())},
         {"samples", std::to_string(study.damage.samples)},
@@ -230,6 +231,9 @@ namespace squeal::tribology
          rounded_text(1e-6 * largest(table, "peak_pressure_pa"), 4)},
         {"largest damage per second, " + slope,
          rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
+        {"part of the mean damage lost between samples, " +
+           slope_name(*std::max_element(exponents.begin(), exponents.end())),
+         lost < 1e-3 ? "below 0.1 %" : rounded_text(100. * lost, 2) + " %"},
         {"points kept by a counter", std::to_string(study.damage.deepest)}};
     }
 
@@ -382,7 +386,7 @@ namespace squeal::tribology
       write_maps(context, *r.study, r.table);
       if (p.output.plots && context.plotter.is_available())
         draw_damage_pictures(context, *r.study, r.table, r.silent != nullptr);
-      r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents.back());
+      r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents);
       r.headline = damage_headline(*r.study, r.table, r.sums, p.fatigue);
       if (r.silent)
         r.headline += "; the face takes " +

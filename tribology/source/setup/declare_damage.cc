@@ -77,7 +77,9 @@ namespace squeal::tribology
     schema.add("Residue",
                f.residue,
                "What remains uncounted at the end (ASTM E1049): half cycles, "
-               "or full cycles of a history that repeats.");
+               "or full cycles of a history that repeats. Its period is the "
+               "time from the first to the last sample, and a mean interval "
+               "more unless these two agree.");
     declare_strength(schema, f);
     schema.add("Accumulation",
                f.accumulation,
