@@ -11,6 +11,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/damage_vtu.cc
     source/damage/history_contradictions.cc
     source/damage/history_damage.cc
+    source/damage/peak_loss.cc
     source/damage/range_mean_picture.cc
     source/damage/sample_spacing.cc
     source/damage/subsurface.cc
@@ -31,6 +32,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/fatigue/accumulation.cc
     source/fatigue/damage_counter.cc
     source/fatigue/mean_stress.cc
+    source/fatigue/peak_sharpener.cc
     source/fatigue/sn_curve.cc
     source/fatigue/spectral.cc
     source/history/clipped_sine.cc

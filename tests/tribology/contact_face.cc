@@ -93,6 +93,64 @@ namespace
           "where the disc slides all round there is no leading edge");
   }
 
+  /** Pictures show the whole face of a grid, whether its nodes are those of a
+   * mesh or the middles of cells. */
+  void
+  check_drawn_face(const bool are_middles)
+  {
+    constexpr unsigned int n_x = 5, n_y = 4;
+    constexpr double       step = 1e-3; // m
+    HistoryLayout          layout;
+    std::vector<double>    values;
+    for (unsigned int j = 0; j < n_y; ++j)
+      for (unsigned int i = 0; i < n_x; ++i)
+        {
+          const double x = i == 0 || i + 1 == n_x ? .5 : 1.,
+                       y = j == 0 || j + 1 == n_y ? .5 : 1.;
+          layout.points.push_back({{step * i, step * j, 0.}});
+          layout.areas.push_back(step * step * (are_middles ? 1. : x * y));
+          values.push_back(layout.points.size());
+        }
+    const ContactGrid         grid(layout);
+    const DrawnFace           face  = grid.drawn_face();
+    const std::vector<double> drawn = grid.drawn_values(values);
+    check(drawn.size() == face.places.size() &&
+            face.points.size() == drawn.size() &&
+            face.areas.size() == drawn.size(),
+          "a value for each drawn point");
+    Worst x, y;
+    bool  are_near = true;
+    for (std::size_t k = 0; k < drawn.size(); ++k)
+      {
+        const auto [px, py] = face.places[k];
+        x.add(px);
+        y.add(py);
+        const auto node = static_cast<std::size_t>(drawn[k]) - 1;
+        are_near        = are_near &&
+                   std::abs(px - grid.place(node)[0]) < .51 * step &&
+                   std::abs(py - grid.place(node)[1]) < .51 * step;
+      }
+    const double beyond = are_middles ? .5 * step : 0.;
+    check(std::abs(x.smallest() + beyond) < 1e-12 &&
+            std::abs(x.largest() - (n_x - 1) * step - beyond) < 1e-12 &&
+            std::abs(y.smallest() + beyond) < 1e-12 &&
+            std::abs(y.largest() - (n_y - 1) * step - beyond) < 1e-12,
+          "the drawn face ends where the face does");
+    check(are_near, "each point has the value of the nearest node");
+    double area = 0.;
+    for (const auto &quad : face.quads)
+      {
+        const auto &a = face.places[quad[0]], &b = face.places[quad[2]];
+        area += (b[0] - a[0]) * (b[1] - a[1]);
+      }
+    double sum = 0.;
+    for (const double a : layout.areas)
+      sum += a;
+    check_close(area, sum, 1e-12, "its pieces cover the face once");
+    check(grid.quads().size() == (n_x - 1) * (n_y - 1),
+          "between nodes there are as many as before");
+  }
+
   void
   check_limits()
   {
@@ -115,5 +173,7 @@ main()
   check_edge_distance(true);
   check_edge_distance(false);
   check_leading_edge();
+  check_drawn_face(true);
+  check_drawn_face(false);
   check_limits();
 }

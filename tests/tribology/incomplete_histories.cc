@@ -210,6 +210,13 @@ namespace
     const std::string turned = run_damage("  set File = turned.h5\n");
     check(has(turned, direction) && !has(turned, "the friction power is"),
           "sliding the other way than the history says");
+    const std::string dragged = "the tractions point along (0, -1.0)";
+    write_history("dragged.h5", times, pressures, false, -.5);
+    check(has(run_damage("  set File = dragged.h5\n"), dragged),
+          "without slip rates tractions tell where the disc slides");
+    write_history("along.h5", times, pressures, false);
+    check(!has(run_damage("  set File = along.h5\n"), "the tractions point"),
+          "along the sliding they have no word");
     write_history("usual.h5", times, pressures, true);
     const std::string usual = run_damage("  set File = usual.h5\n");
     check(!has(usual, "the friction power is") &&
@@ -257,6 +264,61 @@ namespace
                 -(2. + 2. + 3.) / 3. * 1e6,
                 1e-9,
                 "its mean by the trapezoidal rule");
+    const Outcome beyond = run_program({program,
+                                        "test.prm",
+                                        "--set",
+                                        "Fatigue/Mean stress = goodman",
+                                        "--set",
+                                        "Fatigue/Ultimate strength = 1e5"});
+    check(beyond.code == 2 && has(beyond.errors, "Ultimate strength"),
+          "a mean stress beyond the strength is refused: " + beyond.errors);
+  }
+
+
+
+  /** Entries without effect, values of nothing, and what indices are over. */
+  void
+  what_is_said()
+  {
+    const auto run = [](const std::vector<std::string> &settings) {
+      std::vector<std::string> words = {program, "test.prm"};
+      for (const std::string &setting : settings)
+        words.insert(words.end(), {"--set", setting});
+      const Outcome outcome = run_program(words);
+      check(outcome.code == 0, "the run ends well: " + outcome.errors);
+      return text_of("damage/run.json");
+    };
+    const std::vector<std::string> surface = {"Surface/Contact pressure = 2",
+                                              "Surface/Stick speed = 1"};
+    const auto pressure = "'Surface/Contact pressure' is set but not used",
+               speed    = "'Surface/Stick speed' is set but not used";
+    run_damage("  set File = open.h5\n");
+    std::string record = run(surface);
+    check(has(record, pressure) && has(record, speed),
+          "a status tells contact and stick");
+    run_damage("  set File = unknown.h5\n");
+    record = run(surface);
+    check(!has(record, pressure) && has(record, speed),
+          "without slip rates nothing sticks");
+    run_damage("  set File = known.h5\n");
+    record = run(surface);
+    check(!has(record, pressure) && !has(record, speed),
+          "of pressures and slip rates both are used");
+
+    run({"Subsurface/Compute = true",
+         "Subsurface/Criteria = swt, crossland",
+         "Subsurface/Depths = 1e-5, 2e-5"});
+    const std::string report = text_of("damage/report.html");
+    check(has(report, "the same damage all over the face (slope m3)"),
+          "all nodes have the same damage: none has the most");
+    check(has(report, "limits that follow from Fatigue/Reference stress"),
+          "indices below the face are over limits");
+    const Table damage = read_csv("damage/damage.csv");
+    for (std::size_t k = 0; k < damage.n_rows(); ++k)
+      check(damage.is_missing(k, "subsurface_swt") ||
+              (damage.real(k, "subsurface_swt") == 0.) ==
+                damage.is_missing(k, "depth_swt_m"),
+            "a value of 0 has no depth");
   }
 
 
@@ -365,4 +427,5 @@ main(int argc, char **argv)
   worst_node_of_two_slopes();
   gaussian_noise();
   order();
+  what_is_said();
 }

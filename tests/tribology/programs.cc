@@ -384,8 +384,8 @@ end
     refuses(damage_prm +
               "subsection Fatigue\n  set Quantity = traction y\n  set Mean "
               "stress = goodman\n  set Ultimate strength = 1e5\nend\n",
-            {"Ultimate strength"},
-            "a mean stress beyond the strength");
+            {"Mean stress", "sign of the sliding"},
+            "a mean stress of a traction");
     write_text(
       "other.prm",
       replaced_in(replaced_in(history_prm("silent"), "edge = 5", "edge = 4"),

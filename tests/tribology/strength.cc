@@ -242,6 +242,13 @@ namespace
     used.mean_stress       = Kind::gerber;
     used.ultimate_strength = 1e7;
     check_fatigue(used);
+    used.quantity = F::Quantity::traction_y;
+    check_throws<InputError>([&used]() { check_fatigue(used); },
+                             "'Fatigue/Mean stress' is for normal stresses",
+                             "a mean stress of a traction");
+    used          = F();
+    used.quantity = F::Quantity::traction_y;
+    check_fatigue(used);
     const std::vector<std::pair<std::string, std::function<void(S &)>>>
       of_criteria = {
         {"Torsion ratio", [](S &s) { s.torsion_ratio = .6; }},

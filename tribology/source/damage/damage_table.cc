@@ -55,7 +55,7 @@ namespace squeal::tribology
     void
     add_damage(std::vector<Quantity>   &list,
                const FatigueParameters &f,
-               const double             duration,
+               const double             period,
                const bool               has_dirlik)
     {
       const std::string what =
@@ -70,13 +70,13 @@ namespace squeal::tribology
             {real("damage_" + m + "_per_s",
                   "1/s",
                   what + " per second, slope " + m),
-             [c, duration](const Node &n) { return n.damage[c] / duration; },
+             [c, period](const Node &n) { return n.damage[c] / period; },
              true});
           list.push_back({real("damage_" + m + "_per_application",
                                "",
                                what + " per brake application, slope " + m),
-                          [c, duration, &f](const Node &n) {
-                            return n.damage[c] / duration * f.application_time;
+                          [c, period, &f](const Node &n) {
+                            return n.damage[c] / period * f.application_time;
                           }});
           list.push_back(
             {real("damage_" + m + "_averaged_per_s",
@@ -85,7 +85,7 @@ namespace squeal::tribology
                     " per second of the stress averaged over "
                     "the averaging length, slope " +
                     m),
-             [c, duration](const Node &n) { return n.averaged[c] / duration; },
+             [c, period](const Node &n) { return n.averaged[c] / period; },
              true});
           if (has_dirlik)
             list.push_back({real("dirlik_over_counting_" + m,
@@ -94,9 +94,8 @@ namespace squeal::tribology
                                  "straight S-N line without mean stress and by "
                                  "Miner's sum, slope " +
                                    m),
-                            [c, duration](const Node &n) {
-                              return ratio(n.dirlik[c],
-                                           n.straight[c] / duration);
+                            [c, period](const Node &n) {
+                              return ratio(n.dirlik[c], n.straight[c] / period);
                             },
                             false,
                             true});
@@ -172,9 +171,11 @@ namespace squeal::tribology
                            "of the pressure"),
                       [](const Node &n) {
                         return n.surface.impacts > 0.
-                                 ? n.surface.impulse / n.surface.impacts
+                                 ? ratio(n.surface.impulse, n.surface.closures)
                                  : 0.;
-                      }});
+                      },
+                      false,
+                      true});
       list.push_back(
         {real("stick_slip_per_s", "1/s", "changes between stick and slip"),
          [per_s, known = damage.has_stick_slip](const Node &n) {
@@ -204,6 +205,8 @@ namespace squeal::tribology
             if (!(value <= best[0]))
               best = {{value, p.depth}};
           }
+      if (best[0] == 0.) // alike at all depths
+        best[1] = NAN;
       return best;
     }
   } // namespace
@@ -234,15 +237,15 @@ namespace squeal::tribology
              [](const Node &n) { return n.surface.peak_pressure; },
              true},
             {real("cycles_per_s", "1/s", "counted cycles"),
-             [&](const Node &n) { return n.cycles / squealing.duration; }},
+             [&](const Node &n) { return n.cycles / squealing.period; }},
             {real("largest_range_pa", "Pa", "largest counted range"),
              [](const Node &n) { return n.largest_range; }}};
-    add_damage(list, p.fatigue, squealing.duration, has_dirlik);
+    add_damage(list, p.fatigue, squealing.period, has_dirlik);
     add_surface(list, p.surface, p.fatigue.application_time, squealing);
     std::vector<Quantity> for_silent;
     if (silent)
       {
-        add_damage(for_silent, p.fatigue, silent->duration, false);
+        add_damage(for_silent, p.fatigue, silent->period, false);
         add_surface(for_silent, p.surface, p.fatigue.application_time, *silent);
       }
 

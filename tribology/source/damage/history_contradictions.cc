@@ -69,14 +69,21 @@ namespace squeal::tribology
             ++n_open;
             highest_open = std::max(highest_open, p);
           }
-        if (layout.has_slip_rate && p > 0.)
-          {
-            const double vx = s.slip_rate[2 * i], vy = s.slip_rate[2 * i + 1];
-            slip_x += p * vx;
-            slip_y += p * vy;
-            slip_size += p * std::hypot(vx, vy);
-          }
+        if (!layout.has_slip_rate)
+          add_way(s.traction[2 * i], s.traction[2 * i + 1]);
+        else if (p > 0.)
+          add_way(p * s.slip_rate[2 * i], p * s.slip_rate[2 * i + 1]);
       }
+  }
+
+
+
+  void
+  HistoryContradictions::add_way(const double x, const double y)
+  {
+    way_x += x;
+    way_y += y;
+    way_size += std::hypot(x, y);
   }
 
 
@@ -85,14 +92,16 @@ namespace squeal::tribology
   HistoryContradictions::note_of_direction() const
   {
     const double told = std::hypot(layout.sliding[0], layout.sliding[1]),
-                 slip = std::hypot(slip_x, slip_y);
+                 way  = std::hypot(way_x, way_y);
     // Neither counts where points slide all round or to and fro.
-    if (!(told > one_way) || !(slip > one_way * slip_size) ||
-        layout.sliding[0] * slip_x + layout.sliding[1] * slip_y >
-          least_cosine * told * slip)
+    if (!(told > one_way) || !(way > one_way * way_size) ||
+        layout.sliding[0] * way_x + layout.sliding[1] * way_y >
+          least_cosine * told * way)
       return "";
-    return "the slip rates point along (" + rounded_text(slip_x / slip, 2) +
-           ", " + rounded_text(slip_y / slip, 2) +
+    return std::string(layout.has_slip_rate ? "the slip rates point"
+                                            : "the tractions point") +
+           " along (" + rounded_text(way_x / way, 2) + ", " +
+           rounded_text(way_y / way, 2) +
            ") on the mean, but the target slides along (" +
            rounded_text(layout.sliding[0], 2) + ", " +
            rounded_text(layout.sliding[1], 2) +

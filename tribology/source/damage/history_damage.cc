@@ -3,6 +3,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/tribology/damage/history_contradictions.h>
 #include <squeal/tribology/damage/history_damage.h>
+#include <squeal/tribology/damage/peak_loss.h>
 #include <squeal/tribology/damage/sample_spacing.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
@@ -93,6 +94,32 @@ namespace squeal::tribology
           curve.endurance_limit = 0.;
         }
       return curves;
+    }
+
+
+
+    /**
+     * Time that the cycles of a history take, s. One that repeats begins anew
+     * an interval behind its last sample, unless that is the first one again:
+     * @p first and @p last hold the stresses of all nodes, @p bounds the lowest
+     * and the highest stress there is, Pa.
+     */
+    double
+    counted_time(const HistoryDamage         &result,
+                 const FatigueParameters     &fatigue,
+                 const Eigen::VectorXd       &first,
+                 const Eigen::VectorXd       &last,
+                 const std::array<double, 2> &bounds)
+    {
+      // the latter is what 32-bit numbers round to
+      constexpr double repeated = 1e-6, rounding_of_file = 2e-7;
+      const double     alike =
+        repeated * (bounds[1] - bounds[0]) +
+        rounding_of_file * std::max(std::abs(bounds[0]), std::abs(bounds[1]));
+      return fatigue.residue == FatigueParameters::Residue::repeating &&
+                 (last - first).cwiseAbs().maxCoeff() > alike
+               ? result.duration * result.samples / (result.samples - 1.)
+               : result.duration;
     }
 
 
@@ -196,12 +223,13 @@ namespace squeal::tribology
                 const ContactGrid                      &grid,
                 const std::function<void(std::size_t)> &progress)
   {
-    const std::size_t   n      = reader.layout().n_nodes();
-    const HistoryWindow window = history_window(reader, history);
-    const auto [lowest, highest] =
+    const std::size_t           n      = reader.layout().n_nodes();
+    const HistoryWindow         window = history_window(reader, history);
+    const std::array<double, 2> bounds =
       stress_bounds(reader, window, history.chunk, fatigue);
-    const CountingRules plain = counting_rules(fatigue);
-    CountingRules       rules = plain;
+    const auto [lowest, highest] = bounds;
+    const CountingRules plain    = counting_rules(fatigue);
+    CountingRules       rules    = plain;
     const double        largest =
       fatigue.largest_range > 0. ? fatigue.largest_range : highest - lowest;
     rules.empty_matrix.emplace(fatigue.n_classes,
@@ -223,8 +251,14 @@ namespace squeal::tribology
 
     std::vector<DamageCounter> counters(n, DamageCounter(rules));
     std::vector<DamageCounter> averaged(n, DamageCounter(plain));
-    const RowMajor weights = grid.averaging(fatigue.averaging_length);
-    SurfaceSummer  summer(reader.layout(), surface);
+    const RowMajor  weights = grid.averaging(fatigue.averaging_length);
+    SurfaceSummer   summer(reader.layout(),
+                         surface,
+                         reader.layout().has_status
+                             ? reader.status_changes()
+                             : std::vector<StatusChange>());
+    PeakLoss        loss(fatigue, n);
+    Eigen::VectorXd begin, end; // stresses of the first and last sample
 
     HistoryContradictions contradictions(reader.layout());
     SampleSpacing         spacing;
@@ -237,9 +271,13 @@ namespace squeal::tribology
       spacing.add(s.time);
       result.samples += s.n_samples();
       const RowMajor stress = stresses(s, n, fatigue);
+      if (begin.size() == 0)
+        begin = stress.col(0);
+      end = stress.col(stress.cols() - 1);
       for (std::size_t k = 0; k < n; ++k)
         {
           counters[k].add(stress.row(k).data(), s.n_samples());
+          loss.add(k, stress.row(k).data(), s.n_samples());
           if (!spectra.empty())
             spectra[k].add(stress.row(k).data(), s.n_samples());
         }
@@ -262,7 +300,9 @@ namespace squeal::tribology
         result.notes.push_back(no_spectra(n_window));
       }
     result.duration = last - first;
+    result.period   = counted_time(result, fatigue, begin, end, bounds);
     result.nodes.resize(n);
+    std::vector<double> damages, areas;
     for (std::size_t k = 0; k < n; ++k)
       {
         HistoryDamage::Node &node = result.nodes[k];
@@ -271,6 +311,8 @@ namespace squeal::tribology
         node.damage = counters[k].damages();
         node.averaged =
           fatigue.averaging_length > 0. ? averaged[k].damages() : node.damage;
+        damages.push_back(node.damage[loss.exponent()]);
+        areas.push_back(grid.area(k));
         node.cycles        = counters[k].n_cycles();
         node.largest_range = counters[k].largest_range();
         node.surface       = summer.sums()[k];
@@ -286,10 +328,14 @@ namespace squeal::tribology
           }
       }
     require_finite(result);
+    result.lost_share = loss.finish(damages, areas);
     for (const std::string &note : contradictions.notes(summer.sums()))
       result.notes.push_back(note);
     for (const std::string &note :
-         {spacing.note(), note_of_order(result, fatigue)})
+         {spacing.note(),
+          note_of_order(result, fatigue),
+          PeakLoss::note(result.lost_share,
+                         fatigue.exponents[loss.exponent()])})
       if (!note.empty())
         result.notes.push_back(note);
     return result;

@@ -32,11 +32,13 @@ namespace squeal::tribology
 
 
     void
-    draw_maps(Context                              &context,
-              const DamageStudy                    &study,
-              const std::vector<ContactMap::Panel> &panels,
-              const std::string                    &name)
+    draw_maps(Context                       &context,
+              const DamageStudy             &study,
+              std::vector<ContactMap::Panel> panels,
+              const std::string             &name)
     {
+      for (ContactMap::Panel &panel : panels)
+        panel.values = study.grid.drawn_values(panel.values);
       ContactMap(study.grid.drawn_face())
         .plot(
           context.plotter, panels, context.plot_path(name + study.suffix()), 3);
@@ -104,18 +106,19 @@ namespace squeal::tribology
                    std::any_of(p.criteria.begin(), p.criteria.end(), has_own);
       chart.title =
         any ? "Largest value over its limit under the face"
-            : "Largest value over the reference stress (no limit given)";
+            : "Largest value over its limit by the reference stress (none "
+              "given)";
       chart.x.label = "depth in um";
       chart.x.scale = AxisSettings::Scale::logarithmic;
       chart.y.label = all   ? "value / limit"
-                      : any ? "value / limit or reference stress"
-                            : "value / reference stress";
+                      : any ? "value / limit, given or by reference stress"
+                            : "value / limit by reference stress";
       for (std::size_t c = 0; c < p.criteria.size(); ++c)
         {
           ChartSeries series;
           series.label = choice_name(p.criteria[c]);
           if (any && !has_own(p.criteria[c]))
-            series.label += ", over the reference stress";
+            series.label += ", limit by the reference stress";
           series.ink   = static_cast<Ink>(c % 8);
           series.style = ChartSeries::Style::lines_points;
           for (const double depth : p.depths)

@@ -38,7 +38,8 @@ namespace squeal::tribology
 
 
 
-    /** Which criteria stand over the reference stress. */
+    /** Which criteria stand over limits that follow from the reference stress.
+     */
     std::string
     what_is_an_index(const SubsurfaceParameters &p)
     {
@@ -52,7 +53,8 @@ namespace squeal::tribology
                 ? std::string(" No limit of the material was given: values are")
                 : " No limit was given for " + prm::join(names, ", ") +
                     ": their values are") +
-             " indices, relative to Fatigue/Reference stress.";
+             " indices, over limits that follow from Fatigue/Reference stress "
+             "as if it were the axial limit.";
     }
 
 

@@ -90,7 +90,7 @@ namespace squeal::tribology
         std::vector<double> v(map.size());
         for (std::size_t i = 0; i < map.size(); ++i)
           v[pad.grid->order()[i]] = map.values[i];
-        return v;
+        return pad.grid->drawn_values(v);
       };
       const auto map_of = [&by_node](const std::string &column,
                                      const GridMap     &map) {

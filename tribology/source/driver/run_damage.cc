@@ -13,6 +13,12 @@ namespace squeal::tribology
 {
   namespace
   {
+    /** Of the largest damage, by which the others may be lower where no place
+     * has the most. */
+    constexpr double alike = 0.005;
+
+
+
     void
     count(Context &context, DamageStudy &study, const std::string &name)
     {
@@ -105,7 +111,7 @@ namespace squeal::tribology
               power += a * node.surface.friction_energy / t;
               impacts += node.surface.impacts / t;
               for (std::size_t c = 0; c < damage.size(); ++c)
-                damage[c] += a * node.damage[c] / study->damage.duration;
+                damage[c] += a * node.damage[c] / study->damage.period;
             }
           std::vector<Cell> row = {name_of_run(*study, studies),
                                    study->damage.duration,
@@ -151,6 +157,30 @@ namespace squeal::tribology
 
 
 
+    /** Entries that nothing of this history takes. */
+    void
+    warn_of_unused_entries(Context &context, const DamageStudy &study)
+    {
+      const HistoryLayout     &layout = study.reader.layout();
+      const SurfaceParameters &set    = context.parameters.surface, otherwise;
+      const auto               warn   = [&](const std::string &entry) {
+        context.log.warning(study.reader.path() + ": 'Surface/" + entry +
+                            "' is set but not used: " +
+                            (layout.has_status
+                                               ? "the status of the history tells contact, "
+                                                 "stick and slip"
+                                               : "the history has no slip rate"));
+      };
+      if (layout.has_status &&
+          set.contact_pressure != otherwise.contact_pressure)
+        warn("Contact pressure");
+      if ((layout.has_status || !layout.has_slip_rate) &&
+          set.stick_speed != otherwise.stick_speed)
+        warn("Stick speed");
+    }
+
+
+
     void
     evaluate_below_the_face(Context &context, DamageStudy &study)
     {
@@ -188,11 +218,12 @@ namespace squeal::tribology
 
 
     RunRecord::Pairs
-    main_figures(const DamageStudy &study,
-                 const Table       &table,
-                 const double       exponent)
+    main_figures(const DamageStudy         &study,
+                 const Table               &table,
+                 const std::vector<double> &exponents)
     {
-      const std::string slope = slope_name(exponent);
+      const std::string slope = slope_name(exponents.back());
+      const double      lost  = study.damage.lost_share;
       return {
         {"nodes", std::to_string(study.grid.n_nodes())},
         {"samples", std::to_string(study.damage.samples)},
@@ -200,6 +231,9 @@ namespace squeal::tribology
          rounded_text(1e-6 * largest(table, "peak_pressure_pa"), 4)},
         {"largest damage per second, " + slope,
          rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
+        {"part of the mean damage lost between samples, " +
+           slope_name(*std::max_element(exponents.begin(), exponents.end())),
+         lost < 1e-3 ? "below 0.1 %" : rounded_text(100. * lost, 2) + " %"},
         {"points kept by a counter", std::to_string(study.damage.deepest)}};
     }
 
@@ -220,8 +254,7 @@ namespace squeal::tribology
         return up_to +
                "all cycles of the pressure are compressive, in which '" +
                choice_name(fatigue.mean_stress) +
-               "' sees no damage: count a traction or take another 'Mean "
-               "stress'";
+               "' sees no damage: take another 'Mean stress'";
       return up_to + "no cycle counts" +
              (fatigue.endurance_limit > 0.
                 ? ": the largest stays below 'Endurance limit' = " +
@@ -248,6 +281,12 @@ namespace squeal::tribology
         pair.empty() ? "the face" : "the face of " + pair;
       if (!(damage[worst] > 0.))
         return "no damage on " + face + ": " + why_no_damage(table, fatigue);
+      const std::string slope = " (slope " +
+                                slope_name(fatigue.exponents.front()) + ")" +
+                                (fatigue.constants.empty() ? ", an index" : "");
+      const double least = *std::min_element(damage.begin(), damage.end());
+      if (least >= (1. - alike) * damage[worst])
+        return "the same damage all over " + face + slope;
       const auto   place = study.grid.place(worst);
       const double along = study.grid.share_of_way(worst);
       return "most damage " +
@@ -258,9 +297,7 @@ namespace squeal::tribology
              " of " + face + ", at x = " + rounded_text(1e3 * place[0], 3) +
              " mm, y = " + rounded_text(1e3 * place[1], 3) + " mm: " +
              rounded_text(damage[worst] / sums.real(0, "mean_" + column), 3) +
-             " times the mean of the face (slope " +
-             slope_name(fatigue.exponents.front()) + ")" +
-             (fatigue.constants.empty() ? ", an index" : "");
+             " times the mean of the face" + slope;
     }
 
 
@@ -324,9 +361,12 @@ namespace squeal::tribology
           require_same_nodes(*r.study, *r.silent);
         }
       warn_of_what_is_missing(context, *r.study);
-      warn_of_missing_slip(context, *r.study);
-      if (r.silent)
-        warn_of_missing_slip(context, *r.silent);
+      for (const DamageStudy *study : {r.study.get(), r.silent.get()})
+        if (study)
+          {
+            warn_of_missing_slip(context, *study);
+            warn_of_unused_entries(context, *study);
+          }
       const std::string of = pair.empty() ? pair : ", " + pair;
       count(context, *r.study, (r.silent ? "squealing" : "contact") + of);
       if (r.silent)
@@ -346,7 +386,7 @@ namespace squeal::tribology
       write_maps(context, *r.study, r.table);
       if (p.output.plots && context.plotter.is_available())
         draw_damage_pictures(context, *r.study, r.table, r.silent != nullptr);
-      r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents.back());
+      r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents);
       r.headline = damage_headline(*r.study, r.table, r.sums, p.fatigue);
       if (r.silent)
         r.headline += "; the face takes " +

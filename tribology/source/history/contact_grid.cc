@@ -73,6 +73,27 @@ namespace squeal::tribology
                    beyond = extent(xs, true) * extent(ys, true);
       return std::abs(std::log(sum / beyond)) < std::abs(std::log(sum / ends));
     }
+
+    using Quad = std::array<unsigned int, 4>;
+
+    /** The cells between points on a grid of @p n in a row. */
+    std::vector<Quad>
+    quads_between(const std::vector<std::size_t> &points, const unsigned int n)
+    {
+      std::vector<Quad> quads;
+      for (unsigned int first = 0; first + n < points.size(); ++first)
+        if (first % n + 1 < n)
+          {
+            Quad         quad;
+            unsigned int c = 0;
+            for (const unsigned int k :
+                 {first, first + 1, first + 1 + n, first + n})
+              quad[c++] = static_cast<unsigned int>(points[k]);
+            quads.push_back(quad);
+          }
+      return quads;
+    }
+
     /** Below this length of the mean of unit vectors the target slides all
      * round: half a ring has 0.64. */
     constexpr double least_direction = 0.5;
@@ -147,7 +168,10 @@ namespace squeal::tribology
     : ContactGrid(layout.points, layout.areas, layout.sliding)
   {
     if (!layout.quads.empty())
-      pieces = layout.quads;
+      {
+        pieces = layout.quads;
+        border.clear();
+      }
     set_outline();
   }
 
@@ -177,7 +201,7 @@ namespace squeal::tribology
     grid = grid && std::find(ordered.begin(), ordered.end(), points.size()) ==
                      ordered.end();
     if (grid)
-      set_quads_of_grid();
+      pieces = quads_between(ordered, xs.size());
     else
       ordered.clear();
 
@@ -201,24 +225,40 @@ namespace squeal::tribology
                std::max(whole.x_max, c.x_max),
                std::min(whole.y_min, c.y_min),
                std::max(whole.y_max, c.y_max)};
+    if (middles)
+      set_border();
   }
 
 
 
   void
-  ContactGrid::set_quads_of_grid()
+  ContactGrid::set_border()
   {
-    const unsigned int n = xs.size();
-    for (unsigned int j = 0; j + 1 < ys.size(); ++j)
-      for (unsigned int i = 0; i + 1 < n; ++i)
+    const auto between =
+      [](std::vector<double> levels, const double lower, const double upper) {
+        levels.insert(levels.begin(), lower);
+        levels.push_back(upper);
+        return levels;
+      };
+    const std::vector<double> all_x = between(xs, whole.x_min, whole.x_max),
+                              all_y = between(ys, whole.y_min, whole.y_max);
+    std::vector<std::size_t> points;
+    for (std::size_t j = 0; j < all_y.size(); ++j)
+      for (std::size_t i = 0; i < all_x.size(); ++i)
         {
-          const unsigned int          first = i + n * j;
-          std::array<unsigned int, 4> quad;
-          for (unsigned int c = 0; c < 4; ++c)
-            quad[c] = ordered[std::array<unsigned int, 4>{
-              {first, first + 1, first + 1 + n, first + n}}[c]];
-          pieces.push_back(quad);
+          const std::size_t inner_i = std::clamp<std::size_t>(i, 1, xs.size()),
+                            inner_j = std::clamp<std::size_t>(j, 1, ys.size());
+          const std::size_t nearest =
+            ordered[inner_i - 1 + xs.size() * (inner_j - 1)];
+          if (i == inner_i && j == inner_j)
+            points.push_back(nearest);
+          else
+            {
+              points.push_back(places.size() + border.size());
+              border.push_back({{{all_x[i], all_y[j]}}, nearest});
+            }
         }
+    bordered_pieces = quads_between(points, all_x.size());
   }
 
 
@@ -261,11 +301,27 @@ namespace squeal::tribology
     DrawnFace drawn;
     for (const auto &[x, y] : places)
       drawn.points.push_back({{x, y, 0.}});
-    drawn.areas   = areas;
-    drawn.places  = places;
-    drawn.quads   = pieces;
+    drawn.areas  = areas;
+    drawn.places = places;
+    for (const auto &[place, nearest] : border)
+      {
+        drawn.points.push_back({{place[0], place[1], 0.}});
+        drawn.areas.push_back(0.);
+        drawn.places.push_back(place);
+      }
+    drawn.quads   = border.empty() ? pieces : bordered_pieces;
     drawn.sliding = {slides[0], slides[1]};
     return drawn;
+  }
+
+
+
+  std::vector<double>
+  ContactGrid::drawn_values(std::vector<double> values) const
+  {
+    for (const auto &[place, nearest] : border)
+      values.push_back(values[nearest]);
+    return values;
   }
 
 

@@ -151,6 +151,13 @@ namespace squeal::tribology
             section, "Second exponent", "is needed by 'bilinear'");
       }
     using M = FatigueParameters::MeanStress;
+    if (f.quantity != FatigueParameters::Quantity::pressure &&
+        f.mean_stress != M::none)
+      prm::refuse_entry(section,
+                        "Mean stress",
+                        "is for normal stresses: the mean of a traction has "
+                        "the sign of the sliding, not of tension; take 'none', "
+                        "or 'Quantity = pressure'");
     if ((f.mean_stress == M::goodman || f.mean_stress == M::gerber) &&
         f.ultimate_strength <= 0.)
       prm::refuse_entry(

@@ -48,7 +48,8 @@ namespace squeal::tribology
       schema.add("Mean stress",
                  f.mean_stress,
                  "Correction of the amplitude for the mean of the cycle, "
-                 "tension positive.");
+                 "tension positive; none for tractions, which are no normal "
+                 "stress.");
       schema.add("Ultimate strength",
                  f.ultimate_strength,
                  Allowed::number(0.),
@@ -76,7 +77,9 @@ namespace squeal::tribology
     schema.add("Residue",
                f.residue,
                "What remains uncounted at the end (ASTM E1049): half cycles, "
-               "or full cycles of a history that repeats.");
+               "or full cycles of a history that repeats. Its period is the "
+               "time from the first to the last sample, and a mean interval "
+               "more unless these two agree.");
     declare_strength(schema, f);
     schema.add("Accumulation",
                f.accumulation,

@@ -10,8 +10,9 @@
 namespace squeal::tribology
 {
   /** What no contact does, in a history that comes in pieces: pulling, carrying
-   * a pressure while it is open, giving energy to the sliding, slipping another
-   * way than the history says that the target slides. */
+   * a pressure while it is open, giving energy to the sliding, slipping (or,
+   * where slip rates are not known, being dragged) another way than the history
+   * says that the target slides. */
   class HistoryContradictions
   {
   public:
@@ -24,14 +25,16 @@ namespace squeal::tribology
     std::vector<std::string> notes(const std::vector<SurfaceSums> &sums) const;
 
   private:
+    void        add_way(double x, double y);
     std::string note_of_direction() const;
 
     HistoryLayout layout;
     std::size_t   n_tension = 0, lowest_node = 0; /**< values; of the lowest */
     std::size_t   n_open = 0, n_values = 0; /**< open under pressure, all */
     double        lowest = 0., highest = 0., highest_open = 0.; /**< Pa */
-    /** Sums of pressure times slip rate: of its components and its size. */
-    double slip_x = 0., slip_y = 0., slip_size = 0.;
+    /** Sums of pressure times slip rate or, without these, of the tractions of
+     * the target on the pad: of the components and the size. */
+    double way_x = 0., way_y = 0., way_size = 0.;
   };
 } // namespace squeal::tribology
 

@@ -34,7 +34,13 @@ namespace squeal::tribology
      * headlines and pictures speak of. The first of several alike. */
     std::size_t worst_node() const;
 
-    double duration       = 0.;    /**< s */
+    double duration = 0.; /**< s, from the first to the last sample */
+    /** Time that the counted cycles take, s: the duration, or the period of a
+     * history that repeats. Damage and cycles per second are over this. */
+    double period = 0.;
+    /** Share of the mean damage of the largest exponent that the samples miss,
+     * an estimate (PeakLoss). */
+    double lost_share     = 0.;
     bool   has_slip_rate  = false; /**< in the history */
     bool   has_stick_slip = false; /**< it tells sticking from slipping */
     std::uint64_t                samples = 0;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace squeal::tribology
@@ -64,6 +65,11 @@ namespace squeal::tribology
      * right, y up, the leading edge below where sliding() is along y. */
     DrawnFace drawn_face() const;
 
+    /** @p values at the nodes for the points of drawn_face(): where the nodes of
+     * a grid are middles of cells, those at the border of the face follow, with
+     * the value of the nearest node. */
+    std::vector<double> drawn_values(std::vector<double> values) const;
+
     /** Unit direction in x and y in which the target slides on the whole; 0, 0
      * where it slides all round, so that there is no leading edge. */
     const std::array<double, 2> &sliding() const;
@@ -86,7 +92,7 @@ namespace squeal::tribology
 
   private:
     void build(const std::vector<std::array<double, 3>> &points);
-    void set_quads_of_grid();
+    void set_border();
     void set_outline();
 
     std::vector<std::array<double, 2>>       places;
@@ -94,6 +100,11 @@ namespace squeal::tribology
     std::vector<Patch>                       cells;
     std::vector<std::size_t>                 ordered;
     std::vector<std::array<unsigned int, 4>> pieces;
+    /** Points at the border of a grid of middles of cells, half a cell beyond
+     * the outermost of them, each with the node that is nearest, and the pieces
+     * out to there; none for other grids. For pictures. */
+    std::vector<std::pair<std::array<double, 2>, std::size_t>> border;
+    std::vector<std::array<unsigned int, 4>>                   bordered_pieces;
     /** Nodes at the ends of the straight pieces of the border; none for a grid.
      */
     std::vector<std::array<std::size_t, 2>> outline;

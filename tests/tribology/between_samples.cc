@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a history does between its samples: the damage of peaks that they miss,
+// changes of status that it records, and the interval behind its last sample
+// where it repeats.
+#include <squeal/tribology/damage/history_damage.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "check.h"
+#include "worst.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  constexpr double interval = 1e-3; // s
+
+  /** Two nodes with the pressure @p p(i) at sample i, under a disc that slides;
+   * with a status, slip at all samples but @p stuck, if @p changes are given. */
+  void
+  write_history(const std::size_t                         n,
+                const std::function<double(std::size_t)> &p,
+                const std::vector<StatusChange>          &changes = {},
+                const std::size_t                         stuck   = 1000000)
+  {
+    HistoryLayout layout;
+    layout.points     = {{{0., 0., 0.}}, {{1e-3, 0., 0.}}};
+    layout.areas      = {1e-6, 2e-6};
+    layout.has_status = !changes.empty();
+    layout.has_gap = layout.has_resultants = false;
+    HistorySamples s;
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        s.time.push_back(interval * i);
+        s.pressure.insert(s.pressure.end(), {p(i), p(i)});
+        s.traction.insert(s.traction.end(), {0., .5 * p(i), 0., .5 * p(i)});
+        s.slip_rate.insert(s.slip_rate.end(), {0., 1., 0., 1.});
+        if (layout.has_status)
+          s.status.insert(s.status.end(), {i == stuck ? 1. : 2., 2.});
+      }
+    std::filesystem::remove("history.h5");
+    HistoryWriter writer("history.h5", layout);
+    writer.append(s);
+    writer.append(changes);
+    writer.finish();
+  }
+
+  HistoryDamage
+  count(const FatigueParameters &f, const unsigned int chunk = 4096)
+  {
+    const HistoryReader reader("history.h5");
+    HistoryParameters   h;
+    h.chunk = chunk;
+    return count_history(reader, h, f, {}, ContactGrid(reader.layout()));
+  }
+
+  FatigueParameters
+  plain()
+  {
+    FatigueParameters f;
+    f.exponents        = {10., 3.};
+    f.averaging_length = 0.;
+    f.spectral         = false;
+    return f;
+  }
+
+  bool
+  says_it(const HistoryDamage &damage)
+  {
+    for (const std::string &note : damage.notes)
+      if (note.find("% of the mean damage of slope m10 is lost") !=
+          std::string::npos)
+        return true;
+    return false;
+  }
+
+  /** A sine of amplitude 1 MPa: damage 1 a period, for all slopes. */
+  void
+  lost_peaks()
+  {
+    constexpr std::size_t n = 8000;
+    for (const double period : {50.19, 9.13, 7.07, 5.018, 4.04, 3.31})
+      for (const double mean : {1.1, 3.})
+        {
+          write_history(n, [&](const std::size_t i) {
+            return 1e6 * (mean + std::sin(2. * M_PI * i / period + .3));
+          });
+          const HistoryDamage damage = count(plain());
+          const double        lost =
+            1. - damage.nodes[0].damage[0] / ((n - 1) / period);
+          const std::string name = " of " + std::to_string(period) +
+                                   " samples a period about " +
+                                   std::to_string(mean) + " MPa";
+          check_close(damage.lost_share, lost, .02, "lost peaks" + name, .2);
+          check(says_it(damage) == (lost > .05), "are said" + name);
+        }
+    const HistoryDamage whole = count(plain()), pieces = count(plain(), 7);
+    check(whole.lost_share == pieces.lost_share, "pieces: the same bits");
+    write_history(
+      n, [&](const std::size_t i) { return 1e6 * (i % 7 < 3 ? 0. : 2.); });
+    check(count(plain()).lost_share == 0., "steps lose nothing");
+    write_history(n, [](std::size_t) { return 1e6; });
+    check(count(plain()).lost_share == 0., "nor does a steady pressure");
+  }
+
+  /** Node 0 opens for a fifth of each interval; node 1 stays. */
+  void
+  recorded_changes()
+  {
+    constexpr std::size_t     n = 11, stuck = 4;
+    std::vector<StatusChange> changes;
+    const auto                add =
+      [&changes](const double time, const std::size_t node, const int status) {
+        changes.push_back(
+          {interval * time, node, static_cast<ContactStatus>(status)});
+      };
+    add(-.5, 1, 0); // before the first sample and behind the last one
+    add(12., 1, 0);
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      {
+        add(i + .3, 0, 0);
+        add(i + .5, 0, 2);
+      }
+    // one that sticks and slips within an interval; one at a sample
+    add(6.2, 1, 1);
+    add(6.7, 1, 2);
+    add(8., 1, 1);
+    add(8.1, 1, 2);
+    write_history(
+      n, [](std::size_t) { return 1e6; }, changes, stuck);
+    for (const unsigned int chunk : {4096u, 3u})
+      {
+        const HistoryDamage damage = count(plain(), chunk);
+        const SurfaceSums  &open   = damage.nodes[0].surface,
+                          &shut    = damage.nodes[1].surface;
+        check(open.impacts == n - 1. && open.closures == 0.,
+              "closures between samples are impacts");
+        check_close(open.duty(), .8, 1e-12, "they are open in between");
+        check(open.stick_slip == 1.,
+              "a change that no record tells is that of the sample");
+        check(shut.impacts == 0. && shut.stick_slip == 4.,
+              "stick-slip between samples and at one");
+        check_close(shut.duty(), 1., 1e-12, "a node that stays shut");
+      }
+  }
+
+  /** A period with its end and without: the same motion. */
+  void
+  period()
+  {
+    FatigueParameters f = plain();
+    f.residue           = FatigueParameters::Residue::repeating;
+    for (const double mean : {2., 2000.})
+      for (const std::size_t n : {16, 17, 32, 33})
+        {
+          write_history(n, [mean](const std::size_t i) {
+            return 1e6 * (mean + std::sin(2. * M_PI * i / 16.));
+          });
+          const HistoryDamage damage = count(f);
+          const std::string   name   = std::to_string(n) + " samples";
+          check_close(damage.nodes[0].cycles / damage.period,
+                      1. / (16. * interval),
+                      1e-12,
+                      "cycles per second of " + name);
+          check_close(damage.duration,
+                      interval * (n - 1),
+                      1e-12,
+                      "they last to the last sample: " + name);
+        }
+    write_history(20, [](std::size_t) { return 1e6; });
+    const HistoryDamage steady = count(f);
+    check(steady.period == steady.duration, "a steady load ends as it begins");
+    write_history(16, [](const std::size_t i) {
+      return 1e6 * (2. + std::sin(2. * M_PI * i / 16.));
+    });
+    const HistoryDamage once = count(plain());
+    check(once.period == once.duration, "half cycles: no interval is added");
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  lost_peaks();
+  recorded_changes();
+  period();
+}
