@@ -224,6 +224,8 @@ namespace
     check(text_of("out/run.log").find("with one mask nothing tells") !=
             std::string::npos,
           "and the log says so");
+    check(image.at("cracks").at("excluded").empty(),
+          "squeal has left out nothing where a rater states the cracks");
     const double length = image.at("cracks").at("length_mm");
     check_close(rating.at("lengths_mm").at(0).get<double>(),
                 length,
@@ -336,6 +338,9 @@ namespace
                 own.at("length_mm").get<double>(),
                 1e-12,
                 "squeal's own length is stated");
+    check(!own.at("excluded").empty() &&
+            cracks.at("excluded") == own.at("excluded"),
+          "with the lines that it left out");
     check(cracks.at("length_error_mm").get<double>() >
             own.at("length_error_mm").get<double>(),
           "its error holds how far the others differ");

@@ -88,6 +88,8 @@ namespace squeal::tribology
         segmentation.cracks = measure_cracks(
           grey, stated, filter_ridges(grey, n_octaves, 1., segmentation.seen));
         keep_seen(segmentation.cracks.area, segmentation.seen);
+        // What the finder left out is part of its judgement, not of theirs.
+        segmentation.excluded.clear();
       }
     for (const cv::Mat &line : lines)
       {
