@@ -123,6 +123,10 @@ namespace
                 other = read_csv("whole/cells.csv");
     check(cells.n_rows() == 12 && cells.text(0, "image") == "pad",
           "cells of the pad");
+    check(cells.integer(0, "synthetic") == 1 &&
+            cells.real(0, "sliding_x") == 0. &&
+            cells.real(0, "sliding_y") == 1.,
+          "they say that the image is made and what angles are against");
     double difference = 0., sum = 0.;
     for (std::size_t i = 0; i < 12; ++i)
       {

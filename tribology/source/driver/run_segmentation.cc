@@ -164,6 +164,9 @@ namespace squeal::tribology
         m.seen         = mosaic.seen;
         m.frame        = {{0, 0}, mosaic.grey.size()};
         const double s = m.pixel_size;
+        for (const Micrograph &other : images)
+          m.metadata.is_synthetic =
+            m.metadata.is_synthetic || other.metadata.is_synthetic;
         m.metadata.stage =
           *m.metadata.stage - 0.5 * s * cv::Point2d(images[0].frame.size()) -
           s * mosaic.shifts[0] + 0.5 * s * cv::Point2d(m.frame.size());
@@ -314,7 +317,7 @@ namespace squeal::tribology
         CellGrid        own(
           cv::Size2d(m.frame.size()) * m.pixel_size, p.cells[0], p.cells[1]);
         CellGrid &grid = pad ? *pad : own;
-        grid.add(found, placement, sliding);
+        grid.add(found, placement, sliding, m.metadata.is_synthetic);
         if (is_first)
           for (const auto &[name, values] : element_maps)
             grid.add_covariate(name, values, placement, found.seen);

@@ -20,10 +20,12 @@ namespace squeal::tribology
 
     /** Adds a segmented image whose pixels @p placement takes to um. Lengths,
      * widths and directions of cracks are those on the pad; @p sliding is the
-     * direction there, radians from x towards y. */
+     * direction there, radians from x towards y, the same of all images.
+     * Cells of which an image @p is_synthetic say so. */
     void add(const Segmentation &segmentation,
              const Placement    &placement,
-             double              sliding);
+             double              sliding,
+             bool                is_synthetic = false);
 
     /** Adds the mean of a covariate (CV_32F, size of the image) over what is
      * @p seen. */
@@ -70,3 +72,5 @@ namespace squeal::tribology
 } // namespace squeal::tribology
 
 #endif
+    double                 sliding      = 0.;
+    bool                   is_synthetic = false;
