@@ -91,7 +91,10 @@ namespace squeal::tribology
         for (std::size_t i = 0; i < images.size(); ++i)
           process(i);
         if (pad)
-          append(*pad, "pad");
+          {
+            append(*pad, "pad");
+            record.seen_once = pad->seen_once();
+          }
         context.write_table("cells.csv", cells);
         write_segmentation_record(record,
                                   context.output.file("segmentation.json"));

@@ -136,6 +136,8 @@ namespace squeal::tribology
       }
   }
 
+
+
   double
   CellGrid::share_seen_once(const int i, const int j) const
   {
@@ -145,6 +147,26 @@ namespace squeal::tribology
                                         parts_of_a_cell));
     const double  sum  = cv::sum(part)[0];
     return sum > 0. ? cv::countNonZero(part) / sum : 1.;
+  }
+
+
+
+  CellGrid::SeenOnce
+  CellGrid::seen_once() const
+  {
+    SeenOnce once;
+    double   area = 0.;
+    for (int j = 0; j < n_y; ++j)
+      for (int i = 0; i < n_x; ++i)
+        {
+          const Cell  &c     = cells[std::size_t(j) * n_x + i];
+          const double share = share_seen_once(i, j);
+          area += c.area;
+          once.area += share * c.area;
+          once.crack_length += share * c.crack_length;
+        }
+    once.share = area > 0. ? once.area / area : 1.;
+    return once;
   }
 
 

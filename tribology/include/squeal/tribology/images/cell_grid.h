@@ -34,6 +34,16 @@ namespace squeal::tribology
                        const Placement   &placement,
                        const SeenPixels  &seen = {});
 
+    /** What the images show of the cells, parts that several of them show
+     * counted once. */
+    struct SeenOnce
+    {
+      double area         = 0.; /**< um^2 */
+      double crack_length = 0.; /**< um, of each cell its mean density */
+      double share        = 1.; /**< area over the sum of the images' areas */
+    };
+    SeenOnce seen_once() const;
+
     /** Columns of the table; covariates come last. */
     std::vector<Table::Column> columns() const;
 
@@ -68,9 +78,9 @@ namespace squeal::tribology
     std::vector<Cell>      cells;
     std::vector<Covariate> covariates;
     cv::Mat1f              views; /**< number of images that show each part */
+    double                 sliding      = 0.;
+    bool                   is_synthetic = false;
   };
 } // namespace squeal::tribology
 
 #endif
-    double                 sliding      = 0.;
-    bool                   is_synthetic = false;
