@@ -3,6 +3,7 @@
 // Cells of a pad have what lies on the pad, however an image shows it: lengths,
 // widths and directions of lines through stretched, turned and mirrored
 // placements, and parts that several images show only once.
+#include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/history/contact_grid.h>
 #include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/line_length.h>
@@ -178,11 +179,41 @@ namespace
                     0.5,
                     1e-9,
                     "half a cell is half a cell, however often it is seen");
+        const CellGrid::SeenOnce once = grid.seen_once();
+        check_close(once.share, 1. / times, 1e-9, "of all that images show");
+        check_close(once.crack_length,
+                    1e3 * measure(line, {left, 0.}, 0.).crack_length,
+                    1e-9,
+                    "the length of the crack counts once");
       }
     grid.add(line, {{5., 0., 0., 0., 12.5, -1000., 0., 0., 1.}, 0.}, 0.);
     Table table(grid.columns());
     grid.append_rows(table, "pad");
     check_close(table.real(0, "coverage"), 1., 1e-9, "and both halves are one");
+  }
+
+  /** The headline of images that overlap is that of one of them. */
+  void
+  check_headline()
+  {
+    SegmentationRecord record;
+    record.images.resize(1);
+    record.images[0].statistics.crack_length       = 2.01;
+    record.images[0].statistics.crack_length_error = 0.1;
+    record.images[0].statistics.observed_area      = 0.5;
+    const std::string one                          = cracks_in_words(record);
+    check(one.find("cracks of 2.01 +- 0.1") == 0 &&
+            one.find(", 4.02 mm per mm^2") != std::string::npos,
+          "one image: " + one);
+    record.images.push_back(record.images[0]);
+    check(cracks_in_words(record).find("cracks of 4.02 +- 0.14") == 0,
+          "two places add up: " + cracks_in_words(record));
+    record.seen_once       = {5e5, 2010., 0.5};
+    const std::string same = cracks_in_words(record);
+    check(same.find("cracks of 2.01 +- 0.1") == 0 &&
+            same.find(", 4.02 mm per mm^2") != std::string::npos &&
+            same.find("overlap") != std::string::npos,
+          "one place twice does not: " + same);
   }
 
   void
@@ -276,6 +307,7 @@ main()
   check_turned();
   check_stretched_pixels();
   check_overlap();
+  check_headline();
   check_lines_of_pixels();
   check_data_bars();
   check_middles_of_cells();

@@ -316,6 +316,59 @@ namespace
 
 
 
+  /** Bands hold all that is seen under the face, the last one what is left of
+   * it; nothing of the resin is part of the specimen. */
+  void
+  check_bands()
+  {
+    cv::Mat grey(300, 400, CV_32F, cv::Scalar(120.)), noise(300, 400, CV_32F);
+    grey.rowRange(0, 40).setTo(8.);
+    cv::RNG(5).fill(noise, cv::RNG::NORMAL, 0., 3.);
+    grey += noise;
+    cv::Mat line = cv::Mat::zeros(grey.size(), CV_8U);
+    line(cv::Rect(200, 50, 1, 250)).setTo(255);
+    for (const double band : {100., 130., 250., 1000.})
+      {
+        const SectionProfile p      = profile_section(grey, line, band);
+        const double         height = 300. - p.surface[200];
+        check(std::abs(height - 260.) < 2., "height under the face");
+        double      area = 0., length = 0.;
+        std::size_t n_bands = 0;
+        for (std::size_t b = 0; b < p.band_area.size(); ++b)
+          if (p.band_area[b] > 0.)
+            {
+              const double upper = band * double(b),
+                           lower = std::fmin(height, upper + band);
+              check_close(p.band_depth[b],
+                          0.5 * (upper + lower),
+                          0.01,
+                          "middle of what is seen of a band");
+              area += p.band_area[b];
+              length += p.crack_length[b];
+              ++n_bands;
+            }
+        check(n_bands == std::size_t(std::ceil(height / band)),
+              "bands down to the lower edge");
+        check_close(area, 400. * height, 1e-3, "area of all bands");
+        check_close(length, 250., 0.01, "length of the crack in them");
+        const SectionView shown = below_face(grey);
+        check(cv::countNonZero(shown.seen) == int(area),
+              "the same area is seen");
+        check(cv::mean(shown.grey.rowRange(0, 42))[0] > 115.,
+              "and no resin is");
+      }
+    SeenPixels left(grey.size(), CV_8U, cv::Scalar(255));
+    left.colRange(100, 300).setTo(0);
+    const SectionProfile half = profile_section(grey, line, 100., left);
+    check_close(half.band_area[1], 2e4, 1e-9, "bands are of what is seen");
+    check(half.crack_length[1] == 0., "and so are their cracks");
+    check(cv::countNonZero(
+            below_face(grey, left).seen(cv::Rect(100, 0, 200, 300))) == 0,
+          "of the specimen, too");
+  }
+
+
+
   /** What brightness decides is right, what it does not is said. */
   void
   check_strata()
@@ -350,6 +403,7 @@ main()
   check_share_on_pad();
   check_mosaic();
   check_section();
+  check_bands();
   check_strata();
   return 0;
 }

@@ -123,6 +123,10 @@ namespace
                 other = read_csv("whole/cells.csv");
     check(cells.n_rows() == 12 && cells.text(0, "image") == "pad",
           "cells of the pad");
+    check(cells.integer(0, "synthetic") == 1 &&
+            cells.real(0, "sliding_x") == 0. &&
+            cells.real(0, "sliding_y") == 1.,
+          "they say that the image is made and what angles are against");
     double difference = 0., sum = 0.;
     for (std::size_t i = 0; i < 12; ++i)
       {
@@ -217,6 +221,25 @@ namespace
         depths.real(i, "crack_length_m");
     check_close(above, 1e-6 * length, 0.15, "length of cracks by depth");
     check(below < 0.03 * above, "no crack deeper than they go");
+    double area = 0.;
+    for (std::size_t i = 0; i < depths.n_rows(); ++i)
+      area += depths.real(i, "area_m2");
+    const auto &image = record.at("images").at(0);
+    check_close(image.at("observed_area_mm2").get<double>(),
+                1e6 * area,
+                1e-3,
+                "the resin is no part of the specimen");
+    check_close(image.at("cracks").at("length_density_per_mm").get<double>(),
+                1e-3 * (above + below) / area,
+                0.02,
+                "nor of what lengths are over");
+    check(image.at("exfoliation").at("without_rim_fraction") < 0.02,
+          "nor is it a dark place");
+    const Table cells = read_csv("section/cells.csv");
+    double      seen  = 0.;
+    for (std::size_t i = 0; i < cells.n_rows(); ++i)
+      seen += cells.real(i, "coverage") / double(cells.n_rows());
+    check_close(seen * 640. * 500. * 1e-12, area, 0.02, "cells cover as much");
   }
 } // namespace
 

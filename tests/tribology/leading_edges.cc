@@ -229,6 +229,103 @@ namespace
 
 
 
+  /** Features of lines against the direction @p sliding, of made images or
+   * others. */
+  void
+  write_lines(const std::string &sliding, const bool is_synthetic)
+  {
+    std::ofstream features("one_features.csv");
+    features << "x_m,y_m,crack_along_sliding,sliding_x,sliding_y,synthetic\n";
+    for (std::size_t k = 0; k < n_x * n_y; ++k)
+      features << 1e-3 * (k % n_x) << "," << 1e-3 * (k / n_x) << ","
+               << std::cos(double(k * k)) << "," << sliding << ","
+               << is_synthetic << "\n";
+  }
+
+  /** Angles of lines and damage are against one sliding direction. */
+  void
+  directions_of_lines()
+  {
+    const auto read_lines = [](const std::vector<std::string> &names,
+                               const LeadingEdge               wanted =
+                                 LeadingEdge::automatic) {
+      CorrelationParameters p = parameters_of({"one_"}, wanted);
+      p.features              = names;
+      return read_pads(p);
+    };
+    for (const Edge &e : edges)
+      {
+        write_pad("one_", e.edge, e.sliding);
+        const bool        along_x = e.sliding[0] != 0.;
+        const std::string same    = along_x ? "1,0" : "0,1",
+                          other   = along_x ? "0,1" : "1,0";
+        write_lines(same, false);
+        check(read_lines({"crack_along_sliding"}).size() == 1,
+              "one direction for both: " + e.name);
+        const auto all = read_lines({});
+        check(all[0].features.size() == 1 && !all[0].is_synthetic,
+              "neither the direction nor the kind of images is a feature");
+        write_lines(other, false);
+        for (const auto &names :
+             {std::vector<std::string>{}, {"crack_along_sliding"}})
+          check_throws<InputError>([&]() { read_lines(names); },
+                                   along_x ? "Sliding direction = 0'"
+                                           : "Sliding direction = 90.0'",
+                                   "two directions are refused: " + e.name);
+      }
+    // Four degrees are the same, six are not.
+    write_pad("one_", LeadingEdge::lowest_y, {{0., 1.}});
+    write_lines("0.0698,0.9976", false);
+    check(read_lines({}).size() == 1, "directions that are nearly the same");
+    write_lines("0.1045,0.9945", false);
+    check_throws<InputError>([&]() { read_lines({}); },
+                             "crack_along_sliding",
+                             "and those that are not");
+    write_pad("one_", LeadingEdge::lowest_y, "", [](std::size_t) {
+      return std::string();
+    });
+    write_lines("1,0", false);
+    check(read_lines({})[0].is_edge_assumed, "what is assumed refuses nothing");
+    check_throws<InputError>([&]() { read_lines({}, LeadingEdge::highest_y); },
+                             "Sliding direction = 90.0'",
+                             "but an edge that is named does");
+    check(read_lines({}, LeadingEdge::lowest_x).size() == 1,
+          "unless the disc comes from there");
+  }
+
+
+
+  /** Tables of made images say so, and so do their verdicts. */
+  void
+  made_images()
+  {
+    write_pad("one_", LeadingEdge::lowest_y, {{0., 1.}});
+    const auto verdict = [](const bool is_synthetic) {
+      write_lines("0,1", is_synthetic);
+      write_text("made.prm",
+                 "set Analysis = correlation\nset Output directory = made\n"
+                 "set Overwrite = true\nsubsection Correlation\n"
+                 "  set Damage tables = one_damage.csv\n"
+                 "  set Feature tables = one_features.csv\n"
+                 "  set Indices = index\n  set Surrogates = 99\n"
+                 "  set Bootstraps = 0\nend\n"
+                 "subsection Output\n  set Plots = false\nend\n");
+      const Outcome outcome = run_program({program, "made.prm"});
+      check(outcome.code == 0, "correlation: " + outcome.errors);
+      return read_csv("made/correlation.csv").text(0, "verdict");
+    };
+    check(verdict(true).find("synthetic: ") == 0,
+          "a verdict on made images says so");
+    check(has(text_of("made/report.html"), "made by a generator") &&
+            nlohmann::json::parse(text_of("made/correlation.json"))
+              .at("synthetic")
+              .get<bool>(),
+          "in the report and in the record as well");
+    check(!has(verdict(false), "synthetic"), "one on others does not");
+  }
+
+
+
   void
   tables_of_others()
   {
@@ -368,5 +465,7 @@ main(int argc, char **argv)
   turned_causes();
   contradictions();
   tables_of_others();
+  directions_of_lines();
+  made_images();
   from_history_to_report();
 }

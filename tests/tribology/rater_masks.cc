@@ -70,6 +70,24 @@ namespace
                 0.,
                 1e-12,
                 "who marked nothing agrees by chance alone");
+    // Pixels that are not seen, some of which a widened line reaches.
+    const std::vector<int> wider = {30, 20, 5, 10, 15, 7};
+    const cv::Mat          seen  = row(wider, {0, 1, 1, 1, 1, 0});
+    const Agreement        part  = agreement_of(
+      {row(wider, {0, 1, 1, 0, 0, 1}), row(wider, {0, 1, 0, 1, 0, 1})}, seen);
+    check_close(part.pairs.at(0).kappa->value,
+                0.4,
+                1e-12,
+                "what nobody can see is no agreement");
+    check_close(part.pairs.at(0).kappa->deviation,
+                pair.kappa->deviation,
+                1e-12,
+                "nor a block to leave out");
+    check_close(part.pairs.at(0).dice, 40. / 55., 1e-12, "nor an overlap");
+    check_close(part.fleiss->value,
+                agreement_of({a, b}).fleiss->value,
+                1e-12,
+                "of all raters either");
   }
 
 
@@ -206,6 +224,8 @@ namespace
     check(text_of("out/run.log").find("with one mask nothing tells") !=
             std::string::npos,
           "and the log says so");
+    check(image.at("cracks").at("excluded").empty(),
+          "squeal has left out nothing where a rater states the cracks");
     const double length = image.at("cracks").at("length_mm");
     check_close(rating.at("lengths_mm").at(0).get<double>(),
                 length,
@@ -318,6 +338,9 @@ namespace
                 own.at("length_mm").get<double>(),
                 1e-12,
                 "squeal's own length is stated");
+    check(!own.at("excluded").empty() &&
+            cracks.at("excluded") == own.at("excluded"),
+          "with the lines that it left out");
     check(cracks.at("length_error_mm").get<double>() >
             own.at("length_error_mm").get<double>(),
           "its error holds how far the others differ");

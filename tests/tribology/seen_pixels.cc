@@ -5,6 +5,7 @@
 #include "../analyses/program.h"
 
 #include <squeal/results/table.h>
+#include <squeal/tribology/images/areas.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/seen_pixels.h>
 #include <squeal/tribology/images/specimen.h>
@@ -118,6 +119,36 @@ namespace
 
 
 
+  /** Of a strip that is narrower than the cells of the shading nothing tells
+   * it, and it is measured all the same. */
+  void
+  check_strips()
+  {
+    cv::Mat grey(330, 400, CV_32F, cv::Scalar(120.));
+    cv::RNG(7).fill(grey, cv::RNG::NORMAL, 120., 5.);
+    SeenPixels strip = cv::Mat::zeros(grey.size(), CV_8U);
+    cv::line(strip, {0, 100}, {399, 130}, 255, 3);
+    check(cv::checkRange(flatten_illumination(grey, strip)),
+          "no shading of a strip");
+    const AreaMap map =
+      find_areas(grey, cv::Mat::zeros(grey.size(), CV_8U), {}, strip);
+    check(cv::countNonZero(map.exfoliation & ~strip) == 0 &&
+            std::isfinite(map.exfoliation_error),
+          "nor areas beside it");
+    cv::Mat layers, bytes, alpha = strip;
+    grey.convertTo(bytes, CV_8U);
+    cv::merge(std::vector<cv::Mat>{bytes, bytes, bytes, alpha}, layers);
+    cv::imwrite("strip.png", layers);
+    check_close(run("set Images = strip.png\nset Pixel size = 1\n")
+                  .at("observed_area_mm2")
+                  .get<double>(),
+                1e-6 * cv::countNonZero(strip),
+                1e-9,
+                "the area of a strip");
+  }
+
+
+
   /** Two views that touch at a corner. */
   void
   check_mosaic(const cv::Mat &image)
@@ -202,6 +233,7 @@ main(int argc, char **argv)
   program = argv[1];
   cv::setNumThreads(1);
   check_black_parts();
+  check_strips();
   const cv::Mat image = worn_surface();
   check_mosaic(image);
   check_borders(image);

@@ -129,6 +129,68 @@ namespace
 
 
 
+  /** The chunk tRNS of a grey PNG with its checksum. */
+  std::string
+  transparent_chunk(const int grey)
+  {
+    const std::string data = std::string("tRNS") + char(grey >> 8) + char(grey);
+    std::uint32_t     crc  = 0xffffffffU;
+    for (const char byte : data)
+      {
+        crc ^= std::uint8_t(byte);
+        for (int bit = 0; bit < 8; ++bit)
+          crc = crc >> 1 ^ ((crc & 1U) != 0 ? 0xedb88320U : 0U);
+      }
+    std::string chunk = std::string(3, '\0') + '\2' + data;
+    for (int byte = 3; byte >= 0; --byte)
+      chunk += char(~crc >> 8 * byte);
+    return chunk;
+  }
+
+
+
+  /** One grey value of a PNG without an alpha channel may be transparent. */
+  void
+  check_transparent_grey(const cv::Mat &image)
+  {
+    cv::Mat bytes = image.clone();
+    bytes.setTo(199, bytes == 200);
+    bytes(cv::Rect(20, 30, 9, 9)).setTo(199);
+    bytes.colRange(140, bytes.cols).setTo(200);
+    for (const auto &[values, grey] :
+         {std::pair(bytes, 200),
+          std::pair(of_16_bit(bytes, 257.), 200 * 257),
+          std::pair(bytes, 199),
+          std::pair(bytes, 201)})
+      {
+        cv::imwrite("opaque.png", values);
+        std::string file = text_of("opaque.png");
+        check(read_pixels("opaque.png").opaque.empty(), "nothing is said");
+        // Behind the header of 33 bytes.
+        file.insert(33, transparent_chunk(grey));
+        write_text("transparent.png", file);
+        const StoredPixels pixels = read_pixels("transparent.png");
+        const cv::Mat      shown  = values != grey;
+        if (grey == 201)
+          check(pixels.opaque.empty(), "no pixel has that value");
+        else
+          check(same(pixels.opaque, shown),
+                "transparent grey " + std::to_string(grey));
+        check(!pixels.is_transparent, "something is seen");
+      }
+    const Micrograph m = read_micrograph("transparent.png", 1.);
+    check(m.seen.empty(), "all of it is seen");
+    cv::imwrite("opaque.png", cv::Mat(64, 64, CV_8U, cv::Scalar(9)));
+    std::string file = text_of("opaque.png");
+    file.insert(33, transparent_chunk(9));
+    write_text("transparent.png", file);
+    check_throws<InputError>([]() { read_micrograph("transparent.png", 1.); },
+                             "transparent everywhere",
+                             "where nothing is seen nothing is measured");
+  }
+
+
+
   void
   check_stacks(const cv::Mat &image)
   {
@@ -275,6 +337,7 @@ main(int argc, char **argv)
   check_bits(image);
   check_white_and_black(image);
   check_turned(image);
+  check_transparent_grey(image);
   check_stacks(image);
   check_pixels_that_are_no_squares();
   check_brackets_in_names(image);

@@ -227,6 +227,15 @@ namespace squeal::tribology
 
 
 
+  namespace
+  {
+    // Of what images of a pad show, seen once: with more they are beside one
+    // another.
+    constexpr double beside_one_another = 0.99;
+  } // namespace
+
+
+
   std::string
   cracks_in_words(const SegmentationRecord &record)
   {
@@ -238,8 +247,16 @@ namespace squeal::tribology
         area += i.statistics.observed_area;
       }
     const std::size_t n = record.images.size();
-    const std::string text =
-      std::to_string(n) + (n == 1 ? " image" : " images");
+    std::string text    = std::to_string(n) + (n == 1 ? " image" : " images");
+    if (const auto &once = record.seen_once;
+        once && once->share < beside_one_another)
+      {
+        length = 1e-3 * once->crack_length;
+        area   = 1e-6 * once->area;
+        // The same image n times has the error of one.
+        square *= once->share;
+        text += " that overlap, each part of the pad counted once";
+      }
     const std::string error = rounded_text(std::sqrt(square), 2) + " mm";
     if (length == 0.)
       return "no crack found in " + text + " (0 +- " + error +

@@ -159,11 +159,11 @@ namespace squeal::tribology
     void
     report_links(HtmlReport                     &report,
                  const Context                  &context,
+                 const CorrelationParameters    &p,
                  std::vector<PadLink>            links,
                  const std::vector<GroupResult> &groups)
     {
-      const CorrelationParameters &p     = context.parameters.correlation;
-      const std::string            plots = context.output.path() + "/plots/";
+      const std::string plots = context.output.path() + "/plots/";
       report.section("Question");
       report.paragraph(
         "Do cells of the pad with more computed damage have more of the "
@@ -227,7 +227,7 @@ namespace squeal::tribology
   void
   run_correlation(Context &context)
   {
-    const CorrelationParameters &p = context.parameters.correlation;
+    CorrelationParameters p = context.parameters.correlation;
     for (const std::string &file : p.damage_tables)
       prm::require_file(file, "Correlation", "Damage tables", true);
     for (const std::string &file : p.feature_tables)
@@ -236,6 +236,8 @@ namespace squeal::tribology
     const std::vector<PadMaps> pads = read_pads(p);
     std::vector<PadLink>       links;
     std::vector<GroupResult>   groups;
+    for (const PadMaps &pad : pads)
+      p.is_synthetic = p.is_synthetic || pad.is_synthetic;
     {
       Timers::Section section(context.timers, "Correlate: maps");
       links  = link_pads(pads, p);
@@ -289,7 +291,7 @@ namespace squeal::tribology
         study.add_images(report, context);
       }
     if (!links.empty())
-      report_links(report, context, links, groups);
+      report_links(report, context, p, links, groups);
     if (p.self_test)
       {
         const Table test = self_test_table(context);

@@ -91,7 +91,10 @@ namespace squeal::tribology
         for (std::size_t i = 0; i < images.size(); ++i)
           process(i);
         if (pad)
-          append(*pad, "pad");
+          {
+            append(*pad, "pad");
+            record.seen_once = pad->seen_once();
+          }
         context.write_table("cells.csv", cells);
         write_segmentation_record(record,
                                   context.output.file("segmentation.json"));
@@ -119,7 +122,10 @@ namespace squeal::tribology
     private:
       /** Masks instead of what squeal found, or beside it. */
       void
-      rate(const std::size_t i, Segmentation &found, SegmentedImage &entry)
+      rate(const std::size_t i,
+           const cv::Mat    &picture,
+           Segmentation     &found,
+           SegmentedImage   &entry)
       {
         const Micrograph &m = images[i];
         RatingSettings    settings;
@@ -130,7 +136,7 @@ namespace squeal::tribology
         entry.tolerance    = p.mask_tolerance;
         if (!input.crack_marks[i].empty())
           entry.crack_rating =
-            rate_cracks(m.grey(m.frame),
+            rate_cracks(picture,
                         input.crack_marks[i],
                         settings,
                         settings_of(p, m.pixel_size).n_octaves,
@@ -158,6 +164,9 @@ namespace squeal::tribology
           context.log.warning(warning);
         Micrograph  m = images[0];
         cv::Point2d centre(0., 0.);
+        for (const Micrograph &other : images)
+          m.metadata.is_synthetic =
+            m.metadata.is_synthetic || other.metadata.is_synthetic;
         m.stem         = "mosaic";
         m.path         = "mosaic";
         m.grey         = mosaic.grey;
@@ -245,6 +254,25 @@ namespace squeal::tribology
             " um: give the image with larger pixels");
       }
 
+      /** The frame of an image and what is seen of it, of a section without
+       * its resin. */
+      SectionView
+      specimen_in(const Micrograph &m) const
+      {
+        SectionView shown;
+        shown.grey = m.grey(m.frame);
+        if (!m.seen.empty())
+          shown.seen = m.seen(m.frame).clone();
+        if (p.view != V::section)
+          return shown;
+        shown = below_face(shown.grey, shown.seen);
+        if (shown.grey.empty())
+          throw InputError(m.path +
+                           " shows no specimen under the resin of a section: "
+                           "the worn face must be at the top");
+        return shown;
+      }
+
       void
       process(const std::size_t i)
       {
@@ -253,14 +281,14 @@ namespace squeal::tribology
         Segmentation      found;
         warn_of_width(m);
         {
-          Timers::Section section(context.timers, "Solve: segment images");
-          found =
-            segment(m.grey(m.frame),
-                    settings_of(p, m.pixel_size),
-                    LineJudge::standard(),
-                    m.seen.empty() ? SeenPixels() : m.seen(m.frame).clone());
+          Timers::Section   section(context.timers, "Solve: segment images");
+          const SectionView shown = specimen_in(m);
+          found                   = segment(shown.grey,
+                          settings_of(p, m.pixel_size),
+                          LineJudge::standard(),
+                          shown.seen);
           if (!p.mosaic)
-            rate(i, found, entry);
+            rate(i, shown.grey, found, entry);
         }
         entry.stem         = m.stem;
         entry.path         = m.path;
@@ -314,7 +342,7 @@ namespace squeal::tribology
         CellGrid        own(
           cv::Size2d(m.frame.size()) * m.pixel_size, p.cells[0], p.cells[1]);
         CellGrid &grid = pad ? *pad : own;
-        grid.add(found, placement, sliding);
+        grid.add(found, placement, sliding, m.metadata.is_synthetic);
         if (is_first)
           for (const auto &[name, values] : element_maps)
             grid.add_covariate(name, values, placement, found.seen);
@@ -352,22 +380,24 @@ namespace squeal::tribology
         const SectionProfile profile =
           profile_section(m.grey(m.frame),
                           found.cracks.centre_line,
-                          std::max(1., p.depth_band / s));
+                          std::max(1., p.depth_band / s),
+                          found.seen);
         for (const std::string &doubt : profile.doubts)
           context.log.warning(m.path + ": " + doubt);
         using T = Table::Type;
-        Table        table({{"depth_m", T::real, "m", "middle of the band"},
-                            {"area_m2", T::real, "m^2", "area of the band"},
-                            {"crack_length_m", T::real, "m", "length in the band"},
-                            {"crack_density_per_m", T::real, "1/m", "over area"}});
-        const double band = std::max(s, p.depth_band);
+        Table table({{"depth_m", T::real, "m", "mean of what is seen"},
+                     {"area_m2", T::real, "m^2", "area that is seen"},
+                     {"crack_length_m", T::real, "m", "length in the band"},
+                     {"crack_density_per_m", T::real, "1/m", "over area"}});
         for (std::size_t b = 0; b < profile.band_area.size(); ++b)
           {
             const double area   = 1e-12 * s * s * profile.band_area[b];
             const double length = 1e-6 * s * profile.crack_length[b];
             if (area > 0.)
-              table.add_row(
-                {1e-6 * band * (double(b) + 0.5), area, length, length / area});
+              table.add_row({1e-6 * s * profile.band_depth[b],
+                             area,
+                             length,
+                             length / area});
           }
         context.write_table(m.stem + "_depth.csv", table);
         entry.layer = std::array<double, 3>{{s * profile.layer_10,

@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -39,17 +40,22 @@ namespace squeal::tribology
 
 
 
+    /** Of what is @p seen, in blocks of the rectangle around it; those in which
+     * nothing is seen are left out. */
     std::vector<Counts>
-    count(const std::vector<const cv::Mat *> &masks)
+    count(const std::vector<const cv::Mat *> &masks, const SeenPixels &seen)
     {
-      const cv::Size      size = masks[0]->size();
+      const cv::Rect view = seen.empty() ? cv::Rect({0, 0}, masks[0]->size())
+                                         : cv::boundingRect(seen);
       std::vector<Counts> parts(n_parts, Counts(masks.size()));
-      for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
+      for (int y = view.y; y < view.br().y; ++y)
+        for (int x = view.x; x < view.br().x; ++x)
           {
+            if (!seen.empty() && seen.at<uchar>(y, x) == 0)
+              continue;
             Counts &part =
-              parts[std::size_t(y * blocks / size.height) * blocks +
-                    std::size_t(x * blocks / size.width)];
+              parts[std::size_t((y - view.y) * blocks / view.height) * blocks +
+                    std::size_t((x - view.x) * blocks / view.width)];
             std::size_t n = 0;
             for (std::size_t k = 0; k < masks.size(); ++k)
               if (masks[k]->at<uchar>(y, x) != 0)
@@ -59,6 +65,12 @@ namespace squeal::tribology
                 }
             part.by_marks[n] += 1.;
           }
+      parts.erase(std::remove_if(parts.begin(),
+                                 parts.end(),
+                                 [](const Counts &part) {
+                                   return cv::sum(part.by_marks)[0] == 0.;
+                                 }),
+                  parts.end());
       return parts;
     }
 
@@ -139,17 +151,17 @@ namespace squeal::tribology
 
 
   Agreement
-  agreement_of(const std::vector<cv::Mat> &masks)
+  agreement_of(const std::vector<cv::Mat> &masks, const SeenPixels &seen)
   {
     Agreement                    result;
     std::vector<const cv::Mat *> all;
     for (const cv::Mat &mask : masks)
       all.push_back(&mask);
-    result.fleiss = jackknife(count(all), fleiss);
+    result.fleiss = jackknife(count(all, seen), fleiss);
     for (std::size_t i = 0; i < masks.size(); ++i)
       for (std::size_t j = i + 1; j < masks.size(); ++j)
         {
-          const std::vector<Counts> parts = count({&masks[i], &masks[j]});
+          const std::vector<Counts> parts = count({&masks[i], &masks[j]}, seen);
           double                    both = 0., sum = 0.;
           for (const Counts &part : parts)
             {

@@ -267,8 +267,10 @@ namespace squeal::tribology
   flatten_illumination(const cv::Mat &grey, const SeenPixels &seen)
   {
     constexpr int n_terms = 5;
-    using Terms           = std::array<double, n_terms>;
-    const auto terms      = [&](const double x, const double y) {
+    // With fewer differences of cells nothing tells a shading.
+    constexpr std::size_t least_differences = 10 * n_terms;
+    using Terms                             = std::array<double, n_terms>;
+    const auto terms = [&](const double x, const double y) {
       const double u = 2. * x / grey.cols - 1., v = 2. * y / grey.rows - 1.;
       return Terms{u, v, u * u, u * v, v * v};
     };
@@ -310,7 +312,9 @@ namespace squeal::tribology
               values.push_back(cells.at<float>(y + d.y, x + d.x) -
                                cells.at<float>(y, x));
             }
-    const cv::Mat1d c = robust_fit(rows, values);
+    const cv::Mat1d c = values.size() < least_differences
+                          ? cv::Mat1d(cv::Mat1d::zeros(n_terms, 1))
+                          : robust_fit(rows, values);
     cv::Mat         flat(grey.size(), CV_32F);
     for (int y = 0; y < grey.rows; ++y)
       for (int x = 0; x < grey.cols; ++x)

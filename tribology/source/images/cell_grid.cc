@@ -14,6 +14,16 @@ namespace squeal::tribology
     {
       return seen.empty() || seen.at<uchar>(p) != 0;
     }
+
+
+
+    /** A component of a direction, 0 where the direction is along the other
+     * axis. */
+    double
+    without_rounding(const double component)
+    {
+      return std::abs(component) < 1e-15 ? 0. : component;
+    }
   } // namespace
 
 
@@ -42,8 +52,11 @@ namespace squeal::tribology
   void
   CellGrid::add(const Segmentation &s,
                 const Placement    &placement,
-                const double        sliding)
+                const double        direction,
+                const bool          image_is_synthetic)
   {
+    sliding                = direction;
+    is_synthetic           = is_synthetic || image_is_synthetic;
     const cv::Mat &line    = s.cracks.centre_line;
     const cv::Mat  lengths = pixel_lengths(line);
     note_view(line.size(), s.seen, placement);
@@ -123,6 +136,8 @@ namespace squeal::tribology
       }
   }
 
+
+
   double
   CellGrid::share_seen_once(const int i, const int j) const
   {
@@ -132,6 +147,26 @@ namespace squeal::tribology
                                         parts_of_a_cell));
     const double  sum  = cv::sum(part)[0];
     return sum > 0. ? cv::countNonZero(part) / sum : 1.;
+  }
+
+
+
+  CellGrid::SeenOnce
+  CellGrid::seen_once() const
+  {
+    SeenOnce once;
+    double   area = 0.;
+    for (int j = 0; j < n_y; ++j)
+      for (int i = 0; i < n_x; ++i)
+        {
+          const Cell  &c     = cells[std::size_t(j) * n_x + i];
+          const double share = share_seen_once(i, j);
+          area += c.area;
+          once.area += share * c.area;
+          once.crack_length += share * c.crack_length;
+        }
+    once.share = area > 0. ? once.area / area : 1.;
+    return once;
   }
 
 
@@ -187,7 +222,10 @@ namespace squeal::tribology
        "",
        "mean of cos 2a of that angle: 1 along the sliding, -1 across it"},
       {"exfoliation_fraction", T::real, "", "area of exfoliations"},
-      {"plateau_fraction", T::real, "", "area of contact plateaus"}};
+      {"plateau_fraction", T::real, "", "area of contact plateaus"},
+      {"sliding_x", T::real, "", "direction that angles are against"},
+      {"sliding_y", T::real, "", "direction that angles are against"},
+      {"synthetic", T::integer, "", "1: a made image is among those shown"}};
     for (const Covariate &c : covariates)
       result.push_back({c.name, T::real, "", "mean of the element map"});
     return result;
@@ -220,7 +258,10 @@ namespace squeal::tribology
                 : nothing,
             has ? squeal::Cell(c.cosine / c.crack_length) : nothing,
             seen ? squeal::Cell(c.exfoliation / c.area) : nothing,
-            seen ? squeal::Cell(c.plateau / c.area) : nothing};
+            seen ? squeal::Cell(c.plateau / c.area) : nothing,
+            without_rounding(std::cos(sliding)),
+            without_rounding(std::sin(sliding)),
+            int(is_synthetic)};
           for (const Covariate &v : covariates)
             row.push_back(v.weight[k] > 0.
                             ? squeal::Cell(v.sum[k] / v.weight[k])

@@ -57,11 +57,33 @@ namespace squeal::tribology
 
 
 
+    constexpr std::size_t bits_at = 24, colour_type_at = 25; // of a PNG
+
+    /** What the chunk tRNS of @p length bytes at @p place says of a grey
+     * image, on the scale that fewer than 8 bits are spread to; nothing of
+     * other images. */
+    std::optional<int>
+    transparent_grey(const std::string &data,
+                     const std::size_t  place,
+                     const std::size_t  length)
+    {
+      if (data.size() <= colour_type_at || data.size() < place + 2 ||
+          length != 2 || data[colour_type_at] != 0 || data[bits_at] < 1)
+        return std::nullopt;
+      const int bits  = data[bits_at];
+      const int value = int(big_endian_number(data, place, 2));
+      return bits == 16 ? value
+             : bits < 8 ? value * 255 / ((1 << bits) - 1)
+                        : value & 255;
+    }
+
+
+
     ImageTags
     tags_of_png(const std::string &data)
     {
       ImageTags     tags;
-      constexpr int alpha_bit = 4, colour_type_at = 25;
+      constexpr int alpha_bit = 4;
       tags.may_have_alpha =
         data.size() > colour_type_at && (data[colour_type_at] & alpha_bit) != 0;
       for (std::size_t at = 8; at + 12 <= data.size();)
@@ -69,7 +91,10 @@ namespace squeal::tribology
           const std::size_t length = big_endian_number(data, at, 4);
           const std::string kind   = data.substr(at + 4, 4);
           if (kind == "tRNS")
-            tags.may_have_alpha = true;
+            {
+              tags.may_have_alpha   = true;
+              tags.transparent_grey = transparent_grey(data, at + 8, length);
+            }
           else if (kind == "eXIf")
             {
               const std::string exif = data.substr(at + 8, length);

@@ -41,7 +41,8 @@ namespace squeal::tribology
     compare(Rating                     &rating,
             const std::vector<cv::Mat> &masks,
             const double                stated,
-            const std::size_t           n_others)
+            const std::size_t           n_others,
+            const SeenPixels           &seen)
     {
       if (masks.size() < 2)
         return;
@@ -49,7 +50,7 @@ namespace squeal::tribology
       for (const double amount : rating.amounts)
         squares += (amount - stated) * (amount - stated);
       rating.deviation = std::sqrt(squares / double(n_others));
-      rating.agreement = agreement_of(masks);
+      rating.agreement = agreement_of(masks, seen);
     }
   } // namespace
 
@@ -87,13 +88,19 @@ namespace squeal::tribology
         segmentation.cracks = measure_cracks(
           grey, stated, filter_ridges(grey, n_octaves, 1., segmentation.seen));
         keep_seen(segmentation.cracks.area, segmentation.seen);
+        // What the finder left out is part of its judgement, not of theirs.
+        segmentation.excluded.clear();
       }
     for (const cv::Mat &line : lines)
       {
         rating.amounts.push_back(length_of(line, settings.placement));
         wide.push_back(widened(line, settings.tolerance));
       }
-    compare(rating, wide, length_of(stated, settings.placement), cracks.size());
+    compare(rating,
+            wide,
+            length_of(stated, settings.placement),
+            cracks.size(),
+            segmentation.seen);
     return rating;
   }
 
@@ -129,8 +136,11 @@ namespace squeal::tribology
     const PixelAreas pixels(segmentation, settings.placement);
     for (const cv::Mat &mask : masks)
       rating.amounts.push_back(pixels.of(mask));
-    compare(
-      rating, masks, pixels.of(segmentation.areas.exfoliation), areas.size());
+    compare(rating,
+            masks,
+            pixels.of(segmentation.areas.exfoliation),
+            areas.size(),
+            segmentation.seen);
     return rating;
   }
 

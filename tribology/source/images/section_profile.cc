@@ -13,9 +13,11 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int least_step = 12; // grey levels between layer and bulk
+    constexpr int    least_step     = 12;  // grey levels between layer and bulk
+    constexpr double face_smoothing = 1.5; // pixels
     // Strata above the material: pixels, deviations, shares of the pixels.
     constexpr int    blurred_edge = 6, strip_end = 10;
+    constexpr int    dark_edge = 3; // pixels under the face
     constexpr double apart = 4., most_of_stratum = 0.8;
     // Resin is darker than so much of the bulk, and seen in most columns.
     constexpr double brightest_resin = 0.35, few_columns = 0.1;
@@ -204,6 +206,15 @@ namespace squeal::tribology
 
 
 
+    /** Of the specimen in a column with the face at @p surface. */
+    int
+    first_row(const double surface)
+    {
+      return int(std::ceil(surface));
+    }
+
+
+
     std::string
     per_cent(const double share)
     {
@@ -235,8 +246,9 @@ namespace squeal::tribology
         doubts.push_back(
           "no layer is found in " + per_cent(none) +
           " of the columns; if the dark strip at the top is a layer and no "
-          "resin, neither the layer nor the depths are right: take a picture "
-          "with resin above the layer, or blacken the resin");
+          "resin, neither the layer nor the depths are right, and the strip is "
+          "in no figure: take a picture with resin above the layer, or blacken "
+          "the resin");
       else if (p.layer_10 == 0.)
         doubts.push_back("no layer is found in " + per_cent(none) +
                          " of the columns: look whether it is missing there or "
@@ -248,12 +260,13 @@ namespace squeal::tribology
 
 
   SectionProfile
-  profile_section(const cv::Mat &grey,
-                  const cv::Mat &centre_line,
-                  const double   band)
+  profile_section(const cv::Mat    &grey,
+                  const cv::Mat    &centre_line,
+                  const double      band,
+                  const SeenPixels &seen)
   {
     cv::Mat smooth;
-    cv::GaussianBlur(grey, smooth, cv::Size(), 1.5);
+    cv::GaussianBlur(grey, smooth, cv::Size(), face_smoothing);
     SectionProfile result;
     result.surface = find_surface(smooth);
 
@@ -283,19 +296,56 @@ namespace squeal::tribology
     result.layer_90     = quantile(result.layer, 0.9);
     result.doubts       = doubts_of(result, smooth, bulk);
 
-    const int n_bands = std::max(1, int(grey.rows / band));
+    // Each pixel belongs to the band that its upper edge lies in.
+    const int n_bands = int(std::ceil(grey.rows / band));
     result.crack_length.assign(n_bands, 0.);
     result.band_area.assign(n_bands, 0.);
+    result.band_depth.assign(n_bands, 0.);
     const cv::Mat lengths = pixel_lengths(centre_line);
     for (int x = 0; x < grey.cols; ++x)
-      for (int y = int(std::ceil(result.surface[x])); y < grey.rows; ++y)
+      for (int y = first_row(result.surface[x]); y < grey.rows; ++y)
         {
-          const int b = int((y - result.surface[x]) / band);
-          if (b >= n_bands)
-            break;
+          if (!seen.empty() && seen.at<uchar>(y, x) == 0)
+            continue;
+          const double depth = y - result.surface[x];
+          const int    b     = int(depth / band);
           result.band_area[b] += 1.;
+          result.band_depth[b] += depth + 0.5;
           result.crack_length[b] += lengths.at<float>(y, x);
         }
+    for (int b = 0; b < n_bands; ++b)
+      result.band_depth[b] /= std::max(1., result.band_area[b]);
     return result;
+  }
+
+
+
+  SectionView
+  below_face(const cv::Mat &grey, const SeenPixels &seen)
+  {
+    cv::Mat smooth;
+    cv::GaussianBlur(grey, smooth, cv::Size(), face_smoothing);
+    const std::vector<double> surface = find_surface(smooth);
+    SectionView               specimen;
+    specimen.seen  = cv::Mat::zeros(grey.size(), CV_8U);
+    cv::Mat inside = specimen.seen.clone();
+    for (int x = 0; x < grey.cols; ++x)
+      {
+        const int face = first_row(surface[x]);
+        // Where the picture begins below the face there is no blurred edge.
+        const int sharp = face == 0 ? 0 : std::min(grey.rows, face + dark_edge);
+        specimen.seen(cv::Range(face, grey.rows), cv::Range(x, x + 1))
+          .setTo(255);
+        inside(cv::Range(sharp, grey.rows), cv::Range(x, x + 1)).setTo(255);
+      }
+    if (!seen.empty())
+      {
+        specimen.seen &= seen;
+        inside &= seen;
+      }
+    if (cv::countNonZero(inside) == 0)
+      return {};
+    specimen.grey = mirrored_beyond(grey, inside);
+    return specimen;
   }
 } // namespace squeal::tribology

@@ -116,6 +116,20 @@ namespace squeal::tribology
                          "the tag");
       pixels.opaque = alpha >= (alpha.depth() == CV_16U ? 32768 : 128);
     }
+
+
+
+    /** Of grey images the decoder gives no alpha channel, whatever their tags
+     * say. */
+    void
+    leave_grey(const int transparent, StoredPixels &pixels)
+    {
+      const cv::Mat opaque  = pixels.values != transparent;
+      const int     n       = cv::countNonZero(opaque);
+      pixels.is_transparent = n == 0;
+      if (n > 0 && n < int(opaque.total()))
+        pixels.opaque = opaque;
+    }
   } // namespace
 
 
@@ -144,7 +158,9 @@ namespace squeal::tribology
     if (tags.white_is_zero && image.depth() == CV_16U)
       pixels.values = cv::Scalar(65535) - pixels.values;
     pixels.orientation = tags.orientation;
-    if (tags.may_have_alpha)
+    if (tags.transparent_grey)
+      leave_grey(*tags.transparent_grey, pixels);
+    else if (tags.may_have_alpha)
       read_alpha(data, path, pixels);
     return pixels;
   }

@@ -98,7 +98,9 @@ namespace squeal::tribology
                "of finding it.");
     schema.add("Synthetic",
                c.is_synthetic,
-               "The images were made by the generator: every verdict says so.");
+               "The images were made by the generator: every verdict says so. "
+               "It does so as well where a column 'synthetic' of a table of "
+               "features says it.");
     schema.add("Self test",
                c.self_test,
                "Test the test: rate of false positives on pairs of independent "

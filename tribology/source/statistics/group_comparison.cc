@@ -43,24 +43,36 @@ namespace squeal::tribology
       return result;
     }
 
-    /** Part of all choices of @p k of the values whose difference of means is
-     * at least the one given; of random ones, with the one at hand among them,
-     * where there are too many. The order of @p values does not matter. */
+    /** Sums of pads are rounded in another order for each choice of them:
+     * differences of means that lie as close, over the largest value, are the
+     * same. */
+    constexpr double same_means = 1e-12;
+
+    /** Part of all choices of as many values as there are @p chosen_values whose
+     * difference of means from the rest is at least that of these from
+     * @p others; of random ones, with the one at hand among them, where there
+     * are too many. The order of the values does not matter. */
     double
-    permutation_p(std::vector<double> values,
-                  const std::size_t   k,
-                  const double        observed,
-                  const unsigned int  seed)
+    permutation_p(const std::vector<double> &others,
+                  const std::vector<double> &chosen_values,
+                  const unsigned int         seed)
     {
+      std::vector<double> values = others;
+      values.insert(values.end(), chosen_values.begin(), chosen_values.end());
       std::sort(values.begin(), values.end());
-      const std::size_t n   = values.size();
+      const std::size_t n = values.size(), k = chosen_values.size();
       const double      sum = std::accumulate(values.begin(), values.end(), 0.);
-      double            n_all = 0., n_larger = 0.;
-      const auto        count = [&](const double in) {
-        const double difference = in / k - (sum - in) / (n - k);
+      const auto        difference = [&](const double in) {
+        return std::abs(in / k - (sum - in) / (n - k));
+      };
+      const double least = difference(std::accumulate(
+                             chosen_values.begin(), chosen_values.end(), 0.)) -
+                           same_means * std::max(std::abs(values.front()),
+                                                 std::abs(values.back()));
+      double     n_all = 0., n_larger = 0.;
+      const auto count = [&](const double in) {
         n_all += 1.;
-        n_larger +=
-          std::abs(difference) >= std::abs(observed) * (1. - 1e-12) ? 1. : 0.;
+        n_larger += difference(in) >= least ? 1. : 0.;
       };
       if (number_of_choices(n, k) > most_choices)
         {
@@ -185,18 +197,13 @@ namespace squeal::tribology
             (pad.is_silent ? silent : squealing).push_back(mean);
         if (silent.empty() || squealing.empty())
           continue;
-        result.feature          = feature;
-        result.n_silent         = silent.size();
-        result.n_squealing      = squealing.size();
-        result.mean_silent      = mean_of(silent);
-        result.mean_squealing   = mean_of(squealing);
-        std::vector<double> all = silent;
-        all.insert(all.end(), squealing.begin(), squealing.end());
-        result.p_value =
-          permutation_p(all,
-                        squealing.size(),
-                        result.mean_squealing - result.mean_silent,
-                        p.seed);
+        result.feature        = feature;
+        result.n_silent       = silent.size();
+        result.n_squealing    = squealing.size();
+        result.mean_silent    = mean_of(silent);
+        result.mean_squealing = mean_of(squealing);
+        result.p_value        = std::max(smallest_p(result),
+                                  permutation_p(silent, squealing, p.seed));
         results.push_back(result);
       }
     decide_groups(results, p.level);

@@ -36,7 +36,8 @@ namespace squeal::tribology
                                 "sliding_y",
                                 "coverage",
                                 "images",
-                                "pad"})
+                                "pad",
+                                "synthetic"})
         if (name == other)
           return true;
       return false;
@@ -56,6 +57,9 @@ namespace squeal::tribology
      * correlation as a number. */
     constexpr const char *angle_of_lines = "crack_angle_deg";
 
+    /** What stands for it; like it, it is against the sliding direction. */
+    constexpr const char *along_sliding = "crack_along_sliding";
+
     std::vector<std::string>
     feature_columns(const Table &table, const CorrelationParameters &p)
     {
@@ -63,7 +67,8 @@ namespace squeal::tribology
           is_among(p.covariates, angle_of_lines))
         throw InputError(std::string("'") + angle_of_lines +
                          "' jumps from 90 to -90 degrees where lines turn "
-                         "across the sliding: take 'crack_along_sliding'");
+                         "across the sliding: take '" +
+                         along_sliding + "'");
       if (!p.features.empty())
         return p.features;
       std::vector<std::string> names;
@@ -300,6 +305,18 @@ namespace squeal::tribology
 
 
 
+    bool
+    is_any_synthetic(const Table                    &features,
+                     const std::vector<std::size_t> &rows)
+    {
+      return features.has_column("synthetic") &&
+             std::any_of(rows.begin(), rows.end(), [&](const std::size_t row) {
+               return features.real(row, "synthetic") > 0.;
+             });
+    }
+
+
+
     PadMaps
     read_pad(const std::string           &damage_file,
              const std::string           &feature_file,
@@ -357,6 +374,7 @@ namespace squeal::tribology
       const auto map_of_feature = [&](const std::string &name) {
         return feature_map(*pad.grid, features, rows, name);
       };
+      pad.is_synthetic = is_any_synthetic(features, rows.rows);
       for (const std::string &name : feature_columns(features, p))
         {
           features.column_index(name);
@@ -378,6 +396,9 @@ namespace squeal::tribology
                                 ? on_grid(*pad.grid, damage.reals(name))
                                 : map_of_feature(name)});
         }
+      if (pad.features.count(along_sliding) > 0 ||
+          is_among(p.covariates, along_sliding))
+        require_same_sliding(sliding, damage_file, features, feature_file);
       pad.causes = shared_causes(
         pad.coverage, p.shared_causes, sliding.leading_edge, measured);
       return pad;

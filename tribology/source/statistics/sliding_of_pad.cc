@@ -20,6 +20,9 @@ namespace squeal::tribology
      * the second it does not lead. An edge at 45 degrees is one of two. */
     constexpr double leads_alone = 0.9, leads = 0.7;
 
+    /** Sine of the angle between directions that are the same. */
+    constexpr double same_direction = 0.0872;
+
     /** From an edge into the pad. */
     Direction
     inwards(const LeadingEdge edge)
@@ -113,6 +116,16 @@ namespace squeal::tribology
       return "the sliding direction of '" + file + "', (" +
              rounded_text(d[0], 3) + ", " + rounded_text(d[1], 3) + ")";
     }
+
+
+
+    /** From x towards y, from 0 to below 180: lines have no sign. */
+    double
+    degrees_of(const Direction &d)
+    {
+      const double angle = 180. / M_PI * std::atan2(d[1], d[0]);
+      return angle - 180. * std::floor(angle / 180.);
+    }
   } // namespace
 
 
@@ -127,7 +140,7 @@ namespace squeal::tribology
     if (!told)
       {
         const LeadingEdge edge = is_automatic ? LeadingEdge::lowest_y : wanted;
-        return {inwards(edge), edge, is_automatic};
+        return {inwards(edge), edge, is_automatic, false};
       }
     const LeadingEdge edge         = is_automatic ? first_edge(*told) : wanted;
     const bool        is_all_round = (*told)[0] == 0. && (*told)[1] == 0.;
@@ -145,6 +158,32 @@ namespace squeal::tribology
                           choice_name(first_edge(*told)) +
                           "': set that, or 'automatic', which takes the edge "
                           "of each table");
-    return {*told, edge, false};
+    return {*told, edge, false, true};
+  }
+
+
+
+  void
+  require_same_sliding(const PadSliding  &sliding,
+                       const std::string &damage_file,
+                       const Table       &features,
+                       const std::string &feature_file)
+  {
+    const std::optional<Direction> of_features =
+      told_direction(features, feature_file);
+    const Direction &a = sliding.direction;
+    if (!of_features || sliding.is_assumed || (a[0] == 0. && a[1] == 0.))
+      return;
+    const Direction &b         = *of_features;
+    const double     sine      = std::abs(a[0] * b[1] - a[1] * b[0]);
+    const bool       is_no_way = b[0] == 0. && b[1] == 0.;
+    if (!is_no_way && sine <= (sliding.is_told ? same_direction : leads))
+      return;
+    throw InputError("'crack_along_sliding' is against " +
+                     direction_text(feature_file, b) + ", and not against " +
+                     direction_text(damage_file, a) +
+                     ": segment the images with 'Sliding direction = " +
+                     rounded_text(degrees_of(a), 3) +
+                     "', or name other features in 'Features'");
   }
 } // namespace squeal::tribology

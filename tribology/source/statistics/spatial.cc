@@ -236,12 +236,13 @@ namespace squeal::tribology
       return 1.;
     const PhaseSurrogates  surrogates(x);
     constexpr unsigned int enough   = 100;
+    constexpr double       same     = 1e-9; // apart by rounding
     unsigned int           n_larger = 0;
     for (unsigned int i = 1; i <= n; ++i)
       {
         const auto   values = common_values(surrogates.draw(generator), y);
         const double other  = pearson(values[0], values[1]);
-        if (!(std::abs(other) < r) && ++n_larger == enough)
+        if (!(std::abs(other) < r - same) && ++n_larger == enough)
           return static_cast<double>(enough) / i;
       }
     return (1. + n_larger) / (1. + n);

@@ -16,7 +16,8 @@ namespace squeal::tribology
   std::string reduced_picture(const std::string &from, const std::string &to);
 
   /** The length of all cracks with its deviation, and their density, in one
-   * line. */
+   * line. Where images overlap on the pad, what several of them show counts
+   * once. */
   std::string cracks_in_words(const SegmentationRecord &record);
 
   /** What the images do not tell about areas, a line for each image and kind:

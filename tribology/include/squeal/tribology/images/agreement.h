@@ -2,7 +2,7 @@
 #ifndef squeal_tribology_images_agreement_h
 #define squeal_tribology_images_agreement_h
 
-#include <opencv2/core.hpp>
+#include <squeal/tribology/images/seen_pixels.h>
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 namespace squeal::tribology
 {
   /** Chance-corrected agreement with its deviation, from leaving out one of
-   * sixteen blocks of the image at a time: pixels are not independent. */
+   * sixteen blocks of what is seen at a time: pixels are not independent. */
   struct Kappa
   {
     double value = 1., deviation = 0.;
@@ -34,9 +34,11 @@ namespace squeal::tribology
   };
 
   /** Agreement of @p masks (CV_8U, not 0 where a rater marked a pixel; all of
-   * one size; two at least) over all of their pixels. Lines are to be widened
-   * by the tolerance before, see widened(). */
-  Agreement agreement_of(const std::vector<cv::Mat> &masks);
+   * one size; two at least) over those of their pixels that are @p seen, of
+   * which there must be some. Lines are to be widened by the tolerance before,
+   * see widened(). */
+  Agreement agreement_of(const std::vector<cv::Mat> &masks,
+                         const SeenPixels           &seen = {});
 
   /** All pixels within @p tolerance (pixels) of @p line. */
   cv::Mat widened(const cv::Mat &line, double tolerance);

@@ -12,7 +12,7 @@ namespace squeal::tribology
    * most frequent brightness) is 0. The shading is a polynomial of second
    * degree whose slopes are fitted robustly to those of the logarithm: areas
    * of other brightness disturb at their edges only. Both are those of what is
-   * @p seen. */
+   * @p seen; of strips too narrow to tell a shading there is none. */
   cv::Mat flatten_illumination(const cv::Mat    &grey,
                                const SeenPixels &seen = {});
 

@@ -20,10 +20,12 @@ namespace squeal::tribology
 
     /** Adds a segmented image whose pixels @p placement takes to um. Lengths,
      * widths and directions of cracks are those on the pad; @p sliding is the
-     * direction there, radians from x towards y. */
+     * direction there, radians from x towards y, the same of all images.
+     * Cells of which an image @p is_synthetic say so. */
     void add(const Segmentation &segmentation,
              const Placement    &placement,
-             double              sliding);
+             double              sliding,
+             bool                is_synthetic = false);
 
     /** Adds the mean of a covariate (CV_32F, size of the image) over what is
      * @p seen. */
@@ -31,6 +33,16 @@ namespace squeal::tribology
                        const cv::Mat     &values,
                        const Placement   &placement,
                        const SeenPixels  &seen = {});
+
+    /** What the images show of the cells, parts that several of them show
+     * counted once. */
+    struct SeenOnce
+    {
+      double area         = 0.; /**< um^2 */
+      double crack_length = 0.; /**< um, of each cell its mean density */
+      double share        = 1.; /**< area over the sum of the images' areas */
+    };
+    SeenOnce seen_once() const;
 
     /** Columns of the table; covariates come last. */
     std::vector<Table::Column> columns() const;
@@ -66,6 +78,8 @@ namespace squeal::tribology
     std::vector<Cell>      cells;
     std::vector<Covariate> covariates;
     cv::Mat1f              views; /**< number of images that show each part */
+    double                 sliding      = 0.;
+    bool                   is_synthetic = false;
   };
 } // namespace squeal::tribology
 

@@ -2,6 +2,7 @@
 #ifndef squeal_tribology_images_image_tags_h
 #define squeal_tribology_images_image_tags_h
 
+#include <optional>
 #include <string>
 
 namespace squeal::tribology
@@ -14,6 +15,9 @@ namespace squeal::tribology
     int  n_images       = 1; /**< pages of a TIFF that are no smaller copies */
     bool white_is_zero  = false; /**< tag 262 of TIFF */
     bool may_have_alpha = false; /**< an alpha channel or transparent colours */
+    /** The grey value of a grey PNG that is transparent: 0 to 255, or to 65535
+     * in one of 16 bits. */
+    std::optional<int> transparent_grey;
   };
 
   /** Reads the tags in the bytes of a PNG, TIFF or JPEG file; of any other file

@@ -44,7 +44,8 @@ namespace squeal::tribology
    * Puts the consensus of @p cracks in the place of the cracks of
    * @p segmentation, or compares them with it. @p grey (CV_32F) is the image;
    * widths come from it. What the finder misses or invents is no part of the
-   * error of drawn lines; how far raters differ is.
+   * error of drawn lines; how far raters differ is. In that place there are no
+   * lines that were left out.
    */
   Rating rate_cracks(const cv::Mat            &grey,
                      const std::vector<Marks> &cracks,

@@ -3,6 +3,7 @@
 #define squeal_tribology_images_segmentation_record_h
 
 #include <squeal/results/table.h>
+#include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/rating.h>
 #include <squeal/tribology/images/statistics.h>
 
@@ -36,9 +37,11 @@ namespace squeal::tribology
     static constexpr int format_version = 1;
 
     std::vector<SegmentedImage> images;
-    std::optional<int>          mosaic_refined;         /**< pairs aligned */
-    int                         mosaic_tried      = 0;  /**< pairs */
-    double                      mosaic_correction = 0.; /**< um, largest */
+    /** Of all images together; nothing where they do not lie on a pad. */
+    std::optional<CellGrid::SeenOnce> seen_once;
+    std::optional<int>                mosaic_refined;    /**< pairs aligned */
+    int                               mosaic_tried = 0;  /**< pairs */
+    double mosaic_correction                       = 0.; /**< um, largest */
   };
 
   /** Writes segmentation.json. Throws ComputationError naming a figure that is

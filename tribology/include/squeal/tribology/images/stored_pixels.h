@@ -16,10 +16,11 @@ namespace squeal::tribology
   {
     cv::Mat values; /**< grey, CV_8U or CV_16U; 0 is black whatever the file
                          calls black */
-    /** CV_8U, 255 where the alpha channel is at least half; empty where there
-     * is none or it is the same everywhere. */
+    /** CV_8U, 255 where the alpha channel is at least half, or the grey value
+     * is not the one that is transparent; empty where there is neither or it is
+     * the same everywhere. */
     cv::Mat opaque;
-    /** Where an alpha channel makes every pixel transparent. */
+    /** Where that makes every pixel transparent. */
     bool is_transparent = false;
     int  orientation    = 1; /**< tag 274 of TIFF and EXIF, 1 to 8 */
   };

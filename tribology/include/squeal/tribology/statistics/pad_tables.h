@@ -27,6 +27,9 @@ namespace squeal::tribology
     bool   is_silent  = false;
     /** Whether neither the table nor the parameters tell the leading edge. */
     bool is_edge_assumed = false;
+    /** Whether a row of the features that counts is of made images, by a column
+     * "synthetic" that is positive there. */
+    bool is_synthetic = false;
   };
 
   /**
@@ -37,8 +40,9 @@ namespace squeal::tribology
    * The damage table must cover a rectangular grid. Columns that are covariates
    * are shared causes, and neither indices nor features. The leading edge is
    * that of each table, see sliding_of_pad(). Throws InputError for a missing
-   * column, for a place that lies in no cell and for a coverage that is no part
-   * of a cell.
+   * column, for a place that lies in no cell, for a coverage that is no part
+   * of a cell and for 'crack_along_sliding' against another direction than that
+   * of the damage table, see require_same_sliding().
    */
   std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
 

@@ -18,6 +18,7 @@ namespace squeal::tribology
 
     LeadingEdge leading_edge = LeadingEdge::lowest_y; /**< never automatic */
     bool        is_assumed   = false; /**< as neither table nor wish tells it */
+    bool        is_told      = false; /**< the direction, by the table */
   };
 
   /**
@@ -34,6 +35,19 @@ namespace squeal::tribology
   PadSliding sliding_of_pad(const Table       &damage,
                             const std::string &file,
                             LeadingEdge        wanted);
+
+  /**
+   * Refuses features against another sliding direction than that of the pad:
+   * the columns sliding_x and sliding_y of @p features, which lines have no
+   * sign of, must lie within 5 degrees of a direction that the damage table
+   * tells, and within 45 of one that a leading edge stands for. A table without
+   * the columns, an edge that is assumed and a disc that slides all round
+   * contradict nothing. Throws InputError naming both files.
+   */
+  void require_same_sliding(const PadSliding  &sliding,
+                            const std::string &damage_file,
+                            const Table       &features,
+                            const std::string &feature_file);
 } // namespace squeal::tribology
 
 #endif
