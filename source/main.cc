@@ -38,8 +38,8 @@ namespace
   run_file(const CommandLine &line, const bool is_root)
   {
     Parameters parameters = read_parameters(line.files[0], line.overrides);
+    take_mesh_materials(parameters);
     parameters.check();
-    take_mesh_materials(parameters.scene);
     take_modulus_tables(parameters);
     RunContext context(parameters, is_root, {line.overrides, line.is_quiet});
     run_analysis(context);
@@ -82,8 +82,8 @@ namespace
         for (const auto &file : line.files)
           {
             Parameters parameters = read_parameters(file, line.overrides);
+            take_mesh_materials(parameters);
             parameters.check();
-            take_mesh_materials(parameters.scene);
             take_modulus_tables(parameters);
             check_meshes(parameters.scene);
             if (is_root)

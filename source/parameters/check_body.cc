@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace squeal
 {
@@ -122,18 +123,57 @@ namespace squeal
 
 
 
+      /** Refuses the @p numbers of a body that takes its material from
+       * elsewhere where they are not those of a body without entries. */
+      void
+      refuse_ignored(
+        const BodyParameters &body,
+        const std::string    &section,
+        const std::vector<std::pair<const char *, double BodyParameters::*>>
+                          &numbers,
+        const std::string &reason)
+      {
+        const BodyParameters plain;
+        for (const auto &[entry, number] : numbers)
+          if (body.*number != plain.*number)
+            refuse_entry(section,
+                         entry,
+                         "= " + format_number(body.*number) +
+                           " would be ignored: " + reason +
+                           " (one that comes with an 'include' is set to its "
+                           "default, " +
+                           format_number(plain.*number) + ")");
+      }
+
+
+
       void
       check_mesh_file_entries(const BodyParameters &body,
                               const std::string    &section)
       {
         require_positive(body.mesh_length_unit, section, "Mesh length unit");
         require_positive(body.mesh_mass_unit, section, "Mesh mass unit");
-        if (body.material_from_mesh_file && body.shape != Shape::abaqus &&
-            body.shape != Shape::nastran)
+        if (!body.material_from_mesh_file)
+          return;
+        const std::string entry = "Material from mesh file";
+        if (body.shape != Shape::abaqus && body.shape != Shape::nastran)
           refuse_entry(section,
-                       "Material from mesh file",
+                       entry,
                        "= true is for bodies of 'Shape = abaqus' and "
                        "'nastran', whose files hold materials");
+        if (body.material_model != BodyParameters::MaterialModel::isotropic)
+          refuse_entry(section,
+                       entry,
+                       "= true takes an isotropic material: remove it or "
+                       "'Material model = orthotropic'");
+        refuse_ignored(body,
+                       section,
+                       {{"Young modulus", &BodyParameters::young_modulus},
+                        {"Poisson ratio", &BodyParameters::poisson_ratio},
+                        {"Density", &BodyParameters::density}},
+                       "'" + entry +
+                         " = true' takes that of the file; remove one of "
+                         "them");
       }
 
 
@@ -321,6 +361,12 @@ namespace squeal
       require_positive(body.density, section, "Density");
       if (body.material_model == BodyParameters::MaterialModel::orthotropic)
         {
+          refuse_ignored(body,
+                         section,
+                         {{"Young modulus", &BodyParameters::young_modulus},
+                          {"Poisson ratio", &BodyParameters::poisson_ratio}},
+                         "'Material model = orthotropic' has 'Young moduli' "
+                         "and 'Poisson ratios'; remove it");
           check_orthotropic(body, section);
           check_material_axes(body, section);
           return;

@@ -169,6 +169,23 @@ namespace squeal
 
 
 
+      /** Whether friction in steady sliding depends on the 'Sliding speed': by
+       * its law, or by the transverse term, which divides the friction by it.
+       * The damping of a 'Friction slope' is the same at every speed. */
+      bool
+      depends_on_speed(const ContactParameters &c)
+      {
+        using Law = ContactParameters::FrictionLaw;
+        const bool is_pressed =
+          c.state == ContactParameters::State::preload || c.normal_force != 0.;
+        return c.sliding_speed > 0. &&
+               (c.friction_law == Law::table ||
+                (c.friction_law == Law::exponential && c.decay_speed > 0.) ||
+                (c.transverse_slip_term && is_pressed));
+      }
+
+
+
       void
       check_operating_matrix(const Parameters &parameters)
       {
@@ -196,11 +213,13 @@ namespace squeal
                        "Temperatures",
                        "needs a body with a 'Modulus table file': nothing "
                        "else knows of it");
-        if (!m.speeds.empty() && !any(scene.contacts, [](const auto &c) {
-              return c.sliding_speed > 0.;
-            }))
-          refuse_entry(
-            section, "Speeds", "needs a contact with a 'Sliding speed'");
+        if (!m.speeds.empty() && !any(scene.contacts, &depends_on_speed))
+          refuse_entry(section,
+                       "Speeds",
+                       "needs a contact with a 'Sliding speed' whose friction "
+                       "depends on it, by its 'Friction law' or by the "
+                       "'Transverse slip term' with a normal force: nothing "
+                       "else knows of it");
         check_one_for_all(m, scene, section);
         if (m.both_directions &&
             (scene.contacts.empty() || any(scene.contacts, [](const auto &c) {

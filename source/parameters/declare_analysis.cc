@@ -149,10 +149,14 @@ namespace squeal
         schema.add("Turning bodies",
                    a.bodies,
                    Allowed::list(Allowed::text()),
-                   "Bodies that turn together, each about its 'Rotation axis'; "
-                   "their 'Angle' is set. Rigid bodies are turned as meshed "
+                   "Bodies that turn together, each about its 'Rotation axis', "
+                   "from its own 'Angle' on. Rigid bodies are turned as meshed "
                    "ones are.");
-        schema.add("From", a.from, Allowed::number(), "First angle.", "deg");
+        schema.add("From",
+                   a.from,
+                   Allowed::number(),
+                   "First angle, added to the 'Angle' of each body.",
+                   "deg");
         schema.add("To",
                    a.to,
                    Allowed::number(),

@@ -203,9 +203,9 @@ namespace squeal
         schema.add("Material from mesh file",
                    b.material_from_mesh_file,
                    "The elastic constants and the density of the body are "
-                   "those that an abaqus or nastran file gives its cells, not "
-                   "the entries here. If false and they differ, the log says "
-                   "so.");
+                   "those that an abaqus or nastran file gives its cells; the "
+                   "parameters_used.prm of the run has them as numbers and "
+                   "false here. If false and they differ, the log says so.");
         schema.add(
           "Mass", b.mass, Allowed::positive(), "Mass of a rigid body.", "kg");
         schema.add("Inertia",

@@ -111,28 +111,42 @@ namespace squeal
 
 
 
+  std::map<std::string, std::string>
+  changed_entries(const Parameters               &parameters,
+                  const std::vector<std::string> &paths,
+                  const std::vector<double>      &values)
+  {
+    // Components of one list change one after the other.
+    std::map<std::string, std::vector<std::string>> changed;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      {
+        const NumberEntry entry = find_number(parameters, paths[i]);
+        changed.emplace(entry.path, entry.values)
+          .first->second[entry.component] = prm::format_number(values.at(i));
+      }
+    std::map<std::string, std::string> result;
+    for (const auto &[path, numbers] : changed)
+      result[path] = prm::join(numbers, ", ");
+    return result;
+  }
+
+
+
   Parameters
   with_values(const Parameters               &parameters,
               const std::vector<std::string> &paths,
               const std::vector<double>      &values)
   {
-    // Components of one list change one after the other.
-    std::map<std::string, std::vector<std::string>> changed_values;
-    for (std::size_t i = 0; i < paths.size(); ++i)
-      {
-        const NumberEntry entry = find_number(parameters, paths[i]);
-        changed_values.emplace(entry.path, entry.values)
-          .first->second[entry.component] = prm::format_number(values.at(i));
-      }
+    const auto   entries = changed_entries(parameters, paths, values);
     prm::PrmTree tree;
     for (const auto &[path, text] : parameters.used)
       {
-        const auto changed = changed_values.find(path);
-        if (changed == changed_values.end())
+        const auto found = entries.find(path);
+        if (found == entries.end())
           tree.entries.push_back({path, text, {parameters.file, 0}, ""});
         else
           tree.entries.push_back({path,
-                                  prm::join(changed->second, ", "),
+                                  found->second,
                                   {parameters.file + ", changed value", 0},
                                   ""});
       }
@@ -155,8 +169,10 @@ namespace squeal
   struct NumberSetter::Target
   {
     const prm::Schema::Entry *entry;
-    std::vector<std::string>  values;
-    std::size_t               component;
+    /** Of the whole entry; the components of one list share them, so that none
+     * takes back what another one sets. */
+    std::shared_ptr<std::vector<std::string>> values;
+    std::size_t                               component;
   };
 
   NumberSetter::NumberSetter(const Parameters               &parameters,
@@ -165,11 +181,14 @@ namespace squeal
     , schema(std::make_unique<prm::Schema>())
   {
     prm::declare_parameters(*schema, changed);
+    std::map<std::string, std::shared_ptr<std::vector<std::string>>> lists;
     for (const auto &path : paths)
       {
         const NumberEntry entry = find_number(parameters, path);
-        targets.push_back(
-          {schema->find(entry.path), entry.values, entry.component});
+        auto             &list  = lists[entry.path];
+        if (!list)
+          list = std::make_shared<std::vector<std::string>>(entry.values);
+        targets.push_back({schema->find(entry.path), list, entry.component});
       }
   }
 
@@ -180,9 +199,9 @@ namespace squeal
   {
     for (std::size_t i = 0; i < targets.size(); ++i)
       {
-        Target &target                  = targets[i];
-        target.values[target.component] = prm::format_number(values.at(i));
-        target.entry->assign(prm::join(target.values, ", "));
+        const Target &target               = targets[i];
+        (*target.values)[target.component] = prm::format_number(values.at(i));
+        target.entry->assign(prm::join(*target.values, ", "));
       }
     return changed.scene;
   }

@@ -16,14 +16,29 @@ namespace squeal
       list += (list.empty() ? "" : ", ") + text;
     }
 
-    /** Frequency from the numbers of record 8. */
-    double
-    frequency_of(const int analysis, const std::vector<double> &reals)
+    /** Frequency and eigenvalue from the numbers of record 8. */
+    void
+    set_frequency(const int                  analysis,
+                  const std::vector<double> &reals,
+                  MeasuredShape             &shape)
     {
       const bool is_normal = analysis == 2;
       if (reals.size() < (is_normal ? 1u : 2u))
-        return 0.;
-      return is_normal ? reals[0] : std::abs(reals[1]) / (2. * M_PI);
+        return;
+      if (!is_normal)
+        shape.eigenvalue = {reals[0], reals[1]};
+      shape.frequency = is_normal ? reals[0] : std::abs(reals[1]) / (2. * M_PI);
+    }
+
+    /** Takes a shape to the eigenvalue with the positive imaginary part, to
+     * which computed shapes belong. */
+    void
+    take_upper_member(MeasuredShape &shape)
+    {
+      if (shape.eigenvalue.imag() < 0.)
+        for (auto &[node, values] : shape.nodes)
+          for (Complex &value : values)
+            value = std::conj(value);
     }
 
     std::string
@@ -105,7 +120,7 @@ namespace squeal
     if (counts[0] < 0 || counts[0] > 6 || counts[1] < 0 || counts[1] > 1000)
       lines.fail("wrong counts in " + what);
     const auto reals = lines.numbers(counts[1], 13, 6, what);
-    shape.frequency  = frequency_of(analysis, reals);
+    set_frequency(analysis, reals, shape);
     while (!lines.is_mark())
       {
         const int  node   = lines.integers(1, "a node")[0];
@@ -125,6 +140,7 @@ namespace squeal
     lines.take("the end of the dataset");
     if (shape.nodes.empty())
       lines.fail("the shape has no node");
+    take_upper_member(shape);
     return shape;
   }
 } // namespace squeal

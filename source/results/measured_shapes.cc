@@ -179,6 +179,24 @@ namespace squeal
           }
     }
 
+    /** Of conjugate pairs that a file holds whole the members with a negative
+     * imaginary part say nothing new. */
+    void
+    drop_second_members(std::vector<MeasuredShape> &shapes)
+    {
+      const std::vector<MeasuredShape> all = shapes;
+      const auto is_second = [&all](const MeasuredShape &shape) {
+        const auto lambda = std::conj(shape.eigenvalue);
+        return lambda.imag() > 0. &&
+               std::any_of(all.begin(), all.end(), [&](const auto &other) {
+                 return std::abs(other.eigenvalue - lambda) <=
+                        1e-6 * std::abs(lambda);
+               });
+      };
+      shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_second),
+                   shapes.end());
+    }
+
     UniversalModel
     read_universal(const std::string &path)
     {
@@ -219,6 +237,7 @@ namespace squeal
             }
         }
       turn_shapes(path, model);
+      drop_second_members(model.shapes);
       return model;
     }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/numbers.h>
 
 #include <squeal/scene/mesh_materials.h>
 #include <squeal/scene/mesh_selection.h>
 
 #include <cmath>
+#include <map>
 
 namespace squeal
 {
@@ -32,6 +35,22 @@ namespace squeal
     agree(const double a, const double b)
     {
       return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
+    }
+
+    /** Of what is wrong with a body its checks say more than its mesh file. */
+    void
+    check_before_reading(const Parameters &p)
+    {
+      try
+        {
+          for (const BodyParameters &body : p.scene.bodies)
+            if (body.material_from_mesh_file)
+              prm::check_body(body);
+        }
+      catch (const InputError &e)
+        {
+          throw InputError((p.file.empty() ? "" : p.file + ": ") + e.what());
+        }
     }
   } // namespace
 
@@ -62,6 +81,30 @@ namespace squeal
         body.young_modulus  = m.young_modulus;
         body.poisson_ratio  = m.poisson_ratio;
         body.density        = m.density;
+      }
+  }
+
+  void
+  take_mesh_materials(Parameters &p)
+  {
+    check_before_reading(p);
+    std::vector<BodyParameters *> bodies;
+    for (BodyParameters &body : p.scene.bodies)
+      if (body.material_from_mesh_file)
+        bodies.push_back(&body);
+    take_mesh_materials(p.scene);
+    for (BodyParameters *body : bodies)
+      {
+        body->material_from_mesh_file = false;
+        const std::string section     = "Scene/Body " + body->name + "/";
+        const std::map<std::string, std::string> taken = {
+          {section + "Material from mesh file", "false"},
+          {section + "Young modulus", prm::format_number(body->young_modulus)},
+          {section + "Poisson ratio", prm::format_number(body->poisson_ratio)},
+          {section + "Density", prm::format_number(body->density)}};
+        for (auto &[path, text] : p.used)
+          if (const auto entry = taken.find(path); entry != taken.end())
+            text = entry->second;
       }
   }
 

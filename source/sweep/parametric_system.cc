@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace squeal
 {
@@ -31,6 +32,25 @@ namespace squeal
       const double f = a[largest] / b[largest];
       return ((a - f * b).array().abs() <= 1e-13 * a.array().abs()).all() ? f
                                                                           : 0.;
+    }
+
+    bool
+    are_equal(const TermCoefficients &a, const TermCoefficients &b)
+    {
+      return a.mass == b.mass && a.damping == b.damping &&
+             a.stiffness == b.stiffness;
+    }
+
+    /** Whether a matrix is more than zeros, by its product with a random
+     * vector. */
+    bool
+    is_nonzero(const LinearOperator &matrix, const RowSpace &space)
+    {
+      std::mt19937                     generator(1);
+      std::normal_distribution<double> normal;
+      const Block                      x = Block::NullaryExpr(
+        space.n_owned(), 1, [&]() { return normal(generator); });
+      return space.norms(matrix.multiply(x))[0] > 0.;
     }
 
     /** Places spread over the box, and every value of the axes that are lists,
@@ -67,6 +87,18 @@ namespace squeal
       throw InputError("'" + section + "' contains '" + path +
                        "', which changes the matrices themselves and not "
                        "only their factors");
+  }
+
+  bool
+  change_matrices(const AffineSystem    &system,
+                  const SceneParameters &a,
+                  const SceneParameters &b)
+  {
+    for (const auto &term : system.terms)
+      if (!are_equal(term.coefficients(a), term.coefficients(b)) &&
+          is_nonzero(*term.matrix, *system.space))
+        return true;
+    return false;
   }
 
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // An axis of a sweep along which neither mass nor damping nor stiffness
-// changes is refused by its name before the sweep, with what is behind it; the
-// same axes go where the scene depends on them. Argument: the program.
+// changes, and an entry without effect that moves along with others, is refused
+// by its name before the sweep, with what is behind it; the same axes go where
+// the scene depends on them. Argument: the program.
 
 #include "program.h"
 
@@ -41,13 +42,17 @@ namespace
           const std::string &entry,
           const std::string &from,
           const std::string &to,
-          const std::string &reason)
+          const std::string &reason,
+          const std::string &others = "")
   {
-    const Outcome     o    = sweep(scene, entry, from, to);
+    const Outcome     o    = sweep(scene, others + entry, from, to);
     const std::string text = unbroken(o.errors);
     check(o.code != 0, entry + " without effect is refused");
     for (const std::string &part :
-         {std::string("Sweep/Axis dead: neither mass"), entry, reason})
+         {std::string("Sweep/Axis dead: "),
+          std::string("neither mass nor damping nor stiffness"),
+          entry,
+          reason})
       check(text.find(part) != std::string::npos,
             "the message has '" + part + "': " + text);
     check(!std::filesystem::exists("out/eigenvalues.csv"),
@@ -127,10 +132,18 @@ main(int argc, char **argv)
           "1e-8",
           "1e-7",
           "'Scene/Damping/Model = per part'");
+  refused(whole,
+          pad + "Structural damping",
+          "0.01",
+          "0.1",
+          "moves along with other entries",
+          pad + "Density, ");
   refused_beside(whole, contact + "Tangential stiffness", false);
   refused_beside(whole, pad + "Density", true);
   accepted(parts, pad + "Structural damping", "0", "0.1");
   accepted(whole, contact + "Normal stiffness", "1e7", "1e8");
+  // Together, and of one factor, which makes them one part of the sweep.
+  accepted(whole, pad + "Density, Scene/Body disc/Density", "2000", "3000");
   // Through the friction term alone.
   accepted(slip, contact + "Sliding speed", "1", "4");
 }

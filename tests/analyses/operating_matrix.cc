@@ -259,6 +259,49 @@ namespace
             pull.errors.find("pulls") != std::string::npos,
           "a pull is not made a push: " + pull.errors);
   }
+
+  /** Speeds are refused where friction is the same at all of them. */
+  void
+  speeds(const std::string &program)
+  {
+    const auto run = [&](const std::vector<std::string> &settings) {
+      write_text("speeds.prm",
+                 changed_brake({{"set Analysis         = cea",
+                                 "set Analysis = operating matrix"}}) +
+                   "set Overwrite = true\n"
+                   "subsection Operating matrix\n set Speeds = 2, 4\nend\n");
+      std::vector<std::string> words = {program};
+      for (const std::string &setting : settings)
+        words.insert(words.end(),
+                     {"--set", "Scene/Contact pad_disc/" + setting});
+      words.push_back("speeds.prm");
+      return run_program(words);
+    };
+    for (const auto &more : std::vector<std::vector<std::string>>{
+           {},
+           {"Friction slope = -0.01"},
+           {"Friction law = exponential", "Decay speed = 0"},
+           {"Normal force = 0", "Transverse slip term = true"}})
+      {
+        std::vector<std::string> all = {"Sliding speed = 2",
+                                        "Normal force = 100"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome o = run(all);
+        check(o.code == 2 &&
+                unbroken(o.errors).find("'Operating matrix/Speeds'") !=
+                  std::string::npos,
+              "speeds without effect are refused: " + o.errors);
+      }
+    const Outcome o = run({"Sliding speed = 2",
+                           "Friction law = exponential",
+                           "Static friction coefficient = 0.6",
+                           "Decay speed = 2"});
+    check(o.code == 0, "and taken where friction follows them: " + o.errors);
+    const Table matrix = read_csv("out/operating_matrix.csv");
+    check(matrix.n_rows() == 2 &&
+            matrix.real(0, "sigma_per_s") != matrix.real(1, "sigma_per_s"),
+          "with an effect");
+  }
 } // namespace
 
 int
@@ -298,6 +341,7 @@ main(int argc, char *argv[])
   one_sided(program, folder);
   stiffened_by_pressure(program, folder);
   turning(program);
+  speeds(program);
   check(difference.largest() < 1e-9, "as the eigenvalue analysis");
   check(asymmetry.largest() < 1e-6, "alike in both directions");
 }

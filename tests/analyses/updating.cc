@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Updating: derivatives against differences, twin experiments that recover
-// known numbers, what data do not identify, refusals. Arguments: the program.
+// known numbers, settings that make the fitted scene, what data do not
+// identify, refusals. Arguments: the program.
 
 #include <squeal/analyses/updating/updating_model.h>
 #include <squeal/results/table.h>
@@ -286,6 +287,84 @@ end
           "a lone number without influence is not identified");
   }
 
+  /** A mass of 1 kg on a spring: (2 pi f)^2 m along each axis. */
+  const std::string mass_on_spring = R"(set Output directory = out
+subsection Scene
+  set Bodies   = mass
+  set Supports = turns
+  set Springs  = spring
+  subsection Body mass
+    set Shape = rigid
+    set Mass  = 1
+  end
+  subsection Support turns
+    set Body       = mass
+    set Kind       = components
+    set Components = rx, ry, rz
+  end
+  subsection Spring spring
+    set Body        = mass
+    set Stiffnesses = 1e6, 2e6, 3e6
+  end
+end
+subsection Eigenvalues
+  set Lowest frequency  = 20
+  set Highest frequency = 900
+end
+subsection Measurement
+  set Frequencies file = measured.csv
+end
+subsection Updating
+  set Numbers = plane, across
+  subsection Number plane
+    set Entries = Scene/Spring spring/Stiffnesses[1], Scene/Spring spring/Stiffnesses[2]
+    set Lower   = 1e5
+    set Upper   = 1e8
+  end
+  subsection Number across
+    set Entries = Scene/Spring spring/Stiffnesses[3]
+    set Lower   = 1e5
+    set Upper   = 1e8
+  end
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+  set Shapes = none
+end
+)";
+
+  /** Components of one list move together, and the settings that are left say
+   * the whole list. */
+  void
+  test_settings_of_lists()
+  {
+    std::string         data = "name,frequency_hz,weight\n";
+    std::vector<double> exact;
+    for (const double stiffness : {1.5e6, 3e6, 4e6})
+      {
+        exact.push_back(std::sqrt(stiffness) / (2. * M_PI));
+        data += "," + shortest_text(exact.back()) + ",1\n";
+      }
+    write_text("measured.csv", data);
+    const Outcome fitted = run(mass_on_spring, {"Analysis = updating"});
+    check(fitted.code == 0, "components of a list are fitted " + fitted.errors);
+    std::vector<std::string> settings = {"Analysis = cea"};
+    std::istringstream       lines(text_of("out/updated_settings.txt"));
+    for (std::string line; std::getline(lines, line);)
+      if (line[0] != '#')
+        settings.push_back(line);
+    check(settings.size() == 2, "one line for the list: " + settings.back());
+    check(run(mass_on_spring, settings).code == 0, "which is taken again");
+    const Table table = read_csv("out/eigenvalues.csv");
+    check(table.n_rows() == 3, "three frequencies");
+    for (std::size_t r = 0; r < 3; ++r)
+      check_close(table.real(r, "frequency_hz"),
+                  exact[r],
+                  1e-6,
+                  "the settings make the fitted scene");
+  }
+
   void
   refused(const Outcome &outcome, const std::string &part)
   {
@@ -339,6 +418,8 @@ end
           {"name,frequency_hz,weight\na,-5,1\n", "measured.csv:2"},
           {"name,frequency_hz,weight\na,nan,1\n", "measured.csv:2"},
           {"name,frequency_hz,weight\na,5,1\n", "cannot determine"},
+          {"name,frequency_hz,weight\na,900,1\nb,95000,1\nc,950,1\n",
+           "measured.csv:3: frequency_hz = 95000 Hz lies outside"},
           {"name,frequency_hz,weight\nnobody,900,1\nb,5,1\nc,5,1\n",
            "no mode of the band is called 'nobody'"}})
       {
@@ -354,6 +435,10 @@ end
                  "Updating/Number disc/Upper = 0.4"}),
             "Poisson ratio");
     refused(run(fit(), {"Updating/Number disc/Upper = 2e11"}), "Lower");
+    refused(run(fit(),
+                {"Updating/Number disc/Entries = Scene/Body disc/Young "
+                 "modulus, Scene/Contact pad_disc/Normal stiffness per area"}),
+            "neither mass nor damping nor stiffness");
     refused(run(fit(), {"Measurement/Frequencies file = nowhere.csv"}),
             "nowhere.csv");
   }
@@ -371,6 +456,7 @@ main(int argc, char **argv)
   test_twin();
   test_confidence_intervals();
   test_identification();
+  test_settings_of_lists();
   test_lone_number_without_influence();
   test_refusals();
 }

@@ -2,6 +2,8 @@
 //
 // Any number of a scene can be read and changed by its path, with the same
 // checks as in a file.
+#include <squeal/parameters/number_access.h>
+
 #include "describe.h"
 #include "example_scene.h"
 
@@ -74,6 +76,15 @@ namespace
     const Parameters moved = with_value(p, "Scene/Load top/Force[1]", 0.1);
     check(moved.scene.loads[0].force == Vector3{{0.1, 0., -100.}},
           "one component of a list");
+
+    const auto entries = changed_entries(
+      p,
+      {"Scene/Load top/Force[1]", pad_modulus, "Scene/Load top/Force[2]"},
+      {.1, 1e9, .2});
+    check(entries ==
+            std::map<std::string, std::string>{
+              {"Scene/Load top/Force", "0.1, 0.2, -100"}, {pad_modulus, "1e9"}},
+          "as written: of a list all components");
   }
 
 

@@ -178,9 +178,15 @@ namespace
   void
   orthotropic_materials()
   {
-    const std::string body  = "Scene/Body pad/";
+    const std::string body  = "Scene/Body support/";
     const std::string model = body + "Material model = orthotropic";
     read_parameters("example.prm", {model}).check();
+    for (const std::string entry :
+         {"Young modulus = 1e8", "Poisson ratio = 0.2"})
+      check_change_refused(
+        {model, body + entry},
+        {"'" + body + entry.substr(0, entry.find(" =")) + "'",
+         "would be ignored"});
     // nu12 = 2 is fine for a stiff first axis: nu12^2 E2/E1 = 0.4
     const std::string stiff = body + "Young moduli = 1e11, 1e10, 1e10";
     read_parameters("example.prm",

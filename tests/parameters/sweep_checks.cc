@@ -172,6 +172,13 @@ namespace
           "the quick way to a scene is the slow one");
     check(set.scene({1e10, 0.3}).bodies[1].young_modulus == 1e10,
           "values are set again");
+
+    NumberSetter components(
+      p, {"Scene/Body pad/Position[3]", "Scene/Body pad/Position[1]"});
+    for (const double x : {.5, .25})
+      check(components.scene({2. * x, x}).bodies[1].position ==
+              Vector3{{x, p.scene.bodies[1].position[1], 2. * x}},
+            "components of one list move together");
   }
 } // namespace
 

@@ -110,6 +110,49 @@ namespace
                      integers({1}) + reals(values));
   }
 
+  /** A dataset 55 of a complex mode with the eigenvalue -3 + i @p omega, whose
+   * node 1 moves by 1 + 2 i, 3 - 4 i and 5 i, or by their conjugates. */
+  std::string
+  complex_mode(const std::string &title, const int analysis, const double omega)
+  {
+    const double s = omega < 0. ? -1. : 1.;
+    return dataset("    55",
+                   title + "\nNONE\nNONE\nNONE\nNONE\n" +
+                     integers({1, analysis, 2, 8, 5, 3}) +
+                     integers({2, 6, 0, 1}) +
+                     reals({-3., omega, 1., 0., 1., 0.}) + integers({1}) +
+                     reals({1., 2. * s, 3., -4. * s, 0., 5. * s}));
+  }
+
+  /** A shape is that of the eigenvalue above the real axis, whichever member of
+   * the pair the file holds; both together are one shape. */
+  void
+  test_conjugate_modes()
+  {
+    const std::array<std::complex<double>, 3> values{
+      {{1., 2.}, {3., -4.}, {0., 5.}}};
+    for (const int analysis : {3, 7})
+      for (const double omega : {100., -100.})
+        {
+          std::ofstream("complex.uff") << complex_mode("m", analysis, omega);
+          const auto shapes = read_measured_shapes("complex.uff");
+          check(shapes.size() == 1 && shapes[0].nodes.at(1) == values,
+                "a shape of analysis type " + std::to_string(analysis) +
+                  " by either member of its pair");
+          check_close(shapes[0].frequency,
+                      100. / (2. * M_PI),
+                      1e-12,
+                      "and its frequency in Hz");
+        }
+    std::ofstream("complex.uff")
+      << complex_mode("upper", 3, 100.) << complex_mode("lower", 3, -100.)
+      << complex_mode("other", 3, -200.);
+    const auto shapes = read_measured_shapes("complex.uff");
+    check(shapes.size() == 2 && shapes[0].name == "upper" &&
+            shapes[1].name == "other",
+          "both members of a pair are one shape");
+  }
+
   /** Names of the shapes of a file; @p log gets what the run log shows. */
   std::vector<std::string>
   names_of(const std::string &text, std::string &log)
@@ -163,6 +206,7 @@ int
 main()
 {
   test_kinds();
+  test_conjugate_modes();
   write(turned(7, 0), 7);
   const auto moved = second_node();
   check_close(moved[0].real(), -2., 1e-12, "its second direction is -x");

@@ -3,6 +3,8 @@
 // Materials of files of Abaqus and Nastran are taken where they are asked for;
 // what a file says beside its mesh is named in the log.
 
+#include <squeal/base/exceptions.h>
+#include <squeal/parameters/number_access.h>
 #include <squeal/scene/mesh_materials.h>
 
 #include "mesh_texts.h"
@@ -59,6 +61,53 @@ namespace
     check(read_mesh_body(scene.bodies[0]).remarks.at(0).find("'Steel'") !=
             std::string::npos,
           "a disagreement is said");
+  }
+
+  /** Whatever is read from the entries as used again has the material of the
+   * mesh file: scenes with other numbers, the start of these numbers, and the
+   * parameter file that a run leaves. */
+  void
+  materials_of_entries_as_used()
+  {
+    std::ofstream("steel.inp") << two_cells;
+    std::ofstream("steel.prm")
+      << "subsection Scene\n set Bodies = steel\n subsection Body steel\n"
+         "  set Shape = abaqus\n  set Mesh file = steel.inp\n"
+         "  set Mesh length unit = 1e-3\n  set Mesh mass unit = 1e3\n"
+         "  set Material from mesh file = true\n end\nend\n";
+    const std::string steel = "Scene/Body steel/";
+    Parameters        p     = read_parameters("steel.prm");
+    take_mesh_materials(p);
+    p.check();
+    check_close(p.scene.bodies[0].density, 7850., 1e-13, "the file's density");
+    const auto has_material = [&](const Parameters &q, const std::string &how) {
+      const BodyParameters &a = p.scene.bodies[0], &b = q.scene.bodies[0];
+      check(a.young_modulus == b.young_modulus && a.density == b.density &&
+              a.poisson_ratio == b.poisson_ratio,
+            "the material of the file in " + how);
+    };
+    has_material(with_value(p, steel + "Position[1]", .1), "a moved scene");
+    check(get_number(p, steel + "Density") == p.scene.bodies[0].density,
+          "the number of the entry");
+    NumberSetter set(p, {steel + "Young modulus"});
+    check(set.scene({1e11}).bodies[0].density == p.scene.bodies[0].density,
+          "the density where the modulus is set");
+    write_used_parameters(p, "used.prm");
+    Parameters again = read_parameters("used.prm");
+    take_mesh_materials(again);
+    again.check();
+    has_material(again, "a run that is repeated by its entries");
+    check(get_number(with_value(again, steel + "Young modulus", 1e11),
+                     steel + "Young modulus") == 1e11,
+          "whose modulus may be changed");
+    for (const std::string entry :
+         {"Young modulus = 1e11", "Poisson ratio = 0.2", "Density = 1000"})
+      {
+        Parameters both = read_parameters("steel.prm", {steel + entry});
+        check_throws<InputError>([&]() { take_mesh_materials(both); },
+                                 "would be ignored",
+                                 "refused beside it: " + entry);
+      }
   }
 
   /** Densities that are weights over g, and damping, which is the scene's. */
@@ -191,6 +240,7 @@ int
 main()
 {
   materials_of_files();
+  materials_of_entries_as_used();
   factors_of_materials();
   what_is_not_followed();
 }

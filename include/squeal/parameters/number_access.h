@@ -4,6 +4,7 @@
 
 #include <squeal/parameters/parameters.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,14 @@ namespace squeal
   Parameters with_values(const Parameters               &parameters,
                          const std::vector<std::string> &paths,
                          const std::vector<double>      &values);
+
+  /** What the entries of numbers are written as when these have other
+   * @p values: path and text, of a list all of its components. Throws
+   * InputError as get_number() does. */
+  std::map<std::string, std::string> changed_entries(
+    const Parameters               &parameters,
+    const std::vector<std::string> &paths,
+    const std::vector<double>      &values);
 } // namespace squeal
 
 #endif

@@ -18,6 +18,10 @@ namespace squeal
   {
     std::string name;
     double      frequency = 0.; /**< Hz */
+    /** Of a complex mode as its file has it, 1/s; else 0. The values below are
+     * those of the eigenvalue with the positive imaginary part, conjugate to
+     * those of the file where this one's is negative. */
+    std::complex<double> eigenvalue = 0.;
     /** Values of a UFF file: x, y, z of numbered nodes. */
     std::map<unsigned int, std::array<std::complex<double>, 3>> nodes;
     /** Values of a CSV file, by the name of the point. */
@@ -30,6 +34,7 @@ namespace squeal
    * shape, frequency_hz, point, real and imag. What begins with "-1" alone in a
    * line is a universal file. Of datasets 55 those count that hold
    * displacements, velocities or accelerations, or do not say what they hold.
+   * Both members of a conjugate pair are one shape.
    *
    * Throws InputError "file:line: ..." for a file that is neither, that is cut
    * off, holds no shape, numbers that are none, a node or point that a shape

@@ -45,6 +45,12 @@ namespace squeal
   /** Throws InputError naming @p section for an entry that enters otherwise than
    * by coefficients of affine parts. */
   void require_affine(const std::string &section, const std::string &path);
+
+  /** Whether a coefficient of @p system differs between two scenes whose matrix
+   * is more than zeros. */
+  bool change_matrices(const AffineSystem    &system,
+                       const SceneParameters &a,
+                       const SceneParameters &b);
 } // namespace squeal
 
 #endif

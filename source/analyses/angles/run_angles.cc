@@ -22,7 +22,7 @@ namespace squeal
     {
       using Type                        = Table::Type;
       std::vector<Table::Column> result = {
-        {"angle_deg", Type::real, "deg", "angle of the rotor", 6}};
+        {"angle_deg", Type::real, "deg", "by which the rotor is turned", 6}};
       append_pair_columns(result);
       result.insert(
         result.end(),
@@ -43,14 +43,19 @@ namespace squeal
       return result;
     }
 
-    /** The scene with the rotor at @p angle, degrees. */
+    /** The scene with the rotor turned by @p angle, degrees, from where it
+     * stands: each body keeps its own angle to the others. */
     Parameters
     turned(const Parameters &p, const double angle)
     {
       std::vector<std::string> paths;
+      std::vector<double>      angles;
       for (const auto &body : p.angles.bodies)
-        paths.push_back("Scene/Body " + body + "/Angle");
-      return with_values(p, paths, std::vector<double>(paths.size(), angle));
+        {
+          paths.push_back("Scene/Body " + body + "/Angle");
+          angles.push_back(get_number(p, paths.back()) + angle);
+        }
+      return with_values(p, paths, angles);
     }
 
     /** Rows of all unstable pairs of one angle, of the loudest pair alone where

@@ -4,8 +4,7 @@
 #include <squeal/base/unknown_choice.h>
 #include <squeal/parameters/text.h>
 
-#include <random>
-#include <set>
+#include <algorithm>
 #include <sstream>
 
 namespace squeal
@@ -30,97 +29,73 @@ namespace squeal
       return false;
     }
 
-    bool
-    are_equal(const TermCoefficients &a, const TermCoefficients &b)
+    /** The points of the grid's lower ends, centre and upper ends: a factor of
+     * what is looked at may be zero at one of them. */
+    std::vector<SweepPoint>
+    points_to_look_at(const SweepGrid &grid)
     {
-      return a.mass == b.mass && a.damping == b.damping &&
-             a.stiffness == b.stiffness;
-    }
-
-    /** The parts whose coefficients change along axis @p a from @p point. */
-    void
-    add_changed_parts(const SweepGrid        &grid,
-                      const ParametricSystem &system,
-                      const unsigned int      a,
-                      SweepPoint              point,
-                      std::set<std::size_t>  &parts)
-    {
-      point[a]         = grid.coordinates(a).front();
-      const auto first = system.coefficients(point);
-      for (const double x : grid.coordinates(a))
+      std::vector<SweepPoint> result;
+      for (const double share : {0., .5, 1.})
         {
-          point[a]       = x;
-          const auto now = system.coefficients(point);
-          for (std::size_t i = 0; i < now.size(); ++i)
-            if (!are_equal(now[i], first[i]))
-              parts.insert(i);
+          SweepPoint point(grid.n_axes());
+          for (unsigned int b = 0; b < grid.n_axes(); ++b)
+            point[b] = grid.lower(b) + share * (grid.upper(b) - grid.lower(b));
+          result.push_back(point);
         }
-    }
-
-    /** Whether a matrix is more than zeros, by its product with a random
-     * vector. */
-    bool
-    is_nonzero(const LinearOperator &matrix, const RowSpace &space)
-    {
-      std::mt19937                     generator(1);
-      std::normal_distribution<double> normal;
-      const Block                      x = Block::NullaryExpr(
-        space.n_owned(), 1, [&]() { return normal(generator); });
-      return space.norms(matrix.multiply(x))[0] > 0.;
+      return result;
     }
 
     bool
-    acts(const SweepGrid        &grid,
-         const ParametricSystem &system,
-         const unsigned int      a)
+    acts(const SweepGrid    &grid,
+         const AffineSystem &system,
+         const unsigned int  a)
     {
       if (grid.coordinates(a).size() < 2 || changes_states(grid, a))
         return true;
-      // At both ends and in the middle of the others, as a factor of theirs
-      // may be zero at one of them.
-      std::set<std::size_t> parts;
-      for (const double share : {0., .5, 1.})
+      for (SweepPoint point : points_to_look_at(grid))
         {
-          SweepPoint point(grid.n_axes());
-          for (unsigned int b = 0; b < grid.n_axes(); ++b)
-            point[b] = grid.lower(b) + share * (grid.upper(b) - grid.lower(b));
-          add_changed_parts(grid, system, a, point, parts);
+          point[a]                    = grid.coordinates(a).front();
+          const SceneParameters first = grid.scene(point);
+          for (const double x : grid.coordinates(a))
+            {
+              point[a] = x;
+              if (change_matrices(system, first, grid.scene(point)))
+                return true;
+            }
         }
-      for (const std::size_t i : parts)
-        if (is_nonzero(*system.merged().terms[i].matrix,
-                       *system.merged().space))
-          return true;
       return false;
     }
 
 
 
-    /** Whether a tenth more of entry @p e beside the axes changes anything; one
-     * that is 0 has no tenth. */
+    /** Whether a tenth more of entry @p e, counted through those of the axes
+     * and those beside them, changes anything; one that is 0 has no tenth. */
     bool
-    acts_beside(const SweepGrid        &grid,
-                const ParametricSystem &system,
-                const unsigned int      e)
+    acts_by_itself(const SweepGrid    &grid,
+                   const AffineSystem &system,
+                   const unsigned int  e)
     {
-      const unsigned int n_own  = grid.entries().size();
-      const SweepPoint   centre = grid.spread(1).back();
-      if (grid.entry_value(centre, n_own + e) == 0.)
-        return true;
-      for (const double share : {0., .5, 1.})
-        {
-          SweepPoint point(grid.n_axes());
-          for (unsigned int b = 0; b < grid.n_axes(); ++b)
-            point[b] = grid.lower(b) + share * (grid.upper(b) - grid.lower(b));
-          const auto before = system.coefficients(point);
-          const auto after =
-            system.coefficients(grid.scene(point, n_own + e, 1.1));
-          for (std::size_t i = 0; i < before.size(); ++i)
-            if (!are_equal(before[i], after[i]) &&
-                is_nonzero(*system.merged().terms[i].matrix,
-                           *system.merged().space))
+      bool is_zero = true;
+      for (const SweepPoint &point : points_to_look_at(grid))
+        if (grid.entry_value(point, e) != 0.)
+          {
+            is_zero                      = false;
+            const SceneParameters before = grid.scene(point);
+            if (change_matrices(system, before, grid.scene(point, e, 1.1)))
               return true;
-        }
-      return false;
+          }
+      return is_zero;
+    }
+
+    /** Whether numbers may act by steady sliding alone, which decides what is
+     * closed in the contact. */
+    bool
+    has_preload(const SceneParameters &scene)
+    {
+      return std::any_of(
+        scene.contacts.begin(), scene.contacts.end(), [](const auto &contact) {
+          return contact.state == ContactParameters::State::preload;
+        });
     }
 
     bool
@@ -178,34 +153,58 @@ namespace squeal
                "another entry";
       return "nothing of the scene depends on it as it stands";
     }
+
+    /** Refuses an entry that moves along with others, which do act. */
+    void
+    check_entries_of_axis(const SweepGrid    &grid,
+                          const AffineSystem &system,
+                          const unsigned int  a,
+                          const unsigned int  first)
+    {
+      const SweepAxisParameters &axis = grid.axis(a);
+      for (std::size_t i = 0; i < axis.entries.size(); ++i)
+        if (!acts_by_itself(grid, system, first + i))
+          throw InputError(
+            "Sweep/Axis " + axis.name + ": '" + axis.entries[i] +
+            "' moves along with other entries, but neither mass nor damping "
+            "nor stiffness changes with it: " +
+            reason_of(grid.scene(grid.spread(1).back()), axis.entries[i]));
+    }
   } // namespace
 
 
 
   void
-  check_axes_of_sweep(const SweepGrid &grid, const ParametricSystem &system)
+  check_axes_of_sweep(const SweepGrid &grid, const AffineSystem &system)
   {
+    const SceneParameters scene = grid.scene(grid.spread(1).back());
+    unsigned int          first = 0; // entry of the axis, of all
     for (unsigned int a = 0; a < grid.n_axes(); ++a)
       {
+        const SweepAxisParameters &axis = grid.axis(a);
         if (acts(grid, system, a))
-          continue;
-        const SceneParameters &scene = grid.scene(grid.spread(1).back());
-        std::ostringstream     text;
-        text << "Sweep/Axis " << grid.axis(a).name
+          {
+            if (axis.entries.size() > 1 && grid.coordinates(a).size() > 1 &&
+                !has_preload(scene))
+              check_entries_of_axis(grid, system, a, first);
+            first += axis.entries.size();
+            continue;
+          }
+        std::ostringstream text;
+        text << "Sweep/Axis " << axis.name
              << ": neither mass nor damping nor stiffness changes from "
              << grid.value(a, grid.lower(a)) << " to "
              << grid.value(a, grid.upper(a));
-        for (const std::string &entry : grid.axis(a).entries)
+        for (const std::string &entry : axis.entries)
           text << "; '" << entry << "': " << reason_of(scene, entry);
         throw InputError(text.str());
       }
     for (unsigned int e = 0; e < grid.other_entries().size(); ++e)
-      if (!acts_beside(grid, system, e))
+      if (!acts_by_itself(grid, system, first + e))
         throw InputError(
           "Sweep: '" + grid.other_entries()[e] +
           "' is to be varied beside the axes, but neither mass nor damping nor "
           "stiffness changes with it: " +
-          reason_of(grid.scene(grid.spread(1).back()),
-                    grid.other_entries()[e]));
+          reason_of(scene, grid.other_entries()[e]));
   }
 } // namespace squeal

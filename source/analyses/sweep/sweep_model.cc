@@ -45,7 +45,7 @@ namespace squeal
     for (const auto &term : parts.merged().terms)
       symmetric.push_back(term.matrix->is_symmetric());
     full.print_summary(context.log);
-    check_axes_of_sweep(sweep_grid, parts);
+    check_axes_of_sweep(sweep_grid, full.linearized().system);
     if (!read(context))
       build(context, vectors);
   }

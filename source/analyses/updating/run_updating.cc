@@ -3,10 +3,13 @@
 #include <squeal/analyses/updating/updating_model.h>
 #include <squeal/base/files.h>
 #include <squeal/parameters/entry_traits.h>
+#include <squeal/parameters/number_access.h>
 #include <squeal/parameters/text.h>
 #include <squeal/results/chart.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace squeal
@@ -148,22 +151,58 @@ namespace squeal
       return table;
     }
 
+    /** A body of a mesh file may have its material from there: one fitted
+     * number of it needs the others and that this is put off. */
+    void
+    complete_materials(const Parameters                   &p,
+                       std::map<std::string, std::string> &settings)
+    {
+      using Body = BodyParameters;
+      for (const Body &body : p.scene.bodies)
+        {
+          const std::string        section = "Scene/Body " + body.name + "/";
+          std::vector<std::string> material;
+          for (const char *entry :
+               {"Young modulus", "Poisson ratio", "Density"})
+            material.push_back(section + entry);
+          if ((body.shape == Body::Shape::abaqus ||
+               body.shape == Body::Shape::nastran) &&
+              body.material_model == Body::MaterialModel::isotropic &&
+              std::any_of(
+                material.begin(), material.end(), [&](const std::string &path) {
+                  return settings.count(path) > 0;
+                }))
+            {
+              settings[section + "Material from mesh file"] = "false";
+              for (const std::string &path : material)
+                settings.emplace(path, shortest_text(get_number(p, path)));
+            }
+        }
+    }
+
     /** Settings for a file that includes the scene, one line an entry. */
     void
-    write_settings(std::ostream             &out,
-                   const UpdatingParameters &p,
-                   const UpdatingModel      &model,
-                   const UpdatingFit        &fit)
+    write_settings(std::ostream        &out,
+                   const Parameters    &p,
+                   const UpdatingModel &model,
+                   const UpdatingFit   &fit)
     {
+      std::vector<std::string> paths;
+      std::vector<double>      values;
+      for (unsigned int n = 0; n < model.n_numbers(); ++n)
+        for (std::size_t e = 0; e < p.updating.numbers[n].entries.size(); ++e)
+          {
+            paths.push_back(p.updating.numbers[n].entries[e]);
+            values.push_back(model.start_value(n, e) *
+                             std::exp(fit.best.logarithms[n]));
+          }
+      auto settings = changed_entries(p, paths, values);
+      complete_materials(p, settings);
       out
         << "# Fitted numbers: each line goes behind --set, or into the section "
            "that its path names.\n";
-      for (unsigned int n = 0; n < model.n_numbers(); ++n)
-        for (std::size_t e = 0; e < p.numbers[n].entries.size(); ++e)
-          out << p.numbers[n].entries[e] << " = "
-              << shortest_text(model.start_value(n, e) *
-                               std::exp(fit.best.logarithms[n]))
-              << '\n';
+      for (const auto &[path, text] : settings)
+        out << path << " = " << text << '\n';
     }
 
     void
@@ -254,10 +293,9 @@ namespace squeal
     context.write_table("updating_history.csv",
                         history_table(p.updating, model, fit));
     if (context.is_root)
-      write_atomically(context.output.file("updated_settings.txt"),
-                       [&](std::ostream &out) {
-                         write_settings(out, p.updating, model, fit);
-                       });
+      write_atomically(
+        context.output.file("updated_settings.txt"),
+        [&](std::ostream &out) { write_settings(out, p, model, fit); });
     const bool has_shapes = model.model().namer().n_coordinates() > 0;
     if (has_shapes)
       context.log.info(explanation_of_names());

@@ -28,6 +28,10 @@ namespace squeal
 
     constexpr double no_partner = 1e6;
 
+    /** A measured frequency may lie outside the band by this factor; no mode
+     * of the band can be fitted to one further away. */
+    constexpr double furthest = 2.;
+
     std::vector<TermCoefficients>
     coefficients(const AffineSystem &system, const SceneParameters &scene)
     {
@@ -35,6 +39,51 @@ namespace squeal
       for (const auto &term : system.terms)
         result.push_back(term.coefficients(scene));
       return result;
+    }
+
+    /** Refuses frequencies that no mode of the band can have, such as kHz. */
+    void
+    refuse_far_frequencies(const std::vector<MeasuredFrequency> &data,
+                           const EigenParameters                &band,
+                           const std::string                    &path)
+    {
+      for (std::size_t i = 0; i < data.size(); ++i)
+        if (const double f = data[i].frequency;
+            f * furthest < band.lowest_frequency ||
+            f > furthest * band.highest_frequency)
+          throw InputError(path + ":" + std::to_string(i + 2) +
+                           ": frequency_hz = " + rounded_text(f, 6) +
+                           " Hz lies outside the band of section Eigenvalues, "
+                           "from " +
+                           rounded_text(band.lowest_frequency, 6) + " to " +
+                           rounded_text(band.highest_frequency, 6) +
+                           " Hz, by more than a factor of 2: give it in Hz, "
+                           "widen the band, or remove the row");
+    }
+
+    /** Refuses entries that change no matrix, alone or along with others. */
+    void
+    require_effects(const AffineSystem                     &system,
+                    const UpdatingParameters               &updating,
+                    const std::vector<std::vector<double>> &starts,
+                    NumberSetter                           &setter)
+    {
+      std::vector<double> values;
+      for (const auto &entries : starts)
+        values.insert(values.end(), entries.begin(), entries.end());
+      const SceneParameters start = setter.scene(values);
+      std::size_t           i     = 0;
+      for (const auto &number : updating.numbers)
+        for (const auto &path : number.entries)
+          {
+            std::vector<double> moved = values;
+            moved[i++] *= 1. + step;
+            if (!change_matrices(system, start, setter.scene(moved)))
+              throw InputError("'Updating/Number " + number.name +
+                               "/Entries' contains '" + path +
+                               "', but neither mass nor damping nor stiffness "
+                               "of the scene changes with it: remove it");
+          }
     }
 
     /** Pairing by shape needs one shape for every frequency: which of two is
@@ -147,6 +196,7 @@ namespace squeal
                        " frequencies cannot determine the " +
                        std::to_string(u.numbers.size()) +
                        " numbers of Updating/Numbers");
+    refuse_far_frequencies(data, context.parameters.eigen, m.frequencies_file);
     if (u.pairing == UpdatingParameters::Pairing::shape)
       shapes = shapes_of(data, m, context.log);
     std::vector<std::string> paths;
@@ -166,6 +216,7 @@ namespace squeal
     current.eigen.solver = EigenParameters::Solver::certified;
     full                 = std::make_unique<Model>(current, context.timers);
     full->print_summary(context.log);
+    require_effects(full->linearized().system, u, starts, *setter);
     if (current.discretization.refinement ==
         DiscretizationParameters::Refinement::eigenvalue_error)
       solve_modes_adaptively(*full, context.log, context.timers);

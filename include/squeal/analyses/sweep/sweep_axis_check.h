@@ -9,12 +9,14 @@ namespace squeal
   /**
    * Looks for axes along which neither mass nor damping nor stiffness of the
    * scene changes, nor the state of a contact: all points along them are the
-   * same, and a map over them says that what they name does not matter.
+   * same, and a map over them says that what they name does not matter. Each
+   * of several entries of an axis is looked at by itself, too, but where the
+   * contact is that of steady sliding, by which alone it may act.
    *
-   * Throws InputError naming the first one and what is likely behind it.
+   * @p system has the terms of the scene, not merged. Throws InputError naming
+   * the first one and what is likely behind it.
    */
-  void check_axes_of_sweep(const SweepGrid        &grid,
-                           const ParametricSystem &system);
+  void check_axes_of_sweep(const SweepGrid &grid, const AffineSystem &system);
 } // namespace squeal
 
 #endif

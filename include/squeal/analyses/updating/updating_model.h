@@ -49,8 +49,9 @@ namespace squeal
   class UpdatingModel
   {
   public:
-    /** Throws InputError for numbers that change the operators themselves, and
-     * for fewer frequencies than numbers. */
+    /** Throws InputError for numbers that change the operators themselves or
+     * nothing, for fewer frequencies than numbers, and for frequencies far
+     * outside the band. */
     explicit UpdatingModel(RunContext &context);
 
     unsigned int                          n_numbers() const;
