@@ -3,7 +3,8 @@
 // Several pairs in one scene: pads far apart on a stiff plate do not know of
 // each other; a pad that is dragged against its abutment; two pads on a disc,
 // whose growth in time is that of the eigenvalue analysis about the same
-// contact; what each pair loses in its slip.
+// contact; what each pair loses in its slip; a disc that bends between two
+// pads, whose forces cancel in their sum.
 
 #include "transient/two_pads.h"
 #include "worst.h"
@@ -67,6 +68,45 @@ namespace
                     "each pad has its own friction");
       }
     check_below(worst.largest(), 1e-6, "forces of pads far apart");
+  }
+
+
+
+  /** The transient of @p r to its end. */
+  TransientRecord
+  record_of(const Pressed &r, const PreparedTransient &prepared)
+  {
+    TransientRun run(prepared.pressed,
+                     prepared.steady,
+                     prepared.linear,
+                     prepared.branches,
+                     r.p);
+    run.advance();
+    return run.record();
+  }
+
+  /** In steady sliding every node slips at the speed of its own pair. */
+  void
+  speeds_of_pairs()
+  {
+    SceneParameters scene           = stiff_plate(true, true);
+    scene.contacts[1].sliding_speed = .1 * scene.contacts[0].sliding_speed;
+    Parameters p                    = parameters_of(scene);
+    p.transient.time_step           = 2e-7;
+    p.transient.end_time            = 2e-5;
+    p.transient.sample_interval     = 2e-6;
+    p.transient.disturbance         = 0.;
+    p.transient.tolerance           = 1e-11;
+    Pressed                 r(p);
+    const PreparedTransient prepared(r.pressed, r.p, r.timers);
+    const TransientRecord   record = record_of(r, prepared);
+    Worst                   off;
+    for (const NodeShares &node : record.nodes)
+      off.add(std::abs(node.fastest_slip - 1.));
+    check_within(off, 1e-6, "slip over the sliding speed of the own pair");
+    const double ratio =
+      evaluate_transient(prepared, record, r.p).max_slip_speed_ratio;
+    check_close(ratio, 1., 1e-6, "and the largest of all");
   }
 
 
@@ -333,6 +373,7 @@ namespace
           std::make_pair(Integrator::explicit_, "explicit: ")})
       dissipation_of(pads, {.1, .2}, integrator, name);
   }
+
 } // namespace
 
 
@@ -344,6 +385,8 @@ main(int argc, char **argv)
   const std::string                        which = argc > 1 ? argv[1] : "";
   if (which == "apart")
     apart();
+  else if (which == "speeds")
+    speeds_of_pairs();
   else if (which == "abutment")
     abutment();
   else if (which == "growth")
@@ -351,5 +394,5 @@ main(int argc, char **argv)
   else if (which == "dissipation")
     dissipation();
   else
-    check(false, "an argument: apart, abutment, growth or dissipation");
+    check(false, "an argument: apart, speeds, abutment, growth or dissipation");
 }

@@ -63,7 +63,7 @@ namespace squeal
          Type::real,
          "1/s",
          "of the linearised motion, by the reduced model"},
-        {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
+        {"max_slip_speed_ratio", Type::real, "", "over |V| of its pair", 4},
         {"stick_fraction", Type::real, "", "of closed node-time", 4},
         {"rms_pad_acceleration", Type::real, "m/s2", "", 4},
         {"frequency_linear_hz", Type::real, "Hz", "of that sigma", 6},

@@ -104,7 +104,11 @@ namespace squeal
     kept.square_accelerations.assign(pairs.size(), 0.);
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
-      axes.emplace_back(pair.geometry);
+      {
+        axes.emplace_back(pair.geometry);
+        speeds.insert(
+          speeds.end(), pair.n_nodes(), pair.parameters.sliding_speed);
+      }
     set_sums();
     const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
@@ -242,7 +246,6 @@ namespace squeal
   void
   TransientRun::take_node_shares()
   {
-    const double           speed  = pressed.speed();
     const Eigen::VectorXd &u      = motion->motion();
     const Eigen::VectorXd &lambda = motion->forces();
     const Eigen::VectorXd &ratio  = pressed.model().speed_ratio;
@@ -265,10 +268,10 @@ namespace squeal
         const double along =
                        u[3 * j + 1] - last_motion[3 * j + 1] + way * ratio[j],
                      across = u[3 * j + 2] - last_motion[3 * j + 2];
-        if (ratio[j] > 0. && speed > 0.)
+        if (speeds[j] > 0. && ratio[j] > 0.)
           node.fastest_slip =
             std::max(node.fastest_slip,
-                     std::hypot(along, across) / (settings.step() * speed));
+                     std::hypot(along, across) / (settings.step() * speeds[j]));
         node.peak_pressure =
           std::max(node.peak_pressure, lambda[3 * j] / areas[j]);
       }

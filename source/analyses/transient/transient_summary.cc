@@ -80,7 +80,7 @@ namespace squeal
          4},
         {"separates", Type::text, "", "all nodes are open at a time"},
         {"stick_fraction", Type::real, "", "of closed node-time", 4},
-        {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
+        {"max_slip_speed_ratio", Type::real, "", "over |V| of its pair", 4},
         {"rms_pad_acceleration", Type::real, "m/s2", "centre of the pad", 4},
         {"leading_edge_factor", Type::real, "", "mean", 4},
         {"peak_pressure_pa", Type::real, "Pa", "", 4},

@@ -56,8 +56,8 @@ namespace squeal
   struct NodeShares
   {
     double open = 0., stick = 0., slip = 0.; /**< steps */
-    double fastest_slip = 0.;  /**< |v_t| over the largest |V| of a pair; 0 in
-                                  pairs at rest */
+    double fastest_slip = 0.;  /**< |v_t| over the sliding speed of its pair; 0
+                                  in pairs at rest */
     double peak_pressure = 0.; /**< Pa */
   };
 
@@ -170,8 +170,9 @@ namespace squeal
     const SteadySliding       &steady;
     const LinearizedMotion     recorded; /**< the branches only */
     const TransientParameters &settings;
-    const std::vector<double>  areas; /**< of all nodes */
-    std::vector<FaceAxes>      axes;  /**< of each pair */
+    const std::vector<double>  areas;  /**< of all nodes */
+    std::vector<FaceAxes>      axes;   /**< of each pair */
+    std::vector<double>        speeds; /**< of the pair of each node, m/s */
     /** Of the forces of all nodes, a column each: StepSums::tangential and
      * normal, edge while the target slides forwards and while it slides
      * backwards, pressing and friction. */
