@@ -163,7 +163,6 @@ namespace squeal
     std::vector<Cell>
     cycle_cells(const CampaignRun       &run,
                 const PreparedTransient &prepared,
-                const TransientRecord   &record,
                 const TransientFigures  &f)
     {
       const BranchResult *b          = leading_branch(f);
@@ -175,39 +174,39 @@ namespace squeal
       const auto of_lines = [&](const double value) {
         return f.beyond_samples > 0. ? Cell() : vibrating(value);
       };
-      return {f.verdict == "unstable" ? "no"
-              : f.verdict == "stable" ? "yes"
-                                      : "undecided",
-              or_missing(b && b->fit.is_valid ? b->fit.rate : nan),
-              of_lines(f.frequency),
-              f.rms_normal,
-              f.min_normal,
-              f.max_normal,
-              f.separates ? "yes" : "no",
-              or_missing(b ? b->sigma : nan),
-              f.max_slip_speed_ratio,
-              f.stick_fraction,
-              f.rms_acceleration,
-              or_missing(b ? b->frequency : nan),
-              prepared.steady.n_closed(),
-              n_unstable,
-              f.has_limit_cycle ? "yes" : "no",
-              f.worst_imbalance,
-              f.steps_per_second,
-              pairs,
-              choice_name(run.parameters.transient.integrator),
-              vibrating(f.frequency_ci),
-              of_lines(f.largest_line),
-              or_missing(sigma_with_full_contact(prepared, run.parameters)),
-              or_missing(f.macroscopic_friction),
-              or_missing(f.phase),
-              vibrating(f.repetition),
-              or_missing(record.samples.empty()
-                           ? nan
-                           : record.samples.front().leading_edge),
-              prepared.pressed.n_unknowns(),
-              prepared.pressed.model().n_modes(),
-              or_missing(f.rms_change)};
+      return {
+        f.verdict == "unstable" ? "no"
+        : f.verdict == "stable" ? "yes"
+                                : "undecided",
+        or_missing(b && b->fit.is_valid ? b->fit.rate : nan),
+        of_lines(f.frequency),
+        f.rms_normal,
+        f.min_normal,
+        f.max_normal,
+        f.separates ? "yes" : "no",
+        or_missing(b ? b->sigma : nan),
+        f.max_slip_speed_ratio,
+        f.stick_fraction,
+        f.rms_acceleration,
+        or_missing(b ? b->frequency : nan),
+        prepared.steady.n_closed(),
+        n_unstable,
+        f.has_limit_cycle ? "yes" : "no",
+        f.worst_imbalance,
+        f.steps_per_second,
+        pairs,
+        choice_name(run.parameters.transient.integrator),
+        vibrating(f.frequency_ci),
+        of_lines(f.largest_line),
+        or_missing(sigma_with_full_contact(prepared, run.parameters)),
+        or_missing(f.macroscopic_friction),
+        or_missing(f.phase),
+        vibrating(f.repetition),
+        or_missing(leading_edge_factor(
+          ForceSums(prepared.pressed.nodes()).of(prepared.steady.forces))),
+        prepared.pressed.n_unknowns(),
+        prepared.pressed.model().n_modes(),
+        or_missing(f.rms_change)};
     }
 
     std::vector<Cell>
@@ -255,7 +254,7 @@ namespace squeal
       row.insert(row.end(), cells.begin(), cells.end());
     };
     append(t.compare_with_cea ? comparison_cells(run, prepared, f)
-                              : cycle_cells(run, prepared, record, f));
+                              : cycle_cells(run, prepared, f));
     if (!t.compare_with_cea && has_trigger(t))
       append(trigger_cells(evaluate_trigger(record, f, t)));
     return row;

@@ -89,6 +89,8 @@ namespace squeal
     , recorded(only(linearized, branches))
     , settings(p.transient)
     , areas(model.nodes().areas())
+    , sums(model.nodes())
+    , senses(transverse_senses(model.nodes()))
     , n_steps(std::lround(settings.end_time / settings.step()))
     , stride(
         std::max<long>(1,
@@ -109,7 +111,6 @@ namespace squeal
         speeds.insert(
           speeds.end(), pair.n_nodes(), pair.parameters.sliding_speed);
       }
-    set_sums();
     const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
       motion->start(Eigen::VectorXd::Zero(n),
@@ -126,52 +127,10 @@ namespace squeal
 
 
 
-  void
-  TransientRun::set_sums()
-  {
-    sums                 = Eigen::MatrixXd::Zero(steady.forces.size(), 6);
-    senses               = transverse_senses(pressed.nodes());
-    double         area  = 0.;
-    Eigen::Array2d edges = Eigen::Array2d::Zero(); // leading and trailing
-    for (const ContactPair &pair : pressed.nodes().pairs())
-      if (is_summed(pressed.nodes(), pair))
-        {
-          sums.block(3 * pair.first, 4, 3 * pair.n_nodes(), 2) =
-            sum_rows(pair.geometry).transpose();
-          sums.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) =
-            resultant_rows(pair.geometry).bottomRows<2>().transpose();
-          const std::array<std::vector<bool>, 2> is_at = {
-            {leading_edge(pair.geometry), trailing_edge(pair.geometry)}};
-          for (std::size_t j = 0; j < pair.n_nodes(); ++j)
-            {
-              area += pair.geometry.areas[j];
-              for (unsigned int e = 0; e < 2; ++e)
-                if (is_at[e][j])
-                  {
-                    edges[e] += pair.geometry.areas[j];
-                    sums(3 * (pair.first + j), 2 + e) = 1.;
-                  }
-            }
-        }
-    // Not known where no pair has such an edge.
-    for (unsigned int e = 0; e < 2; ++e)
-      sums.col(2 + e) *=
-        edges[e] > 0. ? area / edges[e] : std::nan("no edge of that kind");
-  }
-
-
-
   StepSums
   TransientRun::force_sums() const
   {
-    const Eigen::VectorXd all = sums.transpose() * motion->forces();
-    StepSums              now;
-    now.tangential = all[0];
-    now.normal     = all[1];
-    now.edge       = speed_now() < 0. ? all[3] : all[2];
-    now.pressing   = all[4];
-    now.friction   = all[5];
-    return now;
+    return sums.of(motion->forces(), speed_now() < 0.);
   }
 
 
@@ -359,7 +318,7 @@ namespace squeal
         s.n_stick += status[j] == ContactStatus::stick;
       }
     const StepSums sum   = force_sums();
-    s.leading_edge       = sum.pressing > 0. ? sum.edge / sum.pressing : 0.;
+    s.leading_edge       = leading_edge_factor(sum);
     const EnergyLedger e = motion->ledger();
     s.kinetic            = e.kinetic;
     s.elastic            = e.elastic;

@@ -2,7 +2,7 @@
 #ifndef squeal_analyses_transient_transient_run_h
 #define squeal_analyses_transient_transient_run_h
 
-#include <squeal/analyses/transient/force_statistics.h>
+#include <squeal/analyses/transient/force_sums.h>
 #include <squeal/contact/contact_resultant.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/results/history_stream.h>
@@ -29,7 +29,7 @@ namespace squeal
     /** 1 where every status has been that of steady sliding since the sample
      * before. */
     double is_linear    = 0.;
-    double leading_edge = 0.; /**< its pressure over the mean one */
+    double leading_edge = 0.; /**< leading_edge_factor() of StepSums */
     double kinetic = 0., elastic = 0., damping = 0., friction = 0.,
            driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
   };
@@ -158,7 +158,6 @@ namespace squeal
                        HistorySamples        &history) const;
     void take_frame(const TransientSample &sample);
     void take_node_shares();
-    void set_sums();
     /** Sums of the forces of now. */
     StepSums force_sums() const;
     void     take_step_forces();
@@ -173,12 +172,9 @@ namespace squeal
     const std::vector<double>  areas;  /**< of all nodes */
     std::vector<FaceAxes>      axes;   /**< of each pair */
     std::vector<double>        speeds; /**< of the pair of each node, m/s */
-    /** Of the forces of all nodes, a column each: StepSums::tangential and
-     * normal, edge while the target slides forwards and while it slides
-     * backwards, pressing and friction. */
-    Eigen::MatrixXd                      sums;
-    std::vector<double>                  senses; /**< transverse_senses() */
-    unsigned int                         n_steps, stride;
+    const ForceSums            sums;
+    const std::vector<double>  senses; /**< transverse_senses() */
+    unsigned int               n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;
     HistoryStream                       *history;
     TransientRecord                      kept;
