@@ -405,6 +405,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_campaign.cc
     source/analyses/transient/transient_checkpoint.cc
     source/analyses/transient/transient_figures.cc
+    source/analyses/transient/transient_forces.cc
     source/analyses/transient/transient_history.cc
     source/analyses/transient/transient_output.cc
     source/analyses/transient/transient_phase.cc

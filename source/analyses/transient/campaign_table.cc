@@ -218,6 +218,12 @@ namespace squeal
               trigger.end,
               trigger.lasting};
     }
+
+    bool
+    has_several_pairs(const Parameters &p)
+    {
+      return p.scene.contacts.size() > 1;
+    }
   } // namespace
 
 
@@ -236,6 +242,12 @@ namespace squeal
     if (!compares && has_trigger(p.transient))
       for (const auto &column : trigger_columns())
         table.add_column(column);
+    if (!compares && has_several_pairs(p))
+      table.add_column(
+        {"loudest_pair", Type::text, "", "whose vibration this is"});
+    if (!compares && has_several_pairs(p) && has_trigger(p.transient))
+      table.add_column(
+        {"outcome_pair", Type::text, "", "whose outcome this is"});
     return table;
   }
 
@@ -255,8 +267,15 @@ namespace squeal
     };
     append(t.compare_with_cea ? comparison_cells(run, prepared, f)
                               : cycle_cells(run, prepared, f));
-    if (!t.compare_with_cea && has_trigger(t))
-      append(trigger_cells(evaluate_trigger(record, f, t)));
+    if (t.compare_with_cea)
+      return row;
+    const TriggerOutcome trigger = evaluate_trigger(record, f, t);
+    if (has_trigger(t))
+      append(trigger_cells(trigger));
+    if (has_several_pairs(run.parameters))
+      row.emplace_back(f.loudest.name);
+    if (has_several_pairs(run.parameters) && has_trigger(t))
+      row.emplace_back(trigger.pair.name);
     return row;
   }
 

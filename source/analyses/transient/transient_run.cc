@@ -70,6 +70,25 @@ namespace squeal
     return samples.empty() ? 0 : pairs.size() / samples.size();
   }
 
+  std::vector<double>
+  TransientRecord::forces_of(const unsigned int i,
+                             double PairSample::*const force) const
+  {
+    std::vector<double> result;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      result.push_back(pair(k, i).*force);
+    return result;
+  }
+
+  std::vector<ForceStatistics>
+  TransientRecord::stretches_of(const unsigned int i) const
+  {
+    if (pair_stretches.empty())
+      return stretches;
+    const auto first = pair_stretches.begin() + i * n_force_stretches;
+    return {first, first + n_force_stretches};
+  }
+
   const PairSample &
   TransientRecord::pair(const std::size_t k, const unsigned int i) const
   {
@@ -103,6 +122,8 @@ namespace squeal
     const auto &pairs          = model.nodes().pairs();
     kept.nodes.resize(n_nodes);
     kept.stretches.resize(n_force_stretches);
+    if (pairs.size() > 1)
+      kept.pair_stretches.resize(pairs.size() * n_force_stretches);
     kept.square_accelerations.assign(pairs.size(), 0.);
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
@@ -243,15 +264,22 @@ namespace squeal
   {
     const StepSums force = force_sums();
     // Of step 1, 2, ...; in 64 bits, as long runs have 1e8 steps.
-    const auto n = static_cast<std::uint64_t>(kept.n_steps);
-    kept.stretches[(n - 1) * n_force_stretches / n_steps].add(
+    const auto          n       = static_cast<std::uint64_t>(kept.n_steps);
+    const std::uint64_t stretch = (n - 1) * n_force_stretches / n_steps;
+    kept.stretches[stretch].add(
       force,
       std::all_of(status.begin(), status.end(), [](const ContactStatus s) {
         return s == ContactStatus::open;
       }));
+    std::vector<StepSums> of_pairs = sums.of_pairs(motion->forces());
+    for (std::size_t i = 0; i < of_pairs.size(); ++i)
+      kept.pair_stretches[i * n_force_stretches + stretch].add(of_pairs[i],
+                                                               false);
+    if (of_pairs.empty())
+      of_pairs = {force};
     if (n_steps_left() < most_last_steps)
-      kept.last_steps.push_back(
-        {motion->time(), force.normal, force.tangential});
+      for (const StepSums &sum : of_pairs)
+        kept.last_steps.push_back({motion->time(), sum.normal, sum.tangential});
   }
 
 
