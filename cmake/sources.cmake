@@ -397,6 +397,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_table.cc
     source/analyses/transient/drive_warnings.cc
     source/analyses/transient/force_statistics.cc
+    source/analyses/transient/force_sums.cc
     source/analyses/transient/make_integrator.cc
     source/analyses/transient/motion_output.cc
     source/analyses/transient/run_transient.cc
@@ -404,6 +405,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_campaign.cc
     source/analyses/transient/transient_checkpoint.cc
     source/analyses/transient/transient_figures.cc
+    source/analyses/transient/transient_forces.cc
     source/analyses/transient/transient_history.cc
     source/analyses/transient/transient_output.cc
     source/analyses/transient/transient_phase.cc

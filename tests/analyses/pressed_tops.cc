@@ -7,7 +7,8 @@
 #include "source_directory.h"
 #include "worst.h"
 
-#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/analyses/transient/campaign_table.h>
+#include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/output/contact_output.h>
@@ -203,6 +204,22 @@ namespace
           struck.add(std::abs(record.pair(k, 0).acceleration[1]));
       }
     check_close(samples.front().normal, 0., 1e-12, "no force at the start");
+    check(force_table(prepared, record).is_missing(0, "leading_edge_factor"),
+          "nor an edge that it could lean on");
+    CampaignRun campaign;
+    campaign.parameters = brake.parameters;
+    Table table         = campaign_columns(brake.parameters);
+    table.add_row(
+      campaign_row(campaign,
+                   prepared,
+                   record,
+                   evaluate_transient(prepared, record, brake.parameters)));
+    check_close(table.real(0, "leading_edge_factor"),
+                contact_resultant(prepared.pressed.nodes().pairs()[0].geometry,
+                                  prepared.steady.forces)
+                  .leading_edge_factor,
+                1e-12,
+                "a campaign states the edge in steady sliding");
     check_close(samples.back().normal, 100., 5., "the load at the end");
     check(worst.largest() < 1e-3,
           "the ledger closes over ramp and blow: " +

@@ -3,7 +3,8 @@
 // Several pairs in one scene: pads far apart on a stiff plate do not know of
 // each other; a pad that is dragged against its abutment; two pads on a disc,
 // whose growth in time is that of the eigenvalue analysis about the same
-// contact; what each pair loses in its slip.
+// contact; what each pair loses in its slip; a disc that bends between two
+// pads, whose forces cancel in their sum.
 
 #include "transient/two_pads.h"
 #include "worst.h"
@@ -67,6 +68,45 @@ namespace
                     "each pad has its own friction");
       }
     check_below(worst.largest(), 1e-6, "forces of pads far apart");
+  }
+
+
+
+  /** The transient of @p r to its end. */
+  TransientRecord
+  record_of(const Pressed &r, const PreparedTransient &prepared)
+  {
+    TransientRun run(prepared.pressed,
+                     prepared.steady,
+                     prepared.linear,
+                     prepared.branches,
+                     r.p);
+    run.advance();
+    return run.record();
+  }
+
+  /** In steady sliding every node slips at the speed of its own pair. */
+  void
+  speeds_of_pairs()
+  {
+    SceneParameters scene           = stiff_plate(true, true);
+    scene.contacts[1].sliding_speed = .1 * scene.contacts[0].sliding_speed;
+    Parameters p                    = parameters_of(scene);
+    p.transient.time_step           = 2e-7;
+    p.transient.end_time            = 2e-5;
+    p.transient.sample_interval     = 2e-6;
+    p.transient.disturbance         = 0.;
+    p.transient.tolerance           = 1e-11;
+    Pressed                 r(p);
+    const PreparedTransient prepared(r.pressed, r.p, r.timers);
+    const TransientRecord   record = record_of(r, prepared);
+    Worst                   off;
+    for (const NodeShares &node : record.nodes)
+      off.add(std::abs(node.fastest_slip - 1.));
+    check_within(off, 1e-6, "slip over the sliding speed of the own pair");
+    const double ratio =
+      evaluate_transient(prepared, record, r.p).max_slip_speed_ratio;
+    check_close(ratio, 1., 1e-6, "and the largest of all");
   }
 
 
@@ -333,6 +373,89 @@ namespace
           std::make_pair(Integrator::explicit_, "explicit: ")})
       dissipation_of(pads, {.1, .2}, integrator, name);
   }
+
+
+
+  /** A disc between two pads that are mirror images of each other, with a blow
+   * on one of its sides that bends it. */
+  Parameters
+  struck_brake()
+  {
+    SceneParameters scene      = disc_brake(.1);
+    scene.damping.mass_damping = 300.;
+    Parameters p               = parameters_of(scene);
+    auto      &t               = p.transient;
+    t.time_step                = 2e-6;
+    t.sample_interval          = 2e-6;
+    t.end_time                 = .02;
+    t.tolerance                = 1e-10;
+    t.disturbance              = 0.;
+    t.hammer.body              = "disc";
+    t.hammer.face              = "top";
+    t.hammer.force             = {{0., 0., -2000.}};
+    t.hammer.time              = 1e-4;
+    t.hammer.duration          = 2e-4;
+    return p;
+  }
+
+  /** Of a force of the second half. */
+  double
+  rms_of_half(const std::vector<double> &force)
+  {
+    const std::size_t first = force.size() / 2, n = force.size() - first;
+    double            mean = 0., square = 0.;
+    for (std::size_t k = first; k < force.size(); ++k)
+      mean += force[k] / n;
+    for (std::size_t k = first; k < force.size(); ++k)
+      square += (force[k] - mean) * (force[k] - mean) / n;
+    return std::sqrt(square);
+  }
+
+  void
+  opposed()
+  {
+    const Parameters        p = struck_brake();
+    Pressed                 r(p);
+    const PreparedTransient prepared(r.pressed, r.p, r.timers);
+    const TransientRecord   record = record_of(r, prepared);
+    const TransientFigures  f      = evaluate_transient(prepared, record, r.p);
+    const Table             table  = transient_table(f);
+    std::vector<double>     sum;
+    for (const TransientSample &s : record.samples)
+      sum.push_back(s.normal);
+    const double rms[] = {
+      rms_of_half(record.forces_of(0, &PairSample::normal)),
+      rms_of_half(record.forces_of(1, &PairSample::normal))};
+    std::printf("rms %.4g and %.4g N, of the sum %.4g N; %.2f Hz\n",
+                rms[0],
+                rms[1],
+                rms_of_half(sum),
+                f.largest_line);
+    check(rms_of_half(sum) < .2 * rms[0], "the pads' forces cancel");
+    check_close(rms[1], rms[0], .02, "each vibrates as much as the other");
+    // Samples and steps of the second half differ by one.
+    check_close(table.real(0, "rms_normal_n"),
+                rms[f.loudest.number],
+                2e-3,
+                "the rms is that of one pad");
+    check_close(table.real(0, "mean_normal_n"), 400., .05, "both carry");
+    check_close(
+      table.real(0, "loudest_mean_normal_n"), 200., .05, "each its share");
+    check(table.text(0, "loudest_pair") ==
+            r.pressed.nodes().pairs()[f.loudest.number].name(),
+          "named");
+    Worst off;
+    for (const unsigned int k : prepared.branches)
+      off.add(std::abs(table.real(0, "largest_line_hz") -
+                       prepared.linear.lambda[k].imag() / (2. * M_PI)));
+    check_below(off.smallest() / f.largest_line,
+                5e-3,
+                "its line is a frequency of the brake");
+    check(evaluate_trigger(record, f, r.p.transient).text ==
+            "temporary after the trigger",
+          "the blow is felt: " +
+            evaluate_trigger(record, f, r.p.transient).text);
+  }
 } // namespace
 
 
@@ -344,6 +467,10 @@ main(int argc, char **argv)
   const std::string                        which = argc > 1 ? argv[1] : "";
   if (which == "apart")
     apart();
+  else if (which == "speeds")
+    speeds_of_pairs();
+  else if (which == "opposed")
+    opposed();
   else if (which == "abutment")
     abutment();
   else if (which == "growth")
@@ -351,5 +478,7 @@ main(int argc, char **argv)
   else if (which == "dissipation")
     dissipation();
   else
-    check(false, "an argument: apart, abutment, growth or dissipation");
+    check(
+      false,
+      "an argument: apart, speeds, opposed, abutment, growth or dissipation");
 }

@@ -63,7 +63,7 @@ namespace squeal
          Type::real,
          "1/s",
          "of the linearised motion, by the reduced model"},
-        {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
+        {"max_slip_speed_ratio", Type::real, "", "over |V| of its pair", 4},
         {"stick_fraction", Type::real, "", "of closed node-time", 4},
         {"rms_pad_acceleration", Type::real, "m/s2", "", 4},
         {"frequency_linear_hz", Type::real, "Hz", "of that sigma", 6},
@@ -163,7 +163,6 @@ namespace squeal
     std::vector<Cell>
     cycle_cells(const CampaignRun       &run,
                 const PreparedTransient &prepared,
-                const TransientRecord   &record,
                 const TransientFigures  &f)
     {
       const BranchResult *b          = leading_branch(f);
@@ -175,39 +174,39 @@ namespace squeal
       const auto of_lines = [&](const double value) {
         return f.beyond_samples > 0. ? Cell() : vibrating(value);
       };
-      return {f.verdict == "unstable" ? "no"
-              : f.verdict == "stable" ? "yes"
-                                      : "undecided",
-              or_missing(b && b->fit.is_valid ? b->fit.rate : nan),
-              of_lines(f.frequency),
-              f.rms_normal,
-              f.min_normal,
-              f.max_normal,
-              f.separates ? "yes" : "no",
-              or_missing(b ? b->sigma : nan),
-              f.max_slip_speed_ratio,
-              f.stick_fraction,
-              f.rms_acceleration,
-              or_missing(b ? b->frequency : nan),
-              prepared.steady.n_closed(),
-              n_unstable,
-              f.has_limit_cycle ? "yes" : "no",
-              f.worst_imbalance,
-              f.steps_per_second,
-              pairs,
-              choice_name(run.parameters.transient.integrator),
-              vibrating(f.frequency_ci),
-              of_lines(f.largest_line),
-              or_missing(sigma_with_full_contact(prepared, run.parameters)),
-              or_missing(f.macroscopic_friction),
-              or_missing(f.phase),
-              vibrating(f.repetition),
-              or_missing(record.samples.empty()
-                           ? nan
-                           : record.samples.front().leading_edge),
-              prepared.pressed.n_unknowns(),
-              prepared.pressed.model().n_modes(),
-              or_missing(f.rms_change)};
+      return {
+        f.verdict == "unstable" ? "no"
+        : f.verdict == "stable" ? "yes"
+                                : "undecided",
+        or_missing(b && b->fit.is_valid ? b->fit.rate : nan),
+        of_lines(f.frequency),
+        f.rms_normal,
+        f.min_normal,
+        f.max_normal,
+        f.separates ? "yes" : "no",
+        or_missing(b ? b->sigma : nan),
+        f.max_slip_speed_ratio,
+        f.stick_fraction,
+        f.rms_acceleration,
+        or_missing(b ? b->frequency : nan),
+        prepared.steady.n_closed(),
+        n_unstable,
+        f.has_limit_cycle ? "yes" : "no",
+        f.worst_imbalance,
+        f.steps_per_second,
+        pairs,
+        choice_name(run.parameters.transient.integrator),
+        vibrating(f.frequency_ci),
+        of_lines(f.largest_line),
+        or_missing(sigma_with_full_contact(prepared, run.parameters)),
+        or_missing(f.macroscopic_friction),
+        or_missing(f.phase),
+        vibrating(f.repetition),
+        or_missing(leading_edge_factor(
+          ForceSums(prepared.pressed.nodes()).of(prepared.steady.forces))),
+        prepared.pressed.n_unknowns(),
+        prepared.pressed.model().n_modes(),
+        or_missing(f.rms_change)};
     }
 
     std::vector<Cell>
@@ -218,6 +217,12 @@ namespace squeal
               trigger.after,
               trigger.end,
               trigger.lasting};
+    }
+
+    bool
+    has_several_pairs(const Parameters &p)
+    {
+      return p.scene.contacts.size() > 1;
     }
   } // namespace
 
@@ -237,6 +242,12 @@ namespace squeal
     if (!compares && has_trigger(p.transient))
       for (const auto &column : trigger_columns())
         table.add_column(column);
+    if (!compares && has_several_pairs(p))
+      table.add_column(
+        {"loudest_pair", Type::text, "", "whose vibration this is"});
+    if (!compares && has_several_pairs(p) && has_trigger(p.transient))
+      table.add_column(
+        {"outcome_pair", Type::text, "", "whose outcome this is"});
     return table;
   }
 
@@ -255,9 +266,16 @@ namespace squeal
       row.insert(row.end(), cells.begin(), cells.end());
     };
     append(t.compare_with_cea ? comparison_cells(run, prepared, f)
-                              : cycle_cells(run, prepared, record, f));
-    if (!t.compare_with_cea && has_trigger(t))
-      append(trigger_cells(evaluate_trigger(record, f, t)));
+                              : cycle_cells(run, prepared, f));
+    if (t.compare_with_cea)
+      return row;
+    const TriggerOutcome trigger = evaluate_trigger(record, f, t);
+    if (has_trigger(t))
+      append(trigger_cells(trigger));
+    if (has_several_pairs(run.parameters))
+      row.emplace_back(f.loudest.name);
+    if (has_several_pairs(run.parameters) && has_trigger(t))
+      row.emplace_back(trigger.pair.name);
     return row;
   }
 

@@ -34,6 +34,14 @@ namespace squeal
 
 
 
+  double
+  leading_edge_factor(const StepSums &sums)
+  {
+    return sums.pressing > 0. ? sums.edge / sums.pressing : no_quotient;
+  }
+
+
+
   void
   ForceStatistics::add(const StepSums &sums, const bool is_apart)
   {

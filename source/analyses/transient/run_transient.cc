@@ -143,10 +143,11 @@ namespace squeal
          shown("sigma_linear_per_s") + " 1/s at " +
            shown("frequency_linear_hz") + " Hz"},
         {"limit cycle", limit_cycle_text(f)},
-        {"normal force",
-         shown("mean_normal_n") + " N, rms " + shown("rms_normal_n") +
-           " N, which changes by " + shown("rms_normal_change_n") +
-           " N from half to half of its time, " +
+        {"normal force" + of_judged(f.loudest),
+         shown(f.loudest.name.empty() ? "mean_normal_n"
+                                      : "loudest_mean_normal_n") +
+           " N, rms " + shown("rms_normal_n") + " N, which changes by " +
+           shown("rms_normal_change_n") + " N from half to half of its time, " +
            (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
            " to " + shown("max_normal_n") + " N"},
         {"nodes: slip, stick, stick-slip, separating, never closed",
@@ -157,11 +158,14 @@ namespace squeal
         {"steps per second",
          shown("steps_per_second") + ", " + shown("iterations_per_step") +
            " iterations a step"}};
+      if (!f.loudest.name.empty())
+        figures.emplace_back("mean normal force of the pairs together",
+                             shown("mean_normal_n") + " N");
       if (!trigger.text.empty())
         figures.emplace_back(
           "outcome",
-          trigger.text + ": rms of the normal force " +
-            rounded_text(trigger.before, 3) + " N before the trigger, " +
+          trigger.text + ": rms of the normal force" + of_judged(trigger.pair) +
+            " " + rounded_text(trigger.before, 3) + " N before the trigger, " +
             rounded_text(trigger.after, 3) + " N after it, " +
             rounded_text(trigger.end, 3) + " N at the end");
       return figures;
@@ -244,7 +248,7 @@ namespace squeal
         trigger,
         p.transient.integrator == TransientParameters::Integrator::reduced);
       const bool  has_ramp = p.transient.final_speed_ratio != 1.;
-      const Table speeds   = speed_table(prepared, record, p);
+      const Table speeds   = speed_table(prepared, record, f, p);
       if (has_ramp)
         context.write_table("speeds.csv", speeds);
       const Block motion =

@@ -269,6 +269,9 @@ namespace squeal
     result.set("last_steps", by_field(kept.last_steps, step_fields));
     result.set("nodes", by_field(kept.nodes, node_fields));
     result.set("stretches", by_field(kept.stretches, stretch_fields));
+    if (!kept.pair_stretches.empty())
+      result.set("pair_stretches",
+                 by_field(kept.pair_stretches, stretch_fields));
     result.set("square_accelerations", kept.square_accelerations);
     for (std::size_t i = 0; i < kept.frame_nodes.size(); ++i)
       result.set("frame_nodes/" + std::to_string(i),
@@ -314,6 +317,12 @@ namespace squeal
     record.nodes = from_fields(memory.group("nodes"), node_fields);
     memory.get("stretches/n_steps", n_force_stretches);
     record.stretches = from_fields(memory.group("stretches"), stretch_fields);
+    if (!kept.pair_stretches.empty())
+      {
+        memory.get("pair_stretches/n_steps", kept.pair_stretches.size());
+        record.pair_stretches =
+          from_fields(memory.group("pair_stretches"), stretch_fields);
+      }
     record.square_accelerations =
       memory.get("square_accelerations", pressed.nodes().pairs().size());
     std::vector<double> frame_times;

@@ -221,65 +221,6 @@ namespace squeal
                          std::round(f.largest_line / f.frequency);
     }
 
-    /** Vibration of a force, over the mean normal force, that is more than the
-     * noise of the solver. */
-    constexpr double least_vibration = 1e-4;
-
-    /** Of the source of a pair over the steps of the second half, m/s^2. */
-    double
-    largest_rms_acceleration(const TransientRecord &record)
-    {
-      double n_steps = 0., largest = 0.;
-      for (const NodeShares &node : record.nodes)
-        n_steps = std::max(n_steps, node.open + node.stick + node.slip);
-      for (const double square : record.square_accelerations)
-        largest = worst_of(largest, std::sqrt(square / std::max(n_steps, 1.)));
-      return largest;
-    }
-
-    double
-    largest_of(const std::vector<double> &values)
-    {
-      double largest = 0.;
-      for (const double value : values)
-        largest = worst_of(largest, value);
-      return largest;
-    }
-
-    /** Forces of every step of the second half and of its four quarters. */
-    void
-    evaluate_forces(const TransientRecord &record, TransientFigures &f)
-    {
-      constexpr unsigned int n    = n_force_stretches;
-      const ForceStatistics  half = statistics_of(record.stretches, n / 2, n);
-      f.separates                 = half.n_apart > 0.;
-      f.mean_normal               = half.mean_normal;
-      f.rms_normal                = half.rms_normal();
-      f.min_normal                = half.min_normal;
-      f.max_normal                = half.max_normal;
-      f.mean_tangential           = half.mean_tangential;
-      f.rms_tangential            = half.rms_tangential();
-      const bool touches          = f.mean_normal > 0.;
-      f.macroscopic_friction      = half.macroscopic_friction();
-      f.mean_leading_edge_factor  = half.leading_edge_factor();
-      f.rms_acceleration          = largest_rms_acceleration(record);
-      // Pure stick-slip leaves the normal force alone.
-      const QuarterVibrations late  = vibrations_of(record.stretches, n / 2, n),
-                              early = vibrations_of(record.stretches, 0, n / 2);
-      const double least            = least_vibration * f.mean_normal;
-      f.by_tangential = !(largest_of(late.normal) > least) && touches &&
-                        largest_of(late.tangential) > least;
-      const auto &judged = f.by_tangential ? late.tangential : late.normal;
-      f.rms_change       = change_of_rms(late.normal);
-      f.rms_change_share = share_of_change(judged);
-      f.least_rms        = *std::min_element(judged.begin(), judged.end());
-      f.most_rms         = largest_of(judged);
-      f.is_silent        = true;
-      for (const auto *part :
-           {&early.normal, &early.tangential, &late.normal, &late.tangential})
-        f.is_silent = f.is_silent && !(largest_of(*part) > least);
-    }
-
     /** Whether every motion that the run has decays about steady sliding. */
     bool
     all_decay(const LinearizedMotion &linear, const TransientParameters &t)
@@ -298,7 +239,7 @@ namespace squeal
                          const Parameters        &p,
                          TransientFigures        &f)
     {
-      evaluate_forces(record, f);
+      evaluate_forces(prepared.pressed.nodes(), record, f);
       const auto       &samples = record.samples;
       const std::size_t first   = samples.size() / 2;
       // Weakly damped motion loses less than that in the half of a run; a mesh
@@ -313,12 +254,12 @@ namespace squeal
       f.has_limit_cycle = f.vibrates && f.least_rms > 0.8 * f.most_rms;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
-      std::vector<double> normal, tangential;
-      for (std::size_t i = first; i < samples.size(); ++i)
-        {
-          normal.push_back(samples[i].normal);
-          tangential.push_back(samples[i].tangential);
-        }
+      const auto late = [&](double PairSample::*const force) {
+        const auto all = record.forces_of(f.loudest.number, force);
+        return std::vector<double>(all.begin() + first, all.end());
+      };
+      const auto normal     = late(&PairSample::normal),
+                 tangential = late(&PairSample::tangential);
       f.beyond_samples =
         frequency_beyond_samples(prepared.linear, p.transient, interval);
       if (f.beyond_samples > 0.)
@@ -326,10 +267,11 @@ namespace squeal
           f.repetition = f.phase = not_known;
           return;
         }
-      evaluate_lines(without_slow_part(f.by_tangential ? tangential : normal),
-                     interval,
-                     p.eigen.lowest_frequency,
-                     f);
+      evaluate_lines(
+        without_slow_part(f.loudest.by_tangential ? tangential : normal),
+        interval,
+        p.eigen.lowest_frequency,
+        f);
       if (f.largest_line > 0.)
         f.phase =
           phase_difference(normal, tangential, interval, f.largest_line);
@@ -413,14 +355,6 @@ namespace squeal
              ? f
              : 0.;
   }
-
-  bool
-  nothing_vibrates(const TransientFigures &f)
-  {
-    return !(f.most_rms > least_vibration * f.mean_normal);
-  }
-
-
 
   double
   sigma_with_full_contact(const PreparedTransient &prepared,

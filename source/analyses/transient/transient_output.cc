@@ -242,6 +242,7 @@ namespace squeal
   Table
   speed_table(const PreparedTransient &prepared,
               const TransientRecord   &record,
+              const TransientFigures  &f,
               const Parameters        &p)
   {
     constexpr unsigned int n_parts = 50;
@@ -255,18 +256,28 @@ namespace squeal
                                 "force"},
                         {"mean_normal_n", Type::real, "N", ""},
                         {"rms_normal_n", Type::real, "N", "about the mean"}});
-    const double v = prepared.pressed.speed();
+    const double v           = prepared.pressed.speed();
+    const bool   has_several = !f.loudest.name.empty();
+    if (has_several)
+      table.add_column(
+        {"loudest_pair", Type::text, "", "whose vibration this is"});
     for (unsigned int k = 0; k < n_parts && record.n_steps >= 4 * n_parts; ++k)
       {
         constexpr unsigned int length = n_force_stretches / n_parts;
-        const ForceStatistics  s =
-          statistics_of(record.stretches, k * length, (k + 1) * length);
-        const double share = (k + 0.5) / n_parts;
-        table.add_row({share * p.transient.end_time,
-                       v * (1. + (p.transient.final_speed_ratio - 1.) * share),
-                       or_missing(s.macroscopic_friction()),
-                       s.mean_normal,
-                       s.rms_normal()});
+        const unsigned int     first = k * length, end = first + length;
+        const ForceStatistics  s  = statistics_of(record.stretches, first, end);
+        const JudgedPair  loudest = loudest_in(f.judged, record, first, end);
+        const double      share   = (k + 0.5) / n_parts;
+        std::vector<Cell> row     = {
+              share * p.transient.end_time,
+              v * (1. + (p.transient.final_speed_ratio - 1.) * share),
+              or_missing(s.macroscopic_friction()),
+              s.mean_normal,
+              statistics_of(record.stretches_of(loudest.number), first, end)
+                .rms_normal()};
+        if (has_several)
+          row.emplace_back(loudest.name);
+        table.add_row(row);
       }
     return table;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Phase between the resultants over time, and what a trigger has made of a run.
+// Phase between the resultants of a pair over time, and what a trigger has made
+// of a run.
 
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/results/chart.h>
@@ -24,19 +25,18 @@ namespace squeal
      * large. */
     constexpr double squeal_level = 0.01, large_level = 0.1;
 
-    using Resultant = double TransientSample::*;
-
-    /** A resultant from one time to another. */
+    /** A force of a pair from one time to another. */
     std::vector<double>
-    values_between(const std::vector<TransientSample> &samples,
-                   const Resultant                     of,
-                   const double                        from,
-                   const double                        to)
+    values_between(const TransientRecord &record,
+                   const unsigned int     pair,
+                   double PairSample::*const of,
+                   const double              from,
+                   const double              to)
     {
       std::vector<double> values;
-      for (const auto &s : samples)
-        if (s.time >= from && s.time <= to)
-          values.push_back(s.*of);
+      for (std::size_t k = 0; k < record.samples.size(); ++k)
+        if (record.samples[k].time >= from && record.samples[k].time <= to)
+          values.push_back(record.pair(k, pair).*of);
       return values;
     }
 
@@ -122,63 +122,125 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** From the begin of the first trigger to the end of the last, s. */
+    std::pair<double, double>
+    times_of_triggers(const TransientParameters &t)
+    {
+      double begin = 1e300, end = 0.;
+      if (!t.hammer.body.empty())
+        {
+          begin = t.hammer.time;
+          end   = t.hammer.time + t.hammer.duration;
+        }
+      if (t.friction_impulse != 0.)
+        {
+          begin = std::min(begin, t.friction_impulse_time);
+          end   = std::max(end,
+                         t.friction_impulse_time + t.friction_impulse_duration);
+        }
+      return {begin, end};
+    }
+
+    /** What a pair does about a trigger. */
+    struct PairOutcome
+    {
+      TriggerOutcome outcome;
+      double         size; /**< after it or at the end, over the mean force */
+
+      /** Whether this is the outcome of the run rather than @p other: the one
+       * that lasts longer, of equal ones that of the louder pair. */
+      bool
+      comes_before(const PairOutcome &other) const
+      {
+        return rank() != other.rank() ? rank() > other.rank()
+                                      : size > (1. + 1e-6) * other.size;
+      }
+
+    private:
+      unsigned int
+      rank() const
+      {
+        const auto       &text    = outcome.text;
+        const std::string texts[] = {"temporary after the trigger",
+                                     "run too short",
+                                     "squeal after the trigger",
+                                     "squeal by itself"};
+        for (unsigned int k = 4; k > 0; --k)
+          if (text == texts[k - 1])
+            return k;
+        return 0;
+      }
+    };
+
+    PairOutcome
+    outcome_of(const JudgedPair                &pair,
+               const std::pair<double, double> &trigger,
+               const TransientRecord           &record,
+               const TransientFigures          &f)
+    {
+      const double begin = trigger.first, end = trigger.second;
+      const auto  &samples = record.samples;
+      const double last    = samples.back().time;
+      const auto   values  = [&](const double from, const double to) {
+        return values_between(record,
+                              pair.number,
+                              pair.by_tangential ? &PairSample::tangential
+                                                    : &PairSample::normal,
+                              from,
+                              to);
+      };
+      const auto rms = [&](const double from, const double to) {
+        return rms_beside(values(from, to), 2);
+      };
+      const double   mean = mean_value(values_between(
+        record, pair.number, &PairSample::normal, 0.9 * last, last));
+      TriggerOutcome r;
+      r.pair               = pair;
+      r.before             = rms(0.75 * begin, begin);
+      r.after              = rms(end, end + 0.1 * last);
+      r.end                = rms(0.9 * last, last);
+      const double earlier = rms(0.8 * last, 0.9 * last), window = 0.01 * last;
+      // These windows may be shorter than a period.
+      for (double from = end; from + window <= last * (1. + 1e-9);
+           from += window)
+        if (rms_beside(values(from, from + window), 0) > large_level * mean)
+          r.lasting = from + window - end;
+      const double least = squeal_level * mean;
+      // Small motion about steady sliding that shrinks ends, however slowly.
+      const bool ends = r.end < earlier &&
+                        std::all_of(samples.begin() + 9 * samples.size() / 10,
+                                    samples.end(),
+                                    [](const auto &s) { return s.is_linear; });
+      const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
+      // A squeal that grows is not there to its full size at the trigger.
+      r.text = lasts && (r.before > least || grows_by_itself(f))
+                 ? "squeal by itself"
+               : end > 0.9 * last ? "run too short"
+               : lasts            ? "squeal after the trigger"
+               : r.after > least  ? "temporary after the trigger"
+                                  : "none";
+      return {r, mean > 0. ? std::max(r.after, r.end) / mean : 0.};
+    }
+  } // namespace
+
+
+
   TriggerOutcome
   evaluate_trigger(const TransientRecord     &record,
                    const TransientFigures    &f,
                    const TransientParameters &t)
   {
-    TriggerOutcome r;
     if (!has_trigger(t))
-      return r;
-    double begin = 1e300, end = 0.;
-    if (!t.hammer.body.empty())
-      {
-        begin = t.hammer.time;
-        end   = t.hammer.time + t.hammer.duration;
-      }
-    if (t.friction_impulse != 0.)
-      {
-        begin = std::min(begin, t.friction_impulse_time);
-        end =
-          std::max(end, t.friction_impulse_time + t.friction_impulse_duration);
-      }
-    const auto  &samples = record.samples;
-    const double last    = samples.back().time;
-    const auto   values  = [&](const double from, const double to) {
-      return values_between(samples,
-                            f.by_tangential ? &TransientSample::tangential
-                                               : &TransientSample::normal,
-                            from,
-                            to);
-    };
-    const auto rms = [&](const double from, const double to) {
-      return rms_beside(values(from, to), 2);
-    };
-    const double mean = mean_value(
-      values_between(samples, &TransientSample::normal, 0.9 * last, last));
-    r.before             = rms(0.75 * begin, begin);
-    r.after              = rms(end, end + 0.1 * last);
-    r.end                = rms(0.9 * last, last);
-    const double earlier = rms(0.8 * last, 0.9 * last), window = 0.01 * last;
-    // These windows may be shorter than a period.
-    for (double from = end; from + window <= last * (1. + 1e-9); from += window)
-      if (rms_beside(values(from, from + window), 0) > large_level * mean)
-        r.lasting = from + window - end;
-    const double least = squeal_level * mean;
-    // Small motion about steady sliding that shrinks ends, however slowly.
-    const bool ends =
-      r.end < earlier && std::all_of(samples.begin() + 9 * samples.size() / 10,
-                                     samples.end(),
-                                     [](const auto &s) { return s.is_linear; });
-    const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
-    // A squeal that grows is not there to its full size at the trigger.
-    r.text = lasts && (r.before > least || grows_by_itself(f))
-               ? "squeal by itself"
-             : end > 0.9 * last ? "run too short"
-             : lasts            ? "squeal after the trigger"
-             : r.after > least  ? "temporary after the trigger"
-                                : "none";
-    return r;
+      return {};
+    const auto  trigger = times_of_triggers(t);
+    PairOutcome result  = outcome_of(f.judged.at(0), trigger, record, f);
+    for (std::size_t i = 1; i < f.judged.size(); ++i)
+      if (const PairOutcome next = outcome_of(f.judged[i], trigger, record, f);
+          next.comes_before(result))
+        result = next;
+    return result.outcome;
   }
 
 
@@ -191,21 +253,17 @@ namespace squeal
        {"normal_amplitude_n", Type::real, "N", ""},
        {"tangential_amplitude_n", Type::real, "N", ""},
        {"phase_deg", Type::real, "deg", "tangential against normal"}});
-    const auto         &samples = record.samples;
-    std::vector<double> normal, tangential;
-    for (const auto &s : samples)
-      {
-        normal.push_back(s.normal);
-        tangential.push_back(s.tangential);
-      }
+    const auto &samples = record.samples;
     if (samples.size() < 2)
       return table;
-    const PhaseHistory h = phase_history(normal,
-                                         tangential,
-                                         samples.front().time,
-                                         samples[1].time - samples[0].time,
-                                         f.largest_line,
-                                         least_amplitude * f.mean_normal);
+    const unsigned int pair = f.loudest.number;
+    const PhaseHistory h =
+      phase_history(record.forces_of(pair, &PairSample::normal),
+                    record.forces_of(pair, &PairSample::tangential),
+                    samples.front().time,
+                    samples[1].time - samples[0].time,
+                    f.largest_line,
+                    least_amplitude * f.mean_normal);
     for (std::size_t i = 0; i < h.time.size(); ++i)
       table.add_row({h.time[i],
                      h.amplitude_a[i],

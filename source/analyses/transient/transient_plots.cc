@@ -65,16 +65,16 @@ namespace squeal
     Chart
     spectrum_chart(const TransientRecord &record, const TransientFigures &f)
     {
-      std::vector<double> normal, tangential;
-      const std::size_t   first = record.samples.size() / 2;
-      for (std::size_t i = first; i < record.samples.size(); ++i)
-        {
-          normal.push_back(record.samples[i].normal);
-          tangential.push_back(record.samples[i].tangential);
-        }
+      std::vector<double> normal =
+        record.forces_of(f.loudest.number, &PairSample::normal);
+      std::vector<double> tangential =
+        record.forces_of(f.loudest.number, &PairSample::tangential);
+      for (auto *signal : {&normal, &tangential})
+        signal->erase(signal->begin(), signal->begin() + signal->size() / 2);
       const double interval = record.samples[1].time - record.samples[0].time;
       Chart        chart;
-      chart.title    = "Power spectral density, second half of the run";
+      chart.title = "Power spectral density" + of_judged(f.loudest) +
+                    ", second half of the run";
       chart.x.label  = "frequency in kHz";
       chart.y.label  = "N^2/Hz";
       chart.y.scale  = AxisSettings::Scale::logarithmic;
@@ -235,15 +235,18 @@ namespace squeal
 
 
   ForceCurve
-  last_periods(const TransientRecord &record, const double frequency)
+  last_periods(const TransientRecord &record,
+               const double           frequency,
+               const unsigned int     pair)
   {
-    ForceCurve  all;
-    const auto &steps = record.last_steps;
-    for (const StepForces &s : steps)
-      all.add(s.time, s.normal, s.tangential);
-    if (steps.size() < 2)
+    ForceCurve        all;
+    const auto       &steps   = record.last_steps;
+    const std::size_t n_pairs = record.n_pairs();
+    for (std::size_t k = pair; k < steps.size(); k += n_pairs)
+      all.add(steps[k].time, steps[k].normal, steps[k].tangential);
+    if (all.time.size() < 2)
       return all;
-    const double step = steps[1].time - steps[0].time;
+    const double step = all.time[1] - all.time[0];
     return all.last(frequency > 0.
                       ? std::lround(periods_shown / frequency / step) + 1
                       : steps_without_period);
@@ -274,12 +277,17 @@ namespace squeal
     const std::size_t n = record.samples.size();
     if (n < 16)
       return;
-    const ForceCurve end = last_periods(record, f.frequency);
+    const ForceCurve  end = last_periods(record, f.frequency, f.loudest.number);
+    const std::string last_title =
+      "Forces" + of_judged(f.loudest) + ", every step of the last periods";
     report.section("Charts");
-    draw("forces", {force_chart(record)}, "Forces over time");
-    draw("forces_last_periods",
-         {forces_over_time(end, "Forces, every step of the last periods")},
-         "Forces, every step of the last periods");
+    draw("forces",
+         {force_chart(record)},
+         f.loudest.name.empty()
+           ? "Forces over time"
+           : "Forces over time, sums over the pairs that slide");
+    draw(
+      "forces_last_periods", {forces_over_time(end, last_title)}, last_title);
     draw("spectrum", {spectrum_chart(record, f)}, "Spectrum");
     if (!f.branches.empty())
       draw("branches",
@@ -288,7 +296,8 @@ namespace squeal
            "growth rates are fitted");
     draw("limit_cycle",
          portraits(end),
-         "Every step of the last periods: closed curves in a limit cycle");
+         "Every step of the last periods" + of_judged(f.loudest) +
+           ": closed curves in a limit cycle");
     const auto &pairs = prepared.pressed.nodes().pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i)
       draw_pressure(context,

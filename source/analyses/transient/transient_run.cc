@@ -70,6 +70,25 @@ namespace squeal
     return samples.empty() ? 0 : pairs.size() / samples.size();
   }
 
+  std::vector<double>
+  TransientRecord::forces_of(const unsigned int i,
+                             double PairSample::*const force) const
+  {
+    std::vector<double> result;
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      result.push_back(pair(k, i).*force);
+    return result;
+  }
+
+  std::vector<ForceStatistics>
+  TransientRecord::stretches_of(const unsigned int i) const
+  {
+    if (pair_stretches.empty())
+      return stretches;
+    const auto first = pair_stretches.begin() + i * n_force_stretches;
+    return {first, first + n_force_stretches};
+  }
+
   const PairSample &
   TransientRecord::pair(const std::size_t k, const unsigned int i) const
   {
@@ -89,6 +108,8 @@ namespace squeal
     , recorded(only(linearized, branches))
     , settings(p.transient)
     , areas(model.nodes().areas())
+    , sums(model.nodes())
+    , senses(transverse_senses(model.nodes()))
     , n_steps(std::lround(settings.end_time / settings.step()))
     , stride(
         std::max<long>(1,
@@ -101,11 +122,16 @@ namespace squeal
     const auto &pairs          = model.nodes().pairs();
     kept.nodes.resize(n_nodes);
     kept.stretches.resize(n_force_stretches);
+    if (pairs.size() > 1)
+      kept.pair_stretches.resize(pairs.size() * n_force_stretches);
     kept.square_accelerations.assign(pairs.size(), 0.);
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
-      axes.emplace_back(pair.geometry);
-    set_sums();
+      {
+        axes.emplace_back(pair.geometry);
+        speeds.insert(
+          speeds.end(), pair.n_nodes(), pair.parameters.sliding_speed);
+      }
     const Eigen::VectorXd v = model.disturbance(settings.disturbance);
     if (settings.start == TransientParameters::Start::ramp)
       motion->start(Eigen::VectorXd::Zero(n),
@@ -122,52 +148,10 @@ namespace squeal
 
 
 
-  void
-  TransientRun::set_sums()
-  {
-    sums                 = Eigen::MatrixXd::Zero(steady.forces.size(), 6);
-    senses               = transverse_senses(pressed.nodes());
-    double         area  = 0.;
-    Eigen::Array2d edges = Eigen::Array2d::Zero(); // leading and trailing
-    for (const ContactPair &pair : pressed.nodes().pairs())
-      if (is_summed(pressed.nodes(), pair))
-        {
-          sums.block(3 * pair.first, 4, 3 * pair.n_nodes(), 2) =
-            sum_rows(pair.geometry).transpose();
-          sums.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) =
-            resultant_rows(pair.geometry).bottomRows<2>().transpose();
-          const std::array<std::vector<bool>, 2> is_at = {
-            {leading_edge(pair.geometry), trailing_edge(pair.geometry)}};
-          for (std::size_t j = 0; j < pair.n_nodes(); ++j)
-            {
-              area += pair.geometry.areas[j];
-              for (unsigned int e = 0; e < 2; ++e)
-                if (is_at[e][j])
-                  {
-                    edges[e] += pair.geometry.areas[j];
-                    sums(3 * (pair.first + j), 2 + e) = 1.;
-                  }
-            }
-        }
-    // Not known where no pair has such an edge.
-    for (unsigned int e = 0; e < 2; ++e)
-      sums.col(2 + e) *=
-        edges[e] > 0. ? area / edges[e] : std::nan("no edge of that kind");
-  }
-
-
-
   StepSums
   TransientRun::force_sums() const
   {
-    const Eigen::VectorXd all = sums.transpose() * motion->forces();
-    StepSums              now;
-    now.tangential = all[0];
-    now.normal     = all[1];
-    now.edge       = speed_now() < 0. ? all[3] : all[2];
-    now.pressing   = all[4];
-    now.friction   = all[5];
-    return now;
+    return sums.of(motion->forces(), speed_now() < 0.);
   }
 
 
@@ -242,7 +226,6 @@ namespace squeal
   void
   TransientRun::take_node_shares()
   {
-    const double           speed  = pressed.speed();
     const Eigen::VectorXd &u      = motion->motion();
     const Eigen::VectorXd &lambda = motion->forces();
     const Eigen::VectorXd &ratio  = pressed.model().speed_ratio;
@@ -265,10 +248,10 @@ namespace squeal
         const double along =
                        u[3 * j + 1] - last_motion[3 * j + 1] + way * ratio[j],
                      across = u[3 * j + 2] - last_motion[3 * j + 2];
-        if (ratio[j] > 0. && speed > 0.)
+        if (speeds[j] > 0. && ratio[j] > 0.)
           node.fastest_slip =
             std::max(node.fastest_slip,
-                     std::hypot(along, across) / (settings.step() * speed));
+                     std::hypot(along, across) / (settings.step() * speeds[j]));
         node.peak_pressure =
           std::max(node.peak_pressure, lambda[3 * j] / areas[j]);
       }
@@ -281,15 +264,22 @@ namespace squeal
   {
     const StepSums force = force_sums();
     // Of step 1, 2, ...; in 64 bits, as long runs have 1e8 steps.
-    const auto n = static_cast<std::uint64_t>(kept.n_steps);
-    kept.stretches[(n - 1) * n_force_stretches / n_steps].add(
+    const auto          n       = static_cast<std::uint64_t>(kept.n_steps);
+    const std::uint64_t stretch = (n - 1) * n_force_stretches / n_steps;
+    kept.stretches[stretch].add(
       force,
       std::all_of(status.begin(), status.end(), [](const ContactStatus s) {
         return s == ContactStatus::open;
       }));
+    std::vector<StepSums> of_pairs = sums.of_pairs(motion->forces());
+    for (std::size_t i = 0; i < of_pairs.size(); ++i)
+      kept.pair_stretches[i * n_force_stretches + stretch].add(of_pairs[i],
+                                                               false);
+    if (of_pairs.empty())
+      of_pairs = {force};
     if (n_steps_left() < most_last_steps)
-      kept.last_steps.push_back(
-        {motion->time(), force.normal, force.tangential});
+      for (const StepSums &sum : of_pairs)
+        kept.last_steps.push_back({motion->time(), sum.normal, sum.tangential});
   }
 
 
@@ -356,7 +346,7 @@ namespace squeal
         s.n_stick += status[j] == ContactStatus::stick;
       }
     const StepSums sum   = force_sums();
-    s.leading_edge       = sum.pressing > 0. ? sum.edge / sum.pressing : 0.;
+    s.leading_edge       = leading_edge_factor(sum);
     const EnergyLedger e = motion->ledger();
     s.kinetic            = e.kinetic;
     s.elastic            = e.elastic;

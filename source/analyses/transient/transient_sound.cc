@@ -21,7 +21,8 @@ namespace squeal
       if (samples.size() < 2)
         return;
       const ContactFrame frame = mean_frame(pair.geometry);
-      const auto        &along = f.by_tangential ? frame.sliding : frame.normal;
+      const auto        &along =
+        f.loudest.by_tangential ? frame.sliding : frame.normal;
       std::vector<double> acceleration;
       for (std::size_t k = 0; k < samples.size(); ++k)
         {

@@ -80,7 +80,7 @@ namespace squeal
          4},
         {"separates", Type::text, "", "all nodes are open at a time"},
         {"stick_fraction", Type::real, "", "of closed node-time", 4},
-        {"max_slip_speed_ratio", Type::real, "", "over |V|", 4},
+        {"max_slip_speed_ratio", Type::real, "", "over |V| of its pair", 4},
         {"rms_pad_acceleration", Type::real, "m/s2", "centre of the pad", 4},
         {"leading_edge_factor", Type::real, "", "mean", 4},
         {"peak_pressure_pa", Type::real, "Pa", "", 4},
@@ -146,7 +146,7 @@ namespace squeal
               has ? or_missing(b.frequency_cea) : Cell(),
               yes_or_no(f.has_limit_cycle),
               of_lines(f.frequency),
-              f.mean_normal,
+              f.mean_normal_of_all,
               f.rms_normal,
               f.min_normal,
               f.max_normal,
@@ -184,6 +184,21 @@ namespace squeal
   {
     Table table(with_reduction_columns(transient_columns()));
     table.add_row(transient_cells(f));
+    if (f.loudest.name.empty())
+      return table;
+    for (const auto &[column, cell] :
+         {std::make_pair(
+            Table::Column{
+              "loudest_pair", Type::text, "", "whose vibration this is"},
+            Cell(f.loudest.name)),
+          std::make_pair(
+            Table::Column{
+              "loudest_mean_normal_n", Type::real, "N", "of that pair"},
+            Cell(f.mean_normal))})
+      {
+        table.add_column(column);
+        table.set(0, column.name, cell);
+      }
     return table;
   }
 

@@ -50,8 +50,9 @@ namespace squeal
       return "the vibration dies out";
     return "the vibration is uneven, " + rounded_text(f.least_rms, 3) + " to " +
            rounded_text(f.most_rms, 3) + " N rms of the " +
-           (f.by_tangential ? "tangential" : "normal") +
-           " force in the quarters of the second half of the run";
+           (f.loudest.by_tangential ? "tangential" : "normal") + " force" +
+           of_judged(f.loudest) +
+           " in the quarters of the second half of the run";
   }
 
 
@@ -71,9 +72,12 @@ namespace squeal
                 ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
                 : "") +
              ", repeats itself to " + rounded_text(f.repetition, 3) +
-             (f.by_tangential ? ", of the tangential force: the normal force "
-                                "is steady"
-                              : "");
+             (f.loudest.by_tangential
+                ? ", of the tangential force" + of_judged(f.loudest) +
+                    ": the normal force is steady"
+              : f.loudest.name.empty()
+                ? ""
+                : ", of the normal force" + of_judged(f.loudest));
     return "none: " + reason_for_no_cycle(f);
   }
 
@@ -174,7 +178,7 @@ namespace squeal
     text += "; no limit cycle: " + reason_for_no_cycle(f);
     return f.verdict == "unstable"
              ? text
-             : text + "; normal force " +
+             : text + "; normal force" + of_judged(f.loudest) + " " +
                  (f.min_normal < 1e-6 * f.mean_normal
                     ? "0"
                     : rounded_text(f.min_normal, 3)) +

@@ -19,6 +19,10 @@ namespace squeal
     double friction = 0.; /**< of what nodes have along their own sliding */
   };
 
+  /** Mean pressure at the leading edge over that of the face; NaN where nothing
+   * presses. */
+  double leading_edge_factor(const StepSums &sums);
+
   /**
    * Statistics of the contact forces after every step of a stretch of a
    * transient. Steps are equally long and weigh alike. Samples would not do: a

@@ -58,6 +58,19 @@ namespace squeal
                                       sqrt(J) */
   };
 
+  /** A pair whose forces are judged. */
+  struct JudgedPair
+  {
+    unsigned int number = 0;
+    std::string  name; /**< empty: it is the only one of the scene */
+    /** The normal force is steady and the tangential one vibrates, as in pure
+     * stick-slip: it is the one whose vibration is judged. */
+    bool by_tangential = false;
+  };
+
+  /** " of the pair upper"; empty where it is the only one. */
+  std::string of_judged(const JudgedPair &pair);
+
   /** What comes out of a transient. */
   struct TransientFigures
   {
@@ -76,19 +89,24 @@ namespace squeal
 
     /** @name Over the second half of the run */
     //@{
+    /** Those that slide (all where none does) and carry more than a thousandth
+     * of what the one with the largest mean normal force does. */
+    std::vector<JudgedPair> judged;
+    /** The one of them whose force vibrates most over its own mean normal
+     * force, the first of equal ones: vibration, its lines and its phase are
+     * those of its forces. In sums over all pairs pads that move against each
+     * other cancel. */
+    JudgedPair loudest;
     /** The vibration keeps its size and is none that only dies out slowly. */
     bool has_limit_cycle = false;
     /** No status other than that of steady sliding, about which every motion
      * decays: what still vibrates dies out, however slowly. */
-    bool dies_out = false;
-    bool vibrates = false; /**< more than noise, to stay */
-    /** The normal force is steady and the tangential one vibrates, as in pure
-     * stick-slip: it is the one whose vibration is judged. */
-    bool   by_tangential = false;
+    bool   dies_out  = false;
+    bool   vibrates  = false;             /**< more than noise, to stay */
     double least_rms = 0., most_rms = 0.; /**< of its four quarters, N, beside
                                              what the force drifts by */
-    /** Neither force vibrates by more than noise, in the first half of the run
-     * either. */
+    /** No force of any pair that is judged vibrates by more than noise, in the
+     * first half of the run either. */
     bool is_silent = false;
     /** What the rms about the slow part changes by from the first half of that
      * time to the second: of the normal force, N, and of the force that is
@@ -109,7 +127,9 @@ namespace squeal
     double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
     double min_normal = 0., max_normal = 0.;
     double mean_tangential = 0., rms_tangential = 0.;
-    double macroscopic_friction = 0.; /**< mean friction over mean normal */
+    double mean_normal_of_all   = 0.; /**< of the sum over pairs, N */
+    double macroscopic_friction = 0.; /**< mean friction over mean normal of
+                                         that sum */
     double phase = 0.; /**< of the tangential against the normal force at the
                           largest line, deg */
     bool   separates            = false; /**< all nodes open at a time */
@@ -139,14 +159,29 @@ namespace squeal
                                   const TransientParameters &t,
                                   const double               interval);
 
+  /** Fills in what TransientFigures says of the forces over the second half of
+   * the run, but for lines and phase. */
+  void evaluate_forces(const ContactNodes    &nodes,
+                       const TransientRecord &record,
+                       TransientFigures      &figures);
+
+  /** The one of @p pairs whose normal force has the largest rms about its mean
+   * over its mean, in the stretch number @p first up to the one before @p end;
+   * the first of equal ones. */
+  JudgedPair loudest_in(const std::vector<JudgedPair> &pairs,
+                        const TransientRecord         &record,
+                        const unsigned int             first,
+                        const unsigned int             end);
+
   /** Whether the force that is judged is steady, but for a drift and noise,
    * over the second half of the run. */
   bool nothing_vibrates(const TransientFigures &figures);
 
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
    * mean squares, N, of the normal force or, where that does not vibrate, of
-   * the tangential one (TransientFigures::by_tangential), about the parabola
-   * that is nearest to it: a load that comes on is no vibration. */
+   * the tangential one (JudgedPair::by_tangential), about the parabola that is
+   * nearest to it: a load that comes on is no vibration. Of several pairs those
+   * of the one with the most lasting outcome. */
   struct TriggerOutcome
   {
     double before = 0.; /**< over the last quarter of the time before it */
@@ -162,6 +197,7 @@ namespace squeal
      * `none`: no vibration above 1 % follows; `run too short`: less than a
      * tenth of the run follows; empty: no trigger. */
     std::string text;
+    JudgedPair  pair; /**< that it is the outcome of */
   };
 
   /** Whether a hammer or a friction impulse is there. */
@@ -192,8 +228,8 @@ namespace squeal
                      const TransientRecord   &record);
   Table probe_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
-  /** Phase between tangential and normal resultant at the largest line of the
-   * run, over time. */
+  /** Phase between tangential and normal resultant of the loudest pair at the
+   * largest line of the run, over time. */
   Table phase_table(const TransientRecord  &record,
                     const TransientFigures &figures);
   Table zone_table(const PreparedTransient &prepared,
@@ -202,6 +238,7 @@ namespace squeal
    * changes: means over equal stretches of it. */
   Table speed_table(const PreparedTransient &prepared,
                     const TransientRecord   &record,
+                    const TransientFigures  &figures,
                     const Parameters        &parameters);
   /** transient.json; @p explanation: the verdict in words, which says what
    * stands beside stable steady sliding. */
@@ -217,9 +254,10 @@ namespace squeal
                              const std::string       &name,
                              const std::string       &path);
   /** The last steps of a run, six periods of @p frequency (Hz; 0: no period), as
-   * far as the record has them. */
+   * far as the record has them, of pair @p pair. */
   ForceCurve last_periods(const TransientRecord &record,
-                          const double           frequency);
+                          const double           frequency,
+                          const unsigned int     pair = 0);
   void       draw_transient(RunContext              &context,
                             const PreparedTransient &prepared,
                             const TransientRecord   &record,

@@ -2,7 +2,7 @@
 #ifndef squeal_analyses_transient_transient_run_h
 #define squeal_analyses_transient_transient_run_h
 
-#include <squeal/analyses/transient/force_statistics.h>
+#include <squeal/analyses/transient/force_sums.h>
 #include <squeal/contact/contact_resultant.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/results/history_stream.h>
@@ -29,12 +29,12 @@ namespace squeal
     /** 1 where every status has been that of steady sliding since the sample
      * before. */
     double is_linear    = 0.;
-    double leading_edge = 0.; /**< its pressure over the mean one */
+    double leading_edge = 0.; /**< leading_edge_factor() of StepSums */
     double kinetic = 0., elastic = 0., damping = 0., friction = 0.,
            driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
   };
 
-  /** Sums as in TransientSample, after one step. */
+  /** Resultants of a pair after one step. */
   struct StepForces
   {
     double time   = 0.;                  /**< s */
@@ -56,8 +56,8 @@ namespace squeal
   struct NodeShares
   {
     double open = 0., stick = 0., slip = 0.; /**< steps */
-    double fastest_slip = 0.;  /**< |v_t| over the largest |V| of a pair; 0 in
-                                  pairs at rest */
+    double fastest_slip = 0.;  /**< |v_t| over the sliding speed of its pair; 0
+                                  in pairs at rest */
     double peak_pressure = 0.; /**< Pa */
   };
 
@@ -77,8 +77,9 @@ namespace squeal
     std::vector<PairSample>           pairs;      /**< samples x pairs */
     std::vector<std::complex<double>> amplitudes; /**< samples x branches */
     double n_changes = 0.; /**< of status, of nodes of all pairs */
-    /** After each of the last steps, at most TransientRun::most_last_steps: a
-     * curve through samples cuts the corners of a limit cycle. */
+    /** Steps x pairs, after each of the last steps, at most
+     * TransientRun::most_last_steps: a curve through samples cuts the corners
+     * of a limit cycle. */
     std::vector<StepForces> last_steps;
     /** The last samples, as many as `Animation frames`, and the nodes of each
      * pair then. */
@@ -88,6 +89,9 @@ namespace squeal
     std::vector<NodeShares> nodes;
     /** Of every step; n_force_stretches of them make the run. */
     std::vector<ForceStatistics> stretches;
+    /** Pairs x stretches, resultants of each of several pairs: pads that move
+     * against each other cancel in the sums. Empty with one pair. */
+    std::vector<ForceStatistics> pair_stretches;
     /** Of the source of each pair: squares of the acceleration of its centre,
      * added up over the steps of the second half of the run, (m/s^2)^2. */
     std::vector<double> square_accelerations;
@@ -96,6 +100,11 @@ namespace squeal
     double              cpu_seconds    = 0.; /**< of the steps */
     double              n_inversions   = 0.;
 
+    /** Of pair @p i, of the sums where it is the only one. */
+    std::vector<ForceStatistics> stretches_of(const unsigned int i) const;
+    /** A force of pair @p i in every sample, N. */
+    std::vector<double> forces_of(const unsigned int i,
+                                  double PairSample::*const force) const;
     std::vector<double> times() const;
     unsigned int        n_pairs() const;
     /** What pair @p i was at sample @p k. */
@@ -122,7 +131,7 @@ namespace squeal
                  HistoryStream                   *history = nullptr);
 
     /** Steps that the record has one by one: some ten periods of a squeal at 1
-     * kHz in steps of 2e-7 s, and 1 MB. */
+     * kHz in steps of 2e-7 s, and 1 MB a pair. */
     static constexpr unsigned int most_last_steps = 50000;
 
     /** Called now and then with the steps since; true: stop. */
@@ -158,7 +167,6 @@ namespace squeal
                        HistorySamples        &history) const;
     void take_frame(const TransientSample &sample);
     void take_node_shares();
-    void set_sums();
     /** Sums of the forces of now. */
     StepSums force_sums() const;
     void     take_step_forces();
@@ -170,14 +178,12 @@ namespace squeal
     const SteadySliding       &steady;
     const LinearizedMotion     recorded; /**< the branches only */
     const TransientParameters &settings;
-    const std::vector<double>  areas; /**< of all nodes */
-    std::vector<FaceAxes>      axes;  /**< of each pair */
-    /** Of the forces of all nodes, a column each: StepSums::tangential and
-     * normal, edge while the target slides forwards and while it slides
-     * backwards, pressing and friction. */
-    Eigen::MatrixXd                      sums;
-    std::vector<double>                  senses; /**< transverse_senses() */
-    unsigned int                         n_steps, stride;
+    const std::vector<double>  areas;  /**< of all nodes */
+    std::vector<FaceAxes>      axes;   /**< of each pair */
+    std::vector<double>        speeds; /**< of the pair of each node, m/s */
+    const ForceSums            sums;
+    const std::vector<double>  senses; /**< transverse_senses() */
+    unsigned int               n_steps, stride;
     std::unique_ptr<TransientIntegrator> motion;
     HistoryStream                       *history;
     TransientRecord                      kept;

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What the contact forces of a transient do: of the pairs together, and of the
+// one that vibrates most.
+
+#include <squeal/analyses/transient/transient_results.h>
+#include <squeal/base/worst_of.h>
+#include <squeal/contact/summed_pairs.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal
+{
+  namespace
+  {
+    /** The first stretch of the second half. */
+    constexpr unsigned int middle = n_force_stretches / 2;
+
+    /** Vibration of a force, over the mean normal force, that is more than the
+     * noise of the solver. */
+    constexpr double least_vibration = 1e-4;
+
+    /** Pairs that carry less than this share of the largest mean normal force
+     * only graze: over their own mean every touch is a large vibration. */
+    constexpr double least_carried = 1e-3;
+
+    /** Pairs whose vibrations differ by less than this share are equally loud.
+     */
+    constexpr double same_loudness = 1e-6;
+
+    /** Of the source of a pair over the steps of the second half, m/s^2. */
+    double
+    largest_rms_acceleration(const TransientRecord &record)
+    {
+      double n_steps = 0., largest = 0.;
+      for (const NodeShares &node : record.nodes)
+        n_steps = std::max(n_steps, node.open + node.stick + node.slip);
+      for (const double square : record.square_accelerations)
+        largest = worst_of(largest, std::sqrt(square / std::max(n_steps, 1.)));
+      return largest;
+    }
+
+    double
+    largest_of(const std::vector<double> &values)
+    {
+      double largest = 0.;
+      for (const double value : values)
+        largest = worst_of(largest, value);
+      return largest;
+    }
+
+
+
+    /** Forces of one pair in every step of a run. */
+    struct PairVibration
+    {
+      explicit PairVibration(const std::vector<ForceStatistics> &stretches)
+        : half(statistics_of(stretches, middle, n_force_stretches))
+        , early(vibrations_of(stretches, 0, middle))
+        , late(vibrations_of(stretches, middle, n_force_stretches))
+        , least(least_vibration * half.mean_normal)
+        // Pure stick-slip leaves the normal force alone.
+        , by_tangential(!(largest_of(late.normal) > least) &&
+                        half.mean_normal > 0. &&
+                        largest_of(late.tangential) > least)
+      {
+      }
+
+      /** The force that is judged, by quarters of the second half, N. */
+      const std::vector<double> &
+      judged() const
+      {
+        return by_tangential ? late.tangential : late.normal;
+      }
+
+      /** Its largest vibration over the mean normal force. */
+      double
+      loudness() const
+      {
+        return half.mean_normal > 0. ? largest_of(judged()) / half.mean_normal
+                                     : 0.;
+      }
+
+      bool
+      is_silent() const
+      {
+        for (const auto *part :
+             {&early.normal, &early.tangential, &late.normal, &late.tangential})
+          if (largest_of(*part) > least)
+            return false;
+        return true;
+      }
+
+      ForceStatistics   half;
+      QuarterVibrations early, late;
+      double            least; /**< N: less is noise */
+      bool              by_tangential;
+    };
+
+
+
+    /** Of the pairs that count for the resultants those that carry; the first
+     * where none does. */
+    std::vector<JudgedPair>
+    judged_pairs(const ContactNodes               &nodes,
+                 const std::vector<PairVibration> &vibrations)
+    {
+      std::vector<JudgedPair> result;
+      double                  largest = 0.;
+      for (unsigned int i = 0; i < vibrations.size(); ++i)
+        if (const ContactPair &pair = nodes.pairs()[i]; is_summed(nodes, pair))
+          {
+            result.push_back({i,
+                              vibrations.size() > 1 ? pair.name() : "",
+                              vibrations[i].by_tangential});
+            largest = worst_of(largest, vibrations[i].half.mean_normal);
+          }
+      const JudgedPair first = result.at(0);
+      result.erase(std::remove_if(result.begin(),
+                                  result.end(),
+                                  [&](const JudgedPair &pair) {
+                                    return !(
+                                      vibrations[pair.number].half.mean_normal >
+                                      least_carried * largest);
+                                  }),
+                   result.end());
+      return result.empty() ? std::vector<JudgedPair>{first} : result;
+    }
+
+    /** The first of the pairs that no other one is louder than. */
+    template <typename Loudness>
+    JudgedPair
+    loudest_of(const std::vector<JudgedPair> &pairs, const Loudness &loudness)
+    {
+      JudgedPair result = pairs.at(0);
+      for (const JudgedPair &pair : pairs)
+        if (loudness(pair) > (1. + same_loudness) * loudness(result))
+          result = pair;
+      return result;
+    }
+  } // namespace
+
+
+
+  std::string
+  of_judged(const JudgedPair &pair)
+  {
+    return pair.name.empty() ? "" : " of the pair " + pair.name;
+  }
+
+
+
+  JudgedPair
+  loudest_in(const std::vector<JudgedPair> &pairs,
+             const TransientRecord         &record,
+             const unsigned int             first,
+             const unsigned int             end)
+  {
+    return loudest_of(pairs, [&](const JudgedPair &pair) {
+      const ForceStatistics s =
+        statistics_of(record.stretches_of(pair.number), first, end);
+      return s.mean_normal > 0. ? s.rms_normal() / s.mean_normal : 0.;
+    });
+  }
+
+
+
+  void
+  evaluate_forces(const ContactNodes    &nodes,
+                  const TransientRecord &record,
+                  TransientFigures      &f)
+  {
+    const ForceStatistics all =
+      statistics_of(record.stretches, middle, n_force_stretches);
+    f.separates                = all.n_apart > 0.;
+    f.mean_normal_of_all       = all.mean_normal;
+    f.macroscopic_friction     = all.macroscopic_friction();
+    f.mean_leading_edge_factor = all.leading_edge_factor();
+    f.rms_acceleration         = largest_rms_acceleration(record);
+    std::vector<PairVibration> vibrations;
+    for (unsigned int i = 0; i < nodes.pairs().size(); ++i)
+      vibrations.emplace_back(record.stretches_of(i));
+    f.judged  = judged_pairs(nodes, vibrations);
+    f.loudest = loudest_of(f.judged, [&](const JudgedPair &pair) {
+      return vibrations[pair.number].loudness();
+    });
+    f.is_silent =
+      std::all_of(f.judged.begin(), f.judged.end(), [&](const JudgedPair &p) {
+        return vibrations[p.number].is_silent();
+      });
+    const PairVibration &v = vibrations[f.loudest.number];
+    f.mean_normal          = v.half.mean_normal;
+    f.rms_normal           = v.half.rms_normal();
+    f.min_normal           = v.half.min_normal;
+    f.max_normal           = v.half.max_normal;
+    f.mean_tangential      = v.half.mean_tangential;
+    f.rms_tangential       = v.half.rms_tangential();
+    f.rms_change           = change_of_rms(v.late.normal);
+    f.rms_change_share     = share_of_change(v.judged());
+    f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
+    f.most_rms  = largest_of(v.judged());
+  }
+
+
+
+  bool
+  nothing_vibrates(const TransientFigures &f)
+  {
+    return !(f.most_rms > least_vibration * f.mean_normal);
+  }
+} // namespace squeal
