@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -29,15 +30,37 @@ namespace squeal
              Eigen::MatrixXcd::Identity(vectors.rows(), vectors.cols());
     }
 
+    /** Of the two eigenvalues of @p N the one nearest to 0, with its vector. */
+    struct NearestEigenvalue
+    {
+      explicit NearestEigenvalue(const Eigen::Matrix2cd &N)
+      {
+        const Complex half = 0.5 * N.trace();
+        const Complex root = std::sqrt(half * half - N.determinant());
+        const Complex sum = half + root, difference = half - root;
+        const bool    is_sum = std::abs(sum) < std::abs(difference);
+        value                = is_sum ? sum : difference;
+        // What is left of the other one is a multiple of the vector.
+        Eigen::Matrix2cd rest = N;
+        rest.diagonal().array() -= is_sum ? difference : sum;
+        vector = rest.col(
+          rest.col(0).squaredNorm() < rest.col(1).squaredNorm() ? 1 : 0);
+      }
+
+      Complex          value;
+      Eigen::Vector2cd vector;
+    };
+
     /**
      * Two eigenvalues at complex coordinates and the planes of their vectors.
      *
      * With B and C in the left and right plane, [Q B; C^H 0] [U; W] = [0; I]
      * gives a matrix W(lambda) with two rows that is singular where Q is.
      * W'(lambda) = -V^T Q' U, V being the same of the transposed Q, so that
-     * lambda plus the eigenvalues of N = -W'^-1 W are the two. Their mean and
-     * squared half-difference are smooth where they coalesce, and so are the
-     * planes.
+     * lambda plus the eigenvalues of N = -W'^-1 W are the two to first order.
+     * Where they are nearly one, lambda is their mean, which is smooth where
+     * they coalesce as their squared half-difference and the planes are; where
+     * they are apart, each of them.
      */
     class EigenvaluePlane
     {
@@ -58,9 +81,10 @@ namespace squeal
           }
       }
 
-      /** From a guess of the mean; false where that leads nowhere. */
+      /** From guesses of the mean and of the square; false where that leads
+       * nowhere. */
       bool
-      go_to(const Complex coordinate, const Complex guess)
+      go_to(const Complex coordinate, const Complex guess, const Complex square)
       {
         std::optional<ContinuedMatrices> m = pencil->at(coordinate);
         if (!m)
@@ -77,14 +101,16 @@ namespace squeal
         right          = scale.cwiseInverse().asDiagonal() * right;
         left           = scale.cwiseInverse().asDiagonal() * left;
         mean           = guess;
+        half           = std::sqrt(square);
         bool converged = false;
-        for (unsigned int step = 0; step < 12 && !converged; ++step)
+        for (unsigned int step = 0; step < 20 && !converged; ++step)
           {
-            const Complex shift = improve(*m);
-            if (!(std::abs(shift) < 0.5 * std::abs(mean)))
+            const double change = std::abs(half) > nearly_one * std::abs(mean)
+                                    ? improve_each(*m)
+                                    : improve_mean(*m);
+            if (!(change < 0.5 * std::abs(mean)))
               return false;
-            mean += shift;
-            converged = std::abs(shift) <= 1e-12 * std::abs(mean);
+            converged = change <= 1e-12 * std::abs(mean);
           }
         right = scale.asDiagonal() * right;
         left  = scale.asDiagonal() * left;
@@ -101,40 +127,98 @@ namespace squeal
       {
         return pencil->basis * left;
       }
+      /** Of half the difference, 1/s^2. */
+      Complex
+      square() const
+      {
+        return half * half;
+      }
 
       Complex mean     = 0.; /**< of the two, 1/s */
-      Complex square   = 0.; /**< of half their difference, 1/s^2 */
-      double  coupling = 0.; /**< size of N less its mean, 1/s */
+      Complex half     = 0.; /**< half their difference, 1/s */
+      double  coupling = 0.; /**< of two that are nearly one, the size of N less
+                                its mean, 1/s */
 
     private:
-      /** One step; how far the mean moves. */
-      Complex
-      improve(const ContinuedMatrices &m)
+      /** Half-differences below which the mean is sought, of |lambda|. */
+      static constexpr double nearly_one = 3e-4;
+
+      struct Linearized
+      {
+        Eigen::MatrixXcd U, V;
+        Eigen::Matrix2cd W, slope;
+      };
+
+      Linearized
+      linearized(const ContinuedMatrices &m, const Complex lambda) const
       {
         const Eigen::Index n  = m.mass.rows();
-        right                 = orthonormal(right);
-        left                  = orthonormal(left);
-        Eigen::MatrixXcd G    = Eigen::MatrixXcd::Zero(n + 2, n + 2),
+        Eigen::MatrixXcd   G  = Eigen::MatrixXcd::Zero(n + 2, n + 2),
                          unit = Eigen::MatrixXcd::Zero(n + 2, 2);
         G.topLeftCorner(n, n) =
-          mean * (mean * m.mass + m.damping) + m.stiffness;
+          lambda * (lambda * m.mass + m.damping) + m.stiffness;
         G.topRightCorner(n, 2)   = left.conjugate();
         G.bottomLeftCorner(2, n) = right.adjoint();
         unit.bottomRows(2).setIdentity();
         const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(G);
         const Eigen::MatrixXcd                      x = lu.solve(unit);
         const Eigen::MatrixXcd y = lu.transpose().solve(unit);
-        right                    = x.topRows(n);
-        left                     = y.topRows(n);
-        const Eigen::Matrix2cd slope =
-          -left.transpose() *
-          (2. * mean * (m.mass * right) + m.damping * right);
-        Eigen::Matrix2cd N    = -slope.inverse() * x.bottomRows(2);
-        const Complex    half = 0.5 * N.trace();
-        N.diagonal().array() -= half;
-        square   = -N.determinant();
+        Linearized             result;
+        result.U = x.topRows(n);
+        result.V = y.topRows(n);
+        result.W = x.bottomRows(2);
+        result.slope =
+          -result.V.transpose() *
+          (2. * lambda * (m.mass * result.U) + m.damping * result.U);
+        return result;
+      }
+
+      /** One step; how far the mean moves. */
+      double
+      improve_mean(const ContinuedMatrices &m)
+      {
+        right                  = orthonormal(right);
+        left                   = orthonormal(left);
+        const Linearized l     = linearized(m, mean);
+        right                  = l.U;
+        left                   = l.V;
+        Eigen::Matrix2cd N     = -l.slope.inverse() * l.W;
+        const Complex    shift = 0.5 * N.trace();
+        N.diagonal().array() -= shift;
+        half     = std::sqrt(-N.determinant());
         coupling = N.norm();
-        return half;
+        mean += shift;
+        return std::abs(shift);
+      }
+
+      /** One step; how far the eigenvalue that moves farthest does. */
+      double
+      improve_each(const ContinuedMatrices &m)
+      {
+        right = orthonormal(right);
+        left  = orthonormal(left);
+        Eigen::MatrixXcd x(right.rows(), 2), y(left.rows(), 2);
+        Complex          lambda[2] = {mean - half, mean + half};
+        double           change[2];
+        for (int k = 0; k < 2; ++k)
+          {
+            const Linearized        l = linearized(m, lambda[k]);
+            const NearestEigenvalue of_right(
+              Eigen::Matrix2cd(-l.slope.inverse() * l.W)),
+              of_left(Eigen::Matrix2cd(-l.slope.transpose().inverse() *
+                                       l.W.transpose()));
+            x.col(k) = l.U * of_right.vector;
+            y.col(k) = l.V * of_left.vector;
+            x.col(k).normalize();
+            y.col(k).normalize();
+            lambda[k] += of_right.value;
+            change[k] = std::abs(of_right.value);
+          }
+        right = x;
+        left  = y;
+        mean  = 0.5 * (lambda[0] + lambda[1]);
+        half  = 0.5 * (lambda[1] - lambda[0]);
+        return std::max(change[0], change[1]);
       }
 
       const ContinuedPencil *pencil;
@@ -173,13 +257,14 @@ namespace squeal
           // The two are followed, no others taken up on the way.
           if (std::abs(change) > longest_step * length)
             change *= longest_step * length / std::abs(change);
-          const Complex z = here.coordinate + change;
+          const Complex z = here.coordinate + change, share = change / last;
           if (!lies_by(line, z, 0.5) ||
-              !plane.go_to(
-                z, here.mean + (here.mean - before.mean) * (change / last)))
+              !plane.go_to(z,
+                           here.mean + (here.mean - before.mean) * share,
+                           here.square + difference * share))
             return false;
           before = here;
-          here   = {z, plane.mean, plane.square};
+          here   = {z, plane.mean, plane.square()};
           if (std::abs(change) <= least_step * length)
             return true;
         }
@@ -203,9 +288,10 @@ namespace squeal
         {
           EigenvaluePlane near = plane;
           if (!near.go_to(root.coordinate + (k + 1.) * probe_step * length,
-                          root.mean))
+                          root.mean,
+                          root.square))
             return false;
-          change[k] = near.square - root.square;
+          change[k] = near.square() - root.square;
         }
       // Twice the change of a simple root, four times that of a double one.
       return std::abs(change[1] - 2. * change[0]) < 0.5 * std::abs(change[0]);
@@ -225,10 +311,12 @@ namespace squeal
       right << point.pairs.right.col(i), point.pairs.right.col(j);
       left << point.pairs.left.col(i), point.pairs.left.col(j);
       EigenvaluePlane plane(pencil, right, left);
-      if (!plane.go_to(point.coordinate,
-                       0.5 * (point.pairs.lambda[i] + point.pairs.lambda[j])))
+      const Complex   half =
+        0.5 * (point.pairs.lambda[j] - point.pairs.lambda[i]);
+      if (!plane.go_to(
+            point.coordinate, point.pairs.lambda[i] + half, half * half))
         return {};
-      iterate = {point.coordinate, plane.mean, plane.square};
+      iterate = {point.coordinate, plane.mean, plane.square()};
       return plane;
     }
   } // namespace
@@ -262,12 +350,12 @@ namespace squeal
         EigenvaluePlane better(
           problems[k], plane->right_vectors(), plane->left_vectors());
         const Complex aside = here.coordinate + start_step * length;
-        if (!better.go_to(aside, here.mean))
+        if (!better.go_to(aside, here.mean, here.square))
           return {};
-        before = {aside, better.mean, better.square};
-        if (!better.go_to(here.coordinate, here.mean))
+        before = {aside, better.mean, better.square()};
+        if (!better.go_to(here.coordinate, here.mean, here.square))
           return {};
-        here = {here.coordinate, better.mean, better.square};
+        here = {here.coordinate, better.mean, better.square()};
         if (!reach_root(better, before, here, line))
           return {};
         plane = better;
@@ -279,11 +367,10 @@ namespace squeal
         !is_exceptional(*plane, here, length))
       return {};
     Coalescence result{z, here.mean, {here.mean, here.mean}};
-    if (plane->go_to(z.real(), here.mean))
+    if (plane->go_to(z.real(), here.mean, here.square))
       {
-        const Complex half = std::sqrt(plane->square);
-        result.beside[0]   = plane->mean - half;
-        result.beside[1]   = plane->mean + half;
+        result.beside[0] = plane->mean - plane->half;
+        result.beside[1] = plane->mean + plane->half;
       }
     return result;
   }
