@@ -98,11 +98,12 @@ namespace squeal
             .cwiseInverse();
         for (Eigen::MatrixXcd *A : {&m->mass, &m->damping, &m->stiffness})
           *A = scale.asDiagonal() * *A * scale.asDiagonal();
-        right          = scale.cwiseInverse().asDiagonal() * right;
-        left           = scale.cwiseInverse().asDiagonal() * left;
-        mean           = guess;
-        half           = std::sqrt(square);
-        bool converged = false;
+        right            = scale.cwiseInverse().asDiagonal() * right;
+        left             = scale.cwiseInverse().asDiagonal() * left;
+        mean             = guess;
+        half             = std::sqrt(square);
+        bool   converged = false;
+        double before    = 1e300;
         for (unsigned int step = 0; step < 20 && !converged; ++step)
           {
             const double change = std::abs(half) > nearly_one * std::abs(mean)
@@ -110,7 +111,11 @@ namespace squeal
                                     : improve_mean(*m);
             if (!(change < 0.5 * std::abs(mean)))
               return false;
-            converged = change <= 1e-12 * std::abs(mean);
+            // As far as rounding of stiff problems lets it.
+            converged =
+              change <= 1e-12 * std::abs(mean) ||
+              (change <= 1e-8 * std::abs(mean) && change > 0.3 * before);
+            before = change;
           }
         right = scale.asDiagonal() * right;
         left  = scale.asDiagonal() * left;
@@ -141,7 +146,7 @@ namespace squeal
 
     private:
       /** Half-differences below which the mean is sought, of |lambda|. */
-      static constexpr double nearly_one = 3e-4;
+      static constexpr double nearly_one = 1e-2;
 
       struct Linearized
       {

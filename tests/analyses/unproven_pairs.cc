@@ -23,9 +23,10 @@ namespace
   some_pairs(const std::string &program)
   {
     write_text("direct.prm",
-               small_brake + "set Overwrite = true\n"
-                             "subsection Eigenvalues\n set Solver = direct\n"
-                             " set Number of pairs = 3\nend\n");
+               replaced_in(small_brake, "Report = false", "Report = true") +
+                 "set Overwrite = true\n"
+                 "subsection Eigenvalues\n set Solver = direct\n"
+                 " set Number of pairs = 3\nend\n");
     const Outcome o = run_program({program, "direct.prm"});
     check(o.code == 0, "the direct solver runs: " + o.errors);
     const Table pairs = read_csv("out/eigenvalues.csv");
