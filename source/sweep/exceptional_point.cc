@@ -54,7 +54,8 @@ namespace squeal
     /**
      * Two eigenvalues at complex coordinates and the planes of their vectors.
      *
-     * With B and C in the left and right plane, [Q B; C^H 0] [U; W] = [0; I]
+     * With B = Q' X and C^T = Y^T Q' of the right and the left plane, times
+     * lambda, [Q B; C^T 0] [U; W] = [0; I]
      * gives a matrix W(lambda) with two rows that is singular where Q is.
      * W'(lambda) = -V^T Q' U, V being the same of the transposed Q, so that
      * lambda plus the eigenvalues of N = -W'^-1 W are the two to first order.
@@ -162,8 +163,11 @@ namespace squeal
                          unit = Eigen::MatrixXcd::Zero(n + 2, 2);
         G.topLeftCorner(n, n) =
           lambda * (lambda * m.mass + m.damping) + m.stiffness;
-        G.topRightCorner(n, 2)   = left.conjugate();
-        G.bottomLeftCorner(2, n) = right.adjoint();
+        // By which all other pairs are kept out of W.
+        const Eigen::MatrixXcd slope =
+          lambda * (2. * lambda * m.mass + m.damping);
+        G.topRightCorner(n, 2)   = slope * right;
+        G.bottomLeftCorner(2, n) = left.transpose() * slope;
         unit.bottomRows(2).setIdentity();
         const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(G);
         const Eigen::MatrixXcd                      x = lu.solve(unit);
