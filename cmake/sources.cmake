@@ -192,7 +192,9 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/basis_builder.cc
     source/sweep/basis_cells.cc
     source/sweep/branch_tracker.cc
+    source/sweep/continued_pencils.cc
     source/sweep/edge_of_band.cc
+    source/sweep/exceptional_point.cc
     source/sweep/first_order_index.cc
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc

@@ -191,7 +191,7 @@ namespace squeal
                         denominators.array();
     pairs.left           = ComplexBlock::Zero(n, nev);
     pairs.left_residual  = Eigen::VectorXd::Constant(nev, std::nan(""));
-    pairs.error_estimate = Eigen::VectorXd::Zero(nev);
+    pairs.error_estimate = Eigen::VectorXd::Constant(nev, std::nan(""));
     pairs.condition      = Eigen::VectorXd::Constant(nev, 1.);
     pairs.pair_partner.assign(nev, -1);
     return pairs;

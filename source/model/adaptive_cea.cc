@@ -69,7 +69,7 @@ namespace squeal
     }
 
     /** Puts better errors of growing pairs in the place of those of the cells,
-     * where they are known, and says where they are not: there the cells know
+     * where they are known, and says where those of the cells stay: they know
      * little. */
     void
     take_growth_errors(const Eigen::VectorXcd &better,
@@ -77,18 +77,19 @@ namespace squeal
                        PairErrors             &errors,
                        RunLog                 &log)
     {
-      unsigned int n_growing = 0, n_better = 0;
+      unsigned int n_growing = 0, n_by_cells = 0;
       for (Eigen::Index k = 0; k < better.size(); ++k)
         {
           n_growing += pairs.sigma(k) > 0.;
-          if (std::isnan(better[k].real()))
-            continue;
-          ++n_better;
-          errors.lambda[k] = better[k];
+          if (!std::isnan(better[k].real()))
+            errors.lambda[k] = better[k];
+          else
+            n_by_cells +=
+              pairs.sigma(k) > 0. && !std::isnan(errors.lambda[k].real());
         }
-      if (n_better < n_growing)
+      if (n_by_cells > 0)
         log.info("  mesh errors of growth rates: of " +
-                 std::to_string(n_growing - n_better) + " of " +
+                 std::to_string(n_by_cells) + " of " +
                  std::to_string(n_growing) +
                  " growing pairs estimated cell by cell, to first order: not "
                  "found again in a second solution");
@@ -112,6 +113,28 @@ namespace squeal
         if (pairs.sigma(k) > 0. && std::isnan(result[k].real()))
           return growth_errors_by_lower_degree(model, pairs, errors, timers);
       return result;
+    }
+
+    /** Of all pairs on a mesh that is to be refined, else of the loudest. */
+    PairErrors
+    errors_after(const CoarserPairs &before,
+                 const Model        &model,
+                 const Pencil       &pencil,
+                 const ComplexPairs &pairs,
+                 RunLog             &log,
+                 Timers             &timers)
+    {
+      PairErrors errors =
+        is_adaptive(model.parameters().discretization)
+          ? pair_errors_with_locking(model, pencil, pairs, log, timers)
+          : errors_of_loudest(model, pencil, pairs, log, timers);
+      if (nearly_incompressible_bodies(model.parameters().scene).empty())
+        take_growth_errors(
+          errors_of_growth(model, pairs, errors, before, timers),
+          pairs,
+          errors,
+          log);
+      return errors;
     }
 
     /** How far the pairs are from what is asked of the mesh. */
@@ -237,6 +260,19 @@ namespace squeal
 
 
 
+  PairErrors
+  loudest_pair_errors(const Model        &model,
+                      const Pencil       &pencil,
+                      const ComplexPairs &pairs,
+                      RunLog             &log,
+                      Timers             &timers)
+  {
+    Timers::Section section(timers, "Solve: mesh error of the pairs");
+    return errors_after({}, model, pencil, pairs, log, timers);
+  }
+
+
+
   MeshedCea
   solve_cea_adaptively(Model &model, RunLog &log, Timers &timers, Table *steps)
   {
@@ -258,18 +294,8 @@ namespace squeal
         if (p.estimate_error || is_adaptive(p))
           {
             Timers::Section section(timers, "Solve: mesh error of the pairs");
-            result.errors =
-              is_adaptive(p)
-                ? pair_errors_with_locking(
-                    model, *result.modes.pencil, pairs, log, timers)
-                : errors_of_loudest(
-                    model, *result.modes.pencil, pairs, log, timers);
-            if (nearly_incompressible_bodies(model.parameters().scene).empty())
-              take_growth_errors(
-                errors_of_growth(model, pairs, result.errors, before, timers),
-                pairs,
-                result.errors,
-                log);
+            result.errors = errors_after(
+              before, model, *result.modes.pencil, pairs, log, timers);
           }
         else
           result.errors = PairErrors::unknown(pairs.size());

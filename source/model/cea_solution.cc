@@ -302,7 +302,7 @@ namespace squeal
                        direct.frequency(best),
                        direct.sigma(best),
                        copy.error_estimate[i],
-                       certified.error_estimate[i],
+                       or_missing(certified.error_estimate[i]),
                        certified.noise_floor[i],
                        unbounded(certified.condition[i])});
       }

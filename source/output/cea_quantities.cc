@@ -160,9 +160,11 @@ namespace squeal
   bool
   is_unstable(const ComplexPairs &pairs, const unsigned int i)
   {
+    // An error that is not estimated leaves what rounding does.
+    const double estimate = pairs.error_estimate[i],
+                 floor    = pairs.noise_floor[i];
     return pairs.sigma(i) >
-           std::max(pairs.error_estimate[i], pairs.noise_floor[i]) *
-             std::abs(pairs.lambda[i]);
+           (estimate > floor ? estimate : floor) * std::abs(pairs.lambda[i]);
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/output/headlines.h>
+#include <squeal/output/open_signs.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/text.h>
 
@@ -397,12 +398,15 @@ namespace squeal
   std::string
   range_headline(const Table           &t,
                  const SweepParameters &sweep,
-                 const SceneParameters &scene)
+                 const SceneParameters &scene,
+                 const bool             is_meshed)
   {
     const SweepAxisParameters &axis = sweep.axes.at(0);
     const std::string          name = symbol_of_entries(axis.entries, scene);
     if (t.n_rows() == 0)
-      return "stable over the whole range of " + name;
+      return "stable over the whole range of " + name +
+             (is_meshed ? std::string(" on this mesh; ") + growth_error_unknown
+                        : "");
     std::size_t loudest = 0;
     for (std::size_t i = 1; i < t.n_rows(); ++i)
       if (t.real(i, "peak_sigma_per_s") > t.real(loudest, "peak_sigma_per_s"))

@@ -61,6 +61,6 @@ namespace squeal
                  {pairs.frequency(i),
                   pairs.sigma(i),
                   names[i].text,
-                  pairs.error_estimate[i]});
+                  or_missing(pairs.error_estimate[i])});
   }
 } // namespace squeal

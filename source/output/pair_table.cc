@@ -49,7 +49,7 @@ namespace squeal
         "",
         "estimated relative error of the reduction",
         2},
-       [](const PairRow &r) { return Cell(r.error_estimate); }},
+       [](const PairRow &r) { return or_missing(r.error_estimate); }},
       {{"name", Type::text, "", "disc shape and support motion"},
        [](const PairRow &r) { return Cell(r.name); }}};
     return columns;

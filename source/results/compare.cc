@@ -74,6 +74,13 @@ namespace squeal
         {"name", Table::Type::text, "", ""}};
       if (with_sigma)
         required.push_back({"sigma_per_s", Table::Type::real, "1/s", ""});
+      std::error_code ignored;
+      if (!fs::exists(path, ignored))
+        throw InputError("'" + directory + "' has no " +
+                         fs::path(path).filename().string() +
+                         ": --compare takes two eigenvalue analyses (modes, "
+                         "cea, sweep), of which both have modes.csv or both "
+                         "have eigenvalues.csv");
       const Table table = read_csv(path, required);
 
       Run run;

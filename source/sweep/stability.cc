@@ -3,6 +3,7 @@
 #include <squeal/sweep/stability.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace squeal
@@ -20,49 +21,71 @@ namespace squeal
                                 std::abs(pairs.lambda[i]);
     }
 
-    /** At the complex @p z, of the polynomial through four points. */
-    Complex
-    interpolated(const double (&x)[4], const Complex (&y)[4], const Complex z)
+    /** Condition of the two of @p pairs next to those beside a coalescence, NaN
+     * where the band has none next to one of them. */
+    double
+    condition_beside(const Coalescence &found, const ComplexPairs &pairs)
     {
-      Complex sum = 0.;
-      for (int i = 0; i < 4; ++i)
+      double condition = 0.;
+      for (const Complex lambda : found.beside)
         {
-          Complex term = y[i];
-          for (int k = 0; k < 4; ++k)
-            if (k != i)
-              term *= (z - x[k]) / (x[i] - x[k]);
-          sum += term;
+          double nearest = 1e-2 * std::abs(lambda), own = std::nan("");
+          for (unsigned int i = 0; i < pairs.size(); ++i)
+            if (const double d = std::abs(pairs.lambda[i] - lambda);
+                d < nearest)
+              {
+                nearest = d;
+                own     = pairs.condition[i];
+              }
+          condition = worst_of(condition, own);
         }
-      return sum;
+      return condition;
     }
 
-    /** The root nearest to @p start of the polynomial through four points. */
-    Complex
-    interpolated_root(const double (&x)[4],
-                      const Complex (&y)[4],
-                      Complex start)
+    /** Whether it is one of @p known, found from another interval. */
+    bool
+    is_known(const ExceptionalPoint              &e,
+             const std::vector<ExceptionalPoint> &known,
+             const double                         length)
     {
-      // Divided differences.
-      Complex c[4] = {y[0], y[1], y[2], y[3]};
-      for (int k = 1; k < 4; ++k)
-        for (int i = 3; i >= k; --i)
-          c[i] = (c[i] - c[i - 1]) / (x[i] - x[i - k]);
-      for (unsigned int step = 0; step < 50; ++step)
-        {
-          Complex value = c[3], slope = 0.;
-          for (int i = 2; i >= 0; --i)
+      return std::any_of(
+        known.begin(), known.end(), [&](const ExceptionalPoint &k) {
+          const Complex difference(k.sigma - e.sigma,
+                                   2. * M_PI * (k.frequency - e.frequency));
+          return std::abs(k.coordinate - e.coordinate) <= 1e-6 * length &&
+                 std::abs(difference) <= 1e-6 * 2. * M_PI * e.frequency;
+        });
+    }
+
+    /** Pairs whose squared split changes its sign between neighbouring points:
+     * the first of the points, and the numbers of both pairs there. */
+    std::vector<std::array<unsigned int, 3>>
+    approaches(const std::vector<TrackedPoint> &line)
+    {
+      std::vector<std::array<unsigned int, 3>> result;
+      for (unsigned int p = 0; p + 1 < line.size(); ++p)
+        for (unsigned int i = 0; i < line[p].pairs.size(); ++i)
+          for (unsigned int j = i + 1; j < line[p].pairs.size(); ++j)
             {
-              slope = slope * (start - x[i]) + value;
-              value = value * (start - x[i]) + c[i];
+              const ComplexPairs &a = line[p].pairs, &b = line[p + 1].pairs;
+              const int           k = line[p + 1].pair_of(line[p].branch[i]),
+                        l           = line[p + 1].pair_of(line[p].branch[j]);
+              if (k < 0 || l < 0 || is_multiple(a, i, j) ||
+                  is_multiple(b, k, l))
+                continue;
+              // A rate that passes a frequency is no coalescence.
+              if (is_real(a, i) != is_real(a, j) ||
+                  is_real(b, k) != is_real(b, l))
+                continue;
+              const double before = squared_split(a, i, j),
+                           after  = squared_split(b, k, l);
+              // Two overdamped or far apart pairs do not coalesce by a sign.
+              const double far = 0.01 * std::norm(a.lambda[i]);
+              if ((before < 0.) != (after < 0.) && std::abs(before) < far &&
+                  std::abs(after) < far)
+                result.push_back({p, i, j});
             }
-          if (slope == 0.)
-            break;
-          const Complex change = value / slope;
-          start -= change;
-          if (std::abs(change) <= 1e-15 * std::abs(start))
-            break;
-        }
-      return start;
+      return result;
     }
   } // namespace
 
@@ -245,153 +268,38 @@ namespace squeal
 
 
 
-  ExceptionalPoint
-  LineStability::coalescence(const TrackedPoint &a,
-                             const TrackedPoint &b,
-                             const int           branch_1,
-                             const int           branch_2) const
-  {
-    ExceptionalPoint result;
-    result.branch_1 = branch_1;
-    result.branch_2 = branch_2;
-    struct Sample
-    {
-      double  x;
-      Complex square, mean;
-      double  condition;
-    };
-    const auto sample_of =
-      [](const double x, const ComplexPairs &pairs, const int i, const int j) {
-        const Complex half = 0.5 * (pairs.lambda[i] - pairs.lambda[j]);
-        return Sample{x,
-                      half * half,
-                      0.5 * (pairs.lambda[i] + pairs.lambda[j]),
-                      std::max(pairs.condition[i], pairs.condition[j])};
-      };
-    std::vector<Sample> samples = {
-      sample_of(
-        a.coordinate, a.pairs, a.pair_of(branch_1), a.pair_of(branch_2)),
-      sample_of(
-        b.coordinate, b.pairs, b.pair_of(branch_1), b.pair_of(branch_2))};
-    // Vectors that coalesce cannot be told apart, but the mean of the two
-    // eigenvalues and their squared distance are smooth in x: the two whose
-    // mean and square are nearest to the straight lines from a to b.
-    const auto at = [&, first = samples[0], last = samples[1]](const double x) {
-      const double  share = (x - first.x) / (last.x - first.x);
-      const Complex mean  = first.mean + share * (last.mean - first.mean);
-      const Complex square =
-        first.square + share * (last.square - first.square);
-      const ComplexPairs pairs = solver(x);
-      // Where there are none such, one has left the band: the lines themselves.
-      Sample nearest{x, square, mean, std::nan("")};
-      double lowest = 4. * (std::abs(last.square - first.square) +
-                            std::norm(last.mean - first.mean));
-      for (unsigned int i = 0; i < pairs.size(); ++i)
-        for (unsigned int j = i + 1; j < pairs.size(); ++j)
-          {
-            const Sample candidate = sample_of(x, pairs, i, j);
-            const double distance  = std::norm(candidate.mean - mean) +
-                                    std::abs(candidate.square - square);
-            if (distance < lowest)
-              {
-                lowest  = distance;
-                nearest = candidate;
-              }
-          }
-      return nearest;
-    };
-    const double h = b.coordinate - a.coordinate;
-    samples.push_back(at(a.coordinate + h / 3.));
-    samples.push_back(at(a.coordinate + 2. * h / 3.));
-    Complex root = 0.5 * (a.coordinate + b.coordinate);
-    for (unsigned int step = 0; step < 8; ++step)
-      {
-        // The four samples nearest to the root so far.
-        std::sort(samples.begin(), samples.end(), [&](auto &p, auto &q) {
-          return std::abs(p.x - root) < std::abs(q.x - root);
-        });
-        const double x[4] = {
-          samples[0].x, samples[1].x, samples[2].x, samples[3].x};
-        const Complex y[4]   = {samples[0].square,
-                                samples[1].square,
-                                samples[2].square,
-                                samples[3].square};
-        const Complex before = root;
-        root                 = interpolated_root(x, y, root);
-        const double reach   = 2. * h;
-        if (!(std::abs(root.real() - a.coordinate - 0.5 * h) < reach))
-          {
-            root = before;
-            break;
-          }
-        bool is_known = false;
-        for (const auto &s : samples)
-          is_known = is_known || std::abs(s.x - root.real()) <
-                                   1e-9 * std::max(1., std::abs(root));
-        if (is_known || std::abs(root - before) < 0.01 * tolerance)
-          break;
-        samples.push_back(at(root.real()));
-      }
-    const Sample nearest = at(root.real());
-    result.coordinate    = root;
-    result.is_lock_in =
-      samples.empty() ||
-      (b.pairs.size() > 0 &&
-       squared_split(b.pairs, b.pair_of(branch_1), b.pair_of(branch_2)) <
-         squared_split(a.pairs, a.pair_of(branch_1), a.pair_of(branch_2)));
-    // The mean is smooth in the coordinate: its continuation to the complex one
-    // is the eigenvalue there, from points as far apart as that is from the
-    // axis.
-    Complex lambda = nearest.mean;
-    if (std::abs(root.imag()) > 1e-6 * std::abs(h))
-      {
-        const double reach =
-          std::min(0.5, std::max(std::abs(root.imag() / h), 0.1)) * std::abs(h);
-        const double low    = std::min(a.coordinate, b.coordinate) + reach,
-                     high   = std::max(a.coordinate, b.coordinate) - reach;
-        const double middle = std::min(std::max(root.real(), low), high);
-        double       x[4];
-        Complex      y[4];
-        for (int k = 0; k < 4; ++k)
-          {
-            x[k] = middle + reach * (2. * k / 3. - 1.);
-            y[k] = at(x[k]).mean;
-          }
-        lambda = interpolated(x, y, root);
-      }
-    result.frequency = lambda.imag() / (2. * M_PI);
-    result.sigma     = lambda.real();
-    result.condition = nearest.condition;
-    return result;
-  }
-
-
-
   std::vector<ExceptionalPoint>
-  LineStability::exceptional_points(const std::vector<TrackedPoint> &line) const
+  LineStability::exceptional_points(const std::vector<TrackedPoint> &line,
+                                    const Continuation &continuation) const
   {
     std::vector<ExceptionalPoint> result;
-    for (std::size_t p = 0; p + 1 < line.size(); ++p)
-      for (unsigned int i = 0; i < line[p].pairs.size(); ++i)
-        for (unsigned int j = i + 1; j < line[p].pairs.size(); ++j)
-          {
-            const int b1 = line[p].branch[i], b2 = line[p].branch[j];
-            const int k = line[p + 1].pair_of(b1), l = line[p + 1].pair_of(b2);
-            if (k < 0 || l < 0 || is_multiple(line[p].pairs, i, j) ||
-                is_multiple(line[p + 1].pairs, k, l))
-              continue;
-            // A rate that passes a frequency is no coalescence.
-            if (is_real(line[p].pairs, i) != is_real(line[p].pairs, j) ||
-                is_real(line[p + 1].pairs, k) != is_real(line[p + 1].pairs, l))
-              continue;
-            const double before = squared_split(line[p].pairs, i, j);
-            const double after  = squared_split(line[p + 1].pairs, k, l);
-            // Two overdamped or far apart pairs do not coalesce by a sign.
-            const double far = 0.01 * std::norm(line[p].pairs.lambda[i]);
-            if ((before < 0.) != (after < 0.) && std::abs(before) < far &&
-                std::abs(after) < far)
-              result.push_back(coalescence(line[p], line[p + 1], b1, b2));
-          }
+    const Stretch                 whole =
+      line.empty() ? Stretch()
+                                   : Stretch{line.front().coordinate, line.back().coordinate};
+    const double length = whole.upper - whole.lower;
+    for (const auto &[p, i, j] : approaches(line))
+      {
+        const TrackedPoint &a = line[p], &b = line[p + 1];
+        const int           b1 = a.branch[i], b2 = a.branch[j];
+        const auto found = coalescence_of(continuation, a, b, b1, b2, whole);
+        if (!found)
+          continue;
+        ExceptionalPoint e;
+        e.branch_1   = b1;
+        e.branch_2   = b2;
+        e.coordinate = found->coordinate;
+        e.frequency  = found->lambda.imag() / (2. * M_PI);
+        e.sigma      = found->lambda.real();
+        e.is_lock_in = squared_split(b.pairs, b.pair_of(b1), b.pair_of(b2)) <
+                       squared_split(a.pairs, i, j);
+        if (is_known(e, result, length))
+          continue;
+        e.condition = condition_beside(
+          *found,
+          solver(
+            std::clamp(found->coordinate.real(), whole.lower, whole.upper)));
+        result.push_back(e);
+      }
     return result;
   }
 } // namespace squeal

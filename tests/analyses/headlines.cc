@@ -91,6 +91,40 @@ namespace
           "the one that may grow faster first");
   }
 
+  /** What many models say together hangs on the one that says least. */
+  void
+  signs_of_many()
+  {
+    using Verdict = HtmlReport::Verdict;
+    OpenSigns decaying, growing;
+    decaying.n_decaying = growing.n_growing = 1;
+    decaying.pairs                          = "beam at 5000 Hz";
+    GrowthOfMany growth("at", "angles", true);
+    growth.add("0 deg", {}, 0, true);
+    check(growth.verdict() == Verdict::good && growth.reservations().empty(),
+          "nothing grows and nothing is open");
+    growth.add("10 deg", decaying, 0, true);
+    check(growth.verdict() == Verdict::neutral, "one decays as it seems");
+    growth.add("20 deg", growing, 1, true);
+    check(growth.verdict() == Verdict::neutral, "one grows as it seems");
+    check(growth.left_open() == "at 2 of 3 angles the mesh leaves open whether "
+                                "a pair grows (10 deg: beam at 5000 Hz)",
+          "says where: " + growth.left_open());
+    growth.add("30 deg", growing, 2, true);
+    check(growth.verdict() == Verdict::bad, "one grows for certain");
+
+    GrowthOfMany unknown("under", "conditions", true);
+    unknown.add("forward", {}, 0, false);
+    check(unknown.verdict() == Verdict::neutral &&
+            has(unknown.reservations(), "is not estimated"),
+          "stable without an estimate is not good");
+    GrowthOfMany some("under", "conditions", false);
+    some.add("forward", {}, 0, true);
+    check(some.verdict() == Verdict::neutral &&
+            has(some.reservations(), "need not have all pairs"),
+          "nor is it where pairs may be missing");
+  }
+
   void
   verdicts()
   {
@@ -409,12 +443,16 @@ namespace
     for (const std::string &name : ranges)
       table.add_column(
         {name, has(name, "limit") ? Type::integer : Type::real, "", ""});
-    check(has(range_headline(table, sweep, scene),
-              "stable over the whole range of E_pad"),
+    check(range_headline(table, sweep, scene, false) ==
+            "stable over the whole range of E_pad",
           "no range is said, too");
+    says(range_headline(table, sweep, scene, true),
+         {"stable over the whole range of E_pad on this mesh",
+          "error of growth rates by the mesh is not estimated"},
+         "a sweep does not know what the mesh does to growth rates");
     table.add_row({0.2, 1e10, 2e10, 0, 0, 12., 3500.});
     table.add_row({0.5, 2.5e10, 5e10, 0, 1, 437., 5003.});
-    says(range_headline(table, sweep, scene),
+    says(range_headline(table, sweep, scene, true),
          {"E_pad from 2.5e+10 to 5e+10 Pa (to the highest tried)",
           "at mu = 0.5:",
           "437 1/s at 5003.0 Hz"},
@@ -488,6 +526,7 @@ main()
 {
   errors();
   signs();
+  signs_of_many();
   verdicts();
   growth_outside_the_band();
   growth_beyond_samples();

@@ -455,7 +455,7 @@ namespace
     fs::create_directories(folder + "empty");
     check_throws<InputError>(
       [&] { compare_runs(folder + "a", folder + "empty", out); },
-      "modes.csv': No such file",
+      "has no modes.csv: --compare takes two eigenvalue analyses",
       "a directory without results");
     fs::create_directories(folder + "bad");
     std::ofstream(folder + "bad/eigenvalues.csv")

@@ -9,6 +9,7 @@
 #include <squeal/sweep/stability.h>
 
 #include "check.h"
+#include "continued.h"
 #include "worst.h"
 
 #include <Eigen/LU>
@@ -48,15 +49,24 @@ namespace
   /** Frequencies 1 + t/2 and 2 - t/2 lock in about t = 1; one at 1.2 crosses
    * the first of them without coupling, one at 3 stands apart, a doublet at 4.
    */
+  template <typename Number>
+  Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>
+  chain_stiffness(const Number t)
+  {
+    Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> K;
+    K.setZero(6, 6);
+    K.diagonal() << (1. + 0.5 * t) * (1. + 0.5 * t),
+      (2. - 0.5 * t) * (2. - 0.5 * t), 1.44, 9., 16., 16.;
+    K(0, 1) = 0.1;
+    K(1, 0) = -0.1;
+    return K;
+  }
+
   ComplexPairs
   chain(const double t, const double damping = 0.)
   {
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
-    K.diagonal() << std::pow(1. + 0.5 * t, 2), std::pow(2. - 0.5 * t, 2), 1.44,
-      9., 16., 16.;
-    K(0, 1)           = 0.1;
-    K(1, 0)           = -0.1;
-    Eigen::MatrixXd C = 1e-3 * K;
+    const Eigen::MatrixXd K = chain_stiffness(t);
+    Eigen::MatrixXd       C = 1e-3 * K;
     C(0, 0) += damping;
     return solve(K, C);
   }
@@ -157,7 +167,12 @@ namespace
     BranchTracker coarse(solver, options());
     const auto    line = coarse.track(steps(0.6, 1.4, 40));
     const auto    points =
-      LineStability(solver, options(), 1e-9).exceptional_points(line);
+      LineStability(solver, options(), 1e-9)
+        .exceptional_points(line, continued([](const std::complex<double> z) {
+                              const Eigen::MatrixXcd K = chain_stiffness(z);
+                              return ContinuedMatrices{
+                                Eigen::MatrixXcd::Identity(6, 6), 1e-3 * K, K};
+                            }));
     check(points.size() == 2, "one lock-in and one lock-out");
     check(points[0].is_lock_in && !points[1].is_lock_in, "in that order");
     // Closed form: (k_1 - k_2)^2 / 4 = 0.01 with k = frequency squared.

@@ -5,6 +5,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/sweep/branch_tracker.h>
+#include <squeal/sweep/continued_pencils.h>
 #include <squeal/sweep/stability.h>
 
 #include "check.h"
@@ -44,8 +45,12 @@ namespace
         for (unsigned int i = 0; i <= 50; ++i)
           coordinates.push_back(9. + 0.04 * i);
         const auto line = tracker.track(coordinates);
+        SweepPoint start(2);
+        start << 9., mu;
         for (const auto &e :
-             LineStability(solver, options, 1e-6).exceptional_points(line))
+             LineStability(solver, options, 1e-6)
+               .exceptional_points(line,
+                                   continuation_of(setup.system, model, start)))
           {
             SweepPoint point(2);
             point << e.coordinate.real(), mu;

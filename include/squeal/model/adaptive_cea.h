@@ -30,6 +30,16 @@ namespace squeal
                                  Timers &timers,
                                  Table  *steps = nullptr);
 
+  /** Errors by the mesh of all pairs that grow and of the least damped others,
+   * as solve_cea_adaptively() gives them on one mesh: growth rates by a
+   * solution of one degree less where that finds the pair again. NaN for the
+   * rest. */
+  PairErrors loudest_pair_errors(const Model        &model,
+                                 const Pencil       &pencil,
+                                 const ComplexPairs &pairs,
+                                 RunLog             &log,
+                                 Timers             &timers);
+
   /** The columns of the steps: one mesh a row. */
   Table mesh_steps_table();
 } // namespace squeal

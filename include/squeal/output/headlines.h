@@ -59,10 +59,13 @@ namespace squeal
   std::string resonance_headline(const Table       &participation,
                                  const std::string &unit);
 
-  /** Where the loudest range of unstable_ranges.csv lies, in words. */
+  /** Where the loudest range of unstable_ranges.csv lies, in words; of stable
+   * scenes with a mesh that nothing is known of what it does to growth rates.
+   */
   std::string range_headline(const Table           &ranges,
                              const SweepParameters &sweep,
-                             const SceneParameters &scene);
+                             const SceneParameters &scene,
+                             const bool             is_meshed);
   //@}
 } // namespace squeal
 

@@ -2,9 +2,13 @@
 #ifndef squeal_output_open_signs_h
 #define squeal_output_open_signs_h
 
+#include <squeal/output/cea_quantities.h>
+#include <squeal/results/html_report.h>
 #include <squeal/results/table.h>
 
+#include <complex>
 #include <string>
+#include <vector>
 
 namespace squeal
 {
@@ -16,6 +20,8 @@ namespace squeal
     /** A clause with those that may grow fastest, or nothing: names,
      * frequencies, growth rates with that error. */
     std::string text;
+    /** The list in that clause. */
+    std::string pairs;
 
     bool
     any() const
@@ -31,6 +37,67 @@ namespace squeal
    * and friction.
    */
   OpenSigns open_signs(const Table &pairs);
+
+  /** The same of pairs with @p names, @p errors being those of lambda by the
+   * mesh, 1/s, NaN where they are not known. */
+  OpenSigns open_signs(const ComplexPairs          &pairs,
+                       const std::vector<ModeName> &names,
+                       const Eigen::VectorXcd      &errors);
+
+  /** Beside a verdict that nothing grows. */
+  constexpr const char *growth_error_unknown =
+    "the error of growth rates by the mesh is not estimated";
+
+  /** Bodies without a mesh have no error of one; what a mesh did to matrices of
+   * another program is not known. */
+  bool has_mesh_error(const Model &model);
+
+  /** Whether @p error, that of an eigenvalue by the mesh, is known, or there is
+   * none to know. */
+  bool is_growth_error_known(const Model               &model,
+                             const std::complex<double> error);
+
+  /** What the pairs of many models say together, those of all angles or
+   * conditions, the places. */
+  class GrowthOfMany
+  {
+  public:
+    /** The places in words, "under conditions" or "at angles"; @p is_complete:
+     * no pair of the bands is missing. */
+    GrowthOfMany(const std::string &preposition,
+                 const std::string &noun,
+                 const bool         is_complete)
+      : preposition(preposition)
+      , noun(noun)
+      , is_complete(is_complete)
+    {
+    }
+
+    /** @p is_estimated: the errors of growth rates by the mesh are known, or
+     * there is no mesh. */
+    void add(const std::string &where,
+             const OpenSigns   &open,
+             const unsigned int n_unstable,
+             const bool         is_estimated);
+
+    /** At how many of the places growth is left open, with the pairs of the
+     * first; nothing where it is at none. */
+    std::string left_open() const;
+
+    /** Clauses that a verdict is to be read with, each behind "; ": what is
+     * left open, not estimated, or may be missing. */
+    std::string reservations() const;
+
+    /** Bad where a pair grows whatever its error, good where none may. */
+    HtmlReport::Verdict verdict() const;
+
+  private:
+    std::string  preposition, noun;
+    bool         is_complete;
+    bool         all_estimated = true;
+    unsigned int n_places = 0, n_open = 0, n_decided = 0, n_unstable_places = 0;
+    std::string  first_open;
+  };
 } // namespace squeal
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef squeal_sweep_stability_h
 #define squeal_sweep_stability_h
 
-#include <squeal/sweep/branch_tracker.h>
+#include <squeal/sweep/exceptional_point.h>
 
 #include <complex>
 #include <vector>
@@ -49,7 +49,9 @@ namespace squeal
     std::complex<double> coordinate;
     double               frequency = 0.; /**< Hz */
     double               sigma     = 0.; /**< 1/s, of both */
-    /** Eigenvalue condition at the real part of the coordinate. */
+    /** Eigenvalue condition at the real part of the coordinate, or at the end
+     * of the line nearest to it; NaN where one of the two is not in the band.
+     */
     double condition = 0.;
   };
 
@@ -67,11 +69,13 @@ namespace squeal
     std::vector<UnstableRange> ranges(
       const std::vector<TrackedPoint> &line) const;
 
-    /** One for every coalescence between neighbouring points of the line. With
-     * damping that is not proportional the coordinate is complex: it is the
-     * root of the interpolated squared half-difference, which is smooth. */
+    /** Those that coalescence_of() finds from neighbouring points of the line
+     * between which the real part of a squared half-difference changes its
+     * sign, each once. With damping that is not proportional the coordinate is
+     * complex. */
     std::vector<ExceptionalPoint> exceptional_points(
-      const std::vector<TrackedPoint> &line) const;
+      const std::vector<TrackedPoint> &line,
+      const Continuation              &continuation) const;
 
   private:
     /** The pair at @p x that continues pair @p i of @p near. */
@@ -85,17 +89,13 @@ namespace squeal
                      const int           pair,
                      const double        x) const;
     /** Root of sigma between two neighbouring points. */
-    double           edge(const TrackedPoint &a,
-                          const TrackedPoint &b,
-                          const int           branch,
-                          double             &slope) const;
-    void             locate_peak(const std::vector<TrackedPoint> &line,
-                                 const std::size_t                at,
-                                 UnstableRange                   &range) const;
-    ExceptionalPoint coalescence(const TrackedPoint &a,
-                                 const TrackedPoint &b,
-                                 const int           branch_1,
-                                 const int           branch_2) const;
+    double edge(const TrackedPoint &a,
+                const TrackedPoint &b,
+                const int           branch,
+                double             &slope) const;
+    void   locate_peak(const std::vector<TrackedPoint> &line,
+                       const std::size_t                at,
+                       UnstableRange                   &range) const;
 
     const BranchTracker::Solver solver;
     const TrackingOptions       options;

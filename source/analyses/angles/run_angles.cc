@@ -59,9 +59,13 @@ namespace squeal
     }
 
     /** Rows of all unstable pairs of one angle, of the loudest pair alone where
-     * none is unstable: the last row is always the loudest. */
+     * none is unstable: the last row is always the loudest. @p growth takes
+     * what all pairs say. */
     Table
-    pairs_at(const Parameters &p, const double angle, RunContext &context)
+    pairs_at(const Parameters &p,
+             const double      angle,
+             RunContext       &context,
+             GrowthOfMany     &growth)
     {
       Model           model(p, context.timers);
       const MeshedCea cea =
@@ -75,7 +79,12 @@ namespace squeal
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
       context.record.n_dofs           = model.n_unknowns();
       const LoudestPairs listed       = loudest_pairs(pairs);
-      Table              table(columns());
+      growth.add(
+        rounded_text(angle, 5) + " deg",
+        open_signs(pairs, quantities.names, cea.errors.lambda),
+        listed.n_unstable,
+        is_growth_error_known(model, cea.errors.lambda[listed.numbers.back()]));
+      Table table(columns());
       for (const unsigned int i : listed.numbers)
         {
           std::vector<Cell> row = {angle};
@@ -141,8 +150,10 @@ namespace squeal
   void
   run_angles(RunContext &context)
   {
-    const auto &p = context.parameters;
-    Table       all(columns()), loudest(columns());
+    const auto  &p = context.parameters;
+    Table        all(columns()), loudest(columns());
+    GrowthOfMany growth(
+      "at", "angles", p.eigen.solver != EigenParameters::Solver::direct);
     for (unsigned int k = 0; k < p.angles.number; ++k)
       {
         const double angle =
@@ -150,7 +161,7 @@ namespace squeal
         context.log.heading("Rotor at " + rounded_text(angle, 6) + " deg, " +
                             std::to_string(k + 1) + " of " +
                             std::to_string(p.angles.number));
-        const Table at = pairs_at(turned(p, angle), angle, context);
+        const Table at = pairs_at(turned(p, angle), angle, context, growth);
         all.append(at);
         std::vector<Cell> last;
         for (std::size_t c = 0; c < at.columns().size(); ++c)
@@ -167,32 +178,17 @@ namespace squeal
     const std::string error = headline_error(
       {error_of_column("reduction", all, "error_estimate_rel"),
        error_of_column("mesh", all, "discretisation_error_rel")});
-    const OpenSigns    open   = open_signs(loudest);
-    const unsigned int n_open = open.n_growing + open.n_decaying;
-    const std::string  left_open =
-      "at " + std::to_string(n_open) + " of " +
-      std::to_string(loudest.n_rows()) +
-      " angles the mesh leaves open whether the loudest pair grows";
-    const std::string verdict = verdict_of(loudest) +
-                                (open.any() ? "; " + left_open : "") +
+    const std::string verdict = verdict_of(loudest) + growth.reservations() +
                                 "; largest error of a pair: " + error;
-    if (open.any())
-      context.log.warning(left_open + ": refine it or raise "
-                                      "'Discretization/Degree'");
+    if (const std::string open = growth.left_open(); !open.empty())
+      context.log.warning(open +
+                          ": refine it or raise 'Discretization/Degree'");
     context.record.figures = {
       {"largest error of a pair, relative", error},
       {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Rotor angles of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
-    const auto sigma = loudest.reals("sigma_per_s");
-    // Growth at an angle counts where its mesh decides it.
-    const auto n_growing = static_cast<unsigned int>(std::count_if(
-      sigma.begin(), sigma.end(), [](const double s) { return s > 0.; }));
-    report.set_verdict(n_growing > open.n_growing ? HtmlReport::Verdict::bad
-                       : open.any()               ? HtmlReport::Verdict::neutral
-                                                  : HtmlReport::Verdict::good,
-                       verdict,
-                       context.record.figures);
+    report.set_verdict(growth.verdict(), verdict, context.record.figures);
     if (p.output.plots && context.is_root)
       {
         context.output.file("plots/angles.png");

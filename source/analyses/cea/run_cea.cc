@@ -119,10 +119,18 @@ namespace squeal
       std::vector<bool> is_unstable; /**< one a pair */
       unsigned int      number = 0;
       std::string       text; /**< names, frequencies, growth rates */
+      /** Whether these are all pairs of the band. */
+      bool is_complete = true;
 
       std::string
       verdict() const
       {
+        if (!is_complete)
+          return (number == 0 ? "none" : std::to_string(number)) + " of the " +
+                 std::to_string(is_unstable.size()) + " pairs found " +
+                 (number > 1 ? "are" : "is") + " unstable" +
+                 (number == 0 ? "" : ": " + text) +
+                 "; others of the band may be";
         if (number == 0)
           return "no unstable pair in the band";
         return number == 1
@@ -133,10 +141,23 @@ namespace squeal
 
 
 
-    UnstablePairs
-    unstable_pairs(const ComplexPairs &pairs, const PairQuantities &quantities)
+    /** Whether no pair of the band is missing. Moduli over frequency take the
+     * basis whatever solver is asked for. */
+    bool
+    is_complete(const CeaSolution &solution)
     {
-      UnstablePairs result;
+      return solution.basis_size > 0;
+    }
+
+
+
+    UnstablePairs
+    unstable_pairs(const CeaSolution    &solution,
+                   const PairQuantities &quantities)
+    {
+      const ComplexPairs &pairs = solution.pairs;
+      UnstablePairs       result;
+      result.is_complete = is_complete(solution);
       for (unsigned int i = 0; i < pairs.size(); ++i)
         {
           result.is_unstable.push_back(is_unstable(pairs, i));
@@ -182,8 +203,7 @@ namespace squeal
                       const CeaSolution     &solution,
                       const ModeSolution    &modes)
     {
-      // Moduli over frequency take the basis whatever solver is asked for.
-      if (solution.basis_size == 0)
+      if (!is_complete(solution))
         return "none: the direct solver has the pairs nearest to its shift";
       return "inertia, all " + std::to_string(modes.modes.n_certified) +
              " undamped modes below " +
@@ -204,7 +224,7 @@ namespace squeal
                       RunLog                &log)
     {
       const ComplexPairs &pairs = solution.pairs;
-      if (solution.basis_size > 0 || pairs.size() == 0)
+      if (is_complete(solution) || pairs.size() == 0)
         return;
       if (const double worst = worst_of(pairs.residual);
           !(worst <= p.residual_tolerance))
@@ -218,7 +238,8 @@ namespace squeal
 
 
     /** Of a band in which @p unstable grow: open where every one of them, or one
-     * that decays, may be of the other kind on a finer mesh. */
+     * that decays, may be of the other kind on a finer mesh, and where pairs
+     * may be missing. */
     HtmlReport::Verdict
     verdict_on(const UnstablePairs &unstable,
                const bool           grows_below,
@@ -226,13 +247,12 @@ namespace squeal
     {
       if (grows_below || unstable.number > open.n_growing)
         return HtmlReport::Verdict::bad;
-      return open.any() ? HtmlReport::Verdict::neutral
-                        : HtmlReport::Verdict::good;
+      return open.any() || !unstable.is_complete ? HtmlReport::Verdict::neutral
+                                                 : HtmlReport::Verdict::good;
     }
 
 
 
-    /** Bodies without a mesh have no error of one. */
     std::string
     largest_error(const Model        &model,
                   const ComplexPairs &pairs,
@@ -240,7 +260,7 @@ namespace squeal
     {
       std::vector<ErrorSource> sources = {
         {"reduction", worst_of(pairs.error_estimate)}};
-      if (!model.discretization() || model.discretization()->has_mesh())
+      if (has_mesh_error(model))
         sources.push_back(
           error_of_column("mesh", table, "discretisation_error_rel"));
       return headline_error(sources);
@@ -294,7 +314,7 @@ namespace squeal
       write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
 
     log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
-    const UnstablePairs unstable = unstable_pairs(pairs, quantities);
+    const UnstablePairs unstable = unstable_pairs(solution, quantities);
     const std::string   below    = text_below_band(solution, p.eigen);
     const bool          grows_below =
       solution.growth_below.real() > 0. && solution.lowest_frequency > 0.;
@@ -309,11 +329,13 @@ namespace squeal
     context.record.figures = {
       {"unstable pairs", std::to_string(unstable.number)},
       {"which", unstable.number ? unstable.text : "none"},
-      {"pairs in the band", std::to_string(pairs.size())},
+      {unstable.is_complete ? "pairs in the band" : "pairs found",
+       std::to_string(pairs.size())},
       {"worst residual", rounded_text(worst_of(pairs.residual), 2)},
       {"largest error of a pair, relative", largest_error(model, pairs, table)},
       {"worst error estimate of the reduction",
-       rounded_text(worst_of(pairs.error_estimate), 2)},
+       unstable.is_complete ? rounded_text(worst_of(pairs.error_estimate), 2)
+                            : "not estimated"},
       {"unknowns", std::to_string(model.n_unknowns())},
       {"basis", std::to_string(solution.basis_size)},
       {"completeness", completeness_text(p.eigen, solution, modes)},
@@ -361,7 +383,10 @@ namespace squeal
         report.table(steps, "Meshes, refined where the growth rates need it");
       }
     report.section("Eigenvalues");
-    report.table(table, "Pairs in the band", {}, unstable.is_unstable);
+    report.table(table,
+                 unstable.is_complete ? "Pairs in the band" : "Pairs found",
+                 {},
+                 unstable.is_unstable);
     if (model.namer().n_coordinates() > 0)
       report.paragraph(explanation_of_names());
     context.finish(p.output.report ? &report : nullptr, open_this);

@@ -4,16 +4,15 @@
 #include <squeal/analyses/operating_matrix/operating_condition.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
-#include <squeal/model/cea_solution.h>
-#include <squeal/model/growth_errors.h>
+#include <squeal/model/adaptive_cea.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
+#include <squeal/output/open_signs.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -40,8 +39,14 @@ namespace squeal
       result.push_back({"frequency_error_mesh_hz",
                         Type::real,
                         "Hz",
-                        "estimated, of the loudest pair: frequency on an "
-                        "infinitely fine mesh less this one",
+                        "estimated: frequency on an infinitely fine mesh less "
+                        "this one",
+                        2});
+      result.push_back({"sigma_error_mesh_per_s",
+                        Type::real,
+                        "1/s",
+                        "estimated: growth rate on an infinitely fine mesh "
+                        "less this one",
                         2});
       return result;
     }
@@ -53,23 +58,30 @@ namespace squeal
        * none is unstable. */
       std::vector<std::vector<Cell>> rows;
       double                         largest_growth; /**< 1/s */
-      /** By the mesh, 1/s; NaN: not estimated. */
-      double growth_error = std::numeric_limits<double>::quiet_NaN();
+      double       growth_error; /**< of it by the mesh, 1/s; NaN: not known */
+      unsigned int n_unstable;
+      OpenSigns    open;
+      bool         is_estimated; /**< the growth error, where there is a mesh */
     };
 
     ConditionPairs
     condition_pairs(const Model              &model,
                     const ComplexPairs       &pairs,
                     const OperatingCondition &c,
-                    const double              frequency_error)
+                    const Eigen::VectorXcd   &errors)
     {
       const std::vector<ModeName> names  = pair_names(model, pairs);
       const LoudestPairs          listed = loudest_pairs(pairs);
       const auto given = [](const std::optional<double> &value) {
         return value ? Cell(*value) : Cell();
       };
-      ConditionPairs result;
-      result.largest_growth = pairs.sigma(listed.numbers.back());
+      const unsigned int loudest = listed.numbers.back();
+      ConditionPairs     result;
+      result.largest_growth = pairs.sigma(loudest);
+      result.growth_error   = errors[loudest].real();
+      result.n_unstable     = listed.n_unstable;
+      result.open           = open_signs(pairs, names, errors);
+      result.is_estimated   = is_growth_error_known(model, errors[loudest]);
       for (const unsigned int i : listed.numbers)
         {
           std::vector<Cell> row = {given(c.pressure),
@@ -78,8 +90,8 @@ namespace squeal
                                    c.backward ? "backward" : "forward"};
           append_pair_cells(row, pairs, names, i);
           row.push_back(listed.n_unstable);
-          row.push_back(i == listed.numbers.back() ? or_missing(frequency_error)
-                                                   : Cell());
+          row.push_back(or_missing(errors[i].imag() / (2. * M_PI)));
+          row.push_back(or_missing(errors[i].real()));
           result.rows.push_back(std::move(row));
         }
       return result;
@@ -109,35 +121,12 @@ namespace squeal
         pressed.pressed.with_sliding(undamped, timers), undamped, timers);
     }
 
-    PairErrors
-    mesh_errors(const Model        &model,
-                const ModeSolution &modes,
-                const ComplexPairs &pairs,
-                RunContext         &context)
-    {
-      Timers::Section section(context.timers, "Solve: mesh error of the pairs");
-      return pair_errors_with_locking(
-        model, *modes.pencil, pairs, context.log, context.timers);
-    }
-
-    std::complex<double>
-    error_by_lower_degree(const Model        &model,
-                          const ComplexPairs &pair,
-                          const PairErrors   &errors,
-                          Timers             &timers)
-    {
-      Timers::Section section(timers, "Solve: mesh error of the pairs");
-      return growth_errors_by_lower_degree(model, pair, errors, timers)[0];
-    }
-
     /** @p pressed: of the condition's bodies, none where no contact asks for
-     * it. The error of the growth rate takes a solution of one degree less,
-     * which only a pair louder than @p loudest_before, 1/s, is worth. */
+     * it. */
     ConditionPairs
     solve_condition(const Parameters         &here,
                     const OperatingCondition &c,
                     const PressedCondition   *pressed,
-                    const double              loudest_before,
                     RunContext               &context)
     {
       Timers           &timers = context.timers;
@@ -152,27 +141,12 @@ namespace squeal
       context.record.n_dofs = model.n_unknowns();
       if (solution.pairs.size() == 0)
         refuse_empty_band(here, modes);
-      const ComplexPairs loudest = select_pairs(
-        solution.pairs,
-        {static_cast<int>(loudest_pairs(solution.pairs).numbers.back())});
-      double frequency_error = std::nan(""), growth_error = std::nan("");
-      if (here.discretization.estimate_error)
-        {
-          const PairErrors errors = mesh_errors(model, modes, loudest, context);
-          frequency_error         = errors.lambda[0].imag() / (2. * M_PI);
-          if (loudest.sigma(0) > std::max(loudest_before, 0.))
-            {
-              const auto better =
-                error_by_lower_degree(model, loudest, errors, timers);
-              growth_error = better.real();
-              if (!std::isnan(better.imag()))
-                frequency_error = better.imag() / (2. * M_PI);
-            }
-        }
-      ConditionPairs result =
-        condition_pairs(model, solution.pairs, c, frequency_error);
-      result.growth_error = growth_error;
-      return result;
+      const PairErrors errors =
+        here.discretization.estimate_error
+          ? loudest_pair_errors(
+              model, *modes.pencil, solution.pairs, context.log, timers)
+          : PairErrors::unknown(solution.pairs.size());
+      return condition_pairs(model, solution.pairs, c, errors.lambda);
     }
 
     /** Of all conditions, in their order. */
@@ -182,7 +156,6 @@ namespace squeal
     {
       std::vector<ConditionPairs> result(all.size());
       std::size_t                 n_done = 0;
-      double loudest = std::numeric_limits<double>::lowest();
       for (const auto &[key, members] : with_same_bodies(all))
         {
           std::optional<PressedCondition> pressed;
@@ -195,8 +168,7 @@ namespace squeal
               if (!pressed && has_preload_state(here.scene))
                 pressed.emplace(here, context.timers);
               result[k] = solve_condition(
-                here, all[k], pressed ? &*pressed : nullptr, loudest, context);
-              loudest = std::max(loudest, result[k].largest_growth);
+                here, all[k], pressed ? &*pressed : nullptr, context);
             }
         }
       return result;
@@ -263,13 +235,20 @@ namespace squeal
     // What some table does not cover ends the run before any work.
     for (const OperatingCondition &c : all_conditions)
       parameters_of(p, c);
-    Table      all(columns()), loudest(columns());
-    const auto solved = solve_conditions(all_conditions, context);
-    for (const ConditionPairs &condition : solved)
+    Table        all(columns()), loudest(columns());
+    const auto   solved = solve_conditions(all_conditions, context);
+    GrowthOfMany growth(
+      "under", "conditions", p.eigen.solver != EigenParameters::Solver::direct);
+    for (std::size_t k = 0; k < solved.size(); ++k)
       {
+        const ConditionPairs &condition = solved[k];
         for (const auto &row : condition.rows)
           all.add_row(row);
         loudest.add_row(condition.rows.back());
+        growth.add(text_of(all_conditions[k]),
+                   condition.open,
+                   condition.n_unstable,
+                   condition.is_estimated);
       }
     context.write_table("operating_matrix.csv", loudest);
     context.write_table("operating_pairs.csv", all);
@@ -278,27 +257,24 @@ namespace squeal
     loudest.print(text);
     context.log.info(text.str());
 
-    const std::string verdict = verdict_of(loudest);
-    context.record.figures    = {
-         {"which", verdict},
-         {"largest error of a pair by the basis, relative",
-          headline_error(
+    const std::string verdict = verdict_of(loudest) + growth.reservations();
+    if (const std::string open = growth.left_open(); !open.empty())
+      context.log.warning(open +
+                          ": refine it or raise 'Discretization/Degree'");
+    context.record.figures = {
+      {"which", verdict},
+      {"largest error of a pair by the basis, relative",
+       headline_error(
          {error_of_column("reduction", all, "error_estimate_rel")})},
-         {"error of the largest growth rate, 1/s",
-          headline_error({{"mesh", growth_error_of_loudest(solved)}}, " 1/s")},
-         {"largest error of a frequency, Hz",
-          headline_error(
+      {"error of the largest growth rate, 1/s",
+       headline_error({{"mesh", growth_error_of_loudest(solved)}}, " 1/s")},
+      {"largest error of a frequency, Hz",
+       headline_error(
          {error_of_column("mesh", loudest, "frequency_error_mesh_hz")}, " Hz")},
-         {"unknowns", std::to_string(context.record.n_dofs)}};
+      {"unknowns", std::to_string(context.record.n_dofs)}};
     HtmlReport report("Operating matrix of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
-    const auto n_unstable = loudest.reals("sigma_per_s");
-    report.set_verdict(*std::max_element(n_unstable.begin(), n_unstable.end()) >
-                           0.
-                         ? HtmlReport::Verdict::bad
-                         : HtmlReport::Verdict::good,
-                       verdict,
-                       context.record.figures);
+    report.set_verdict(growth.verdict(), verdict, context.record.figures);
     if (p.output.plots && context.is_root)
       {
         context.output.file("plots/operating_matrix.png");

@@ -6,6 +6,7 @@
 #include <squeal/model/cea_solution.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
+#include <squeal/output/open_signs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,7 @@ namespace squeal
       WorstError   worst;
       unsigned int n_lines = 0, n_unstable_lines = 0, n_vectors = 0,
                    largest_basis = 0, n_reused = 0, n_factors = 0;
+      bool is_meshed = false; /**< growth rates have errors by it */
     };
 
     SweepTables
@@ -115,6 +117,7 @@ namespace squeal
         totals.largest_basis, model.reduced().largest_basis());
       totals.n_reused += model.is_reused();
       totals.n_factors += model.n_factors();
+      totals.is_meshed = totals.is_meshed || has_mesh_error(model.model());
       for (const auto &line : solution.lines)
         {
           ++totals.n_lines;
@@ -126,7 +129,10 @@ namespace squeal
     verdict(const std::string &axis, const std::size_t n, const Totals &totals)
     {
       if (n == 0)
-        return "no unstable range of " + axis;
+        return "no unstable range of " + axis +
+               (totals.is_meshed
+                  ? std::string(" on this mesh; ") + growth_error_unknown
+                  : "");
       return std::to_string(n) +
              (n == 1 ? " unstable range of " : " unstable ranges of ") + axis +
              " on " + std::to_string(totals.n_unstable_lines) + " of " +
@@ -192,7 +198,8 @@ namespace squeal
         verdict(sweep.axes[0].name, all.ranges.n_rows(), totals);
       if (all.suggestions.n_rows())
         return suggestion_headline(all.suggestions, p.scene) + "; " + ranges;
-      const std::string where = range_headline(all.ranges, sweep, p.scene);
+      const std::string where =
+        range_headline(all.ranges, sweep, p.scene, totals.is_meshed);
       if (all.ranges.n_rows() == 0)
         return where + "; largest error of a frequency, relative: " +
                error_of_frequencies(all, totals);
@@ -355,6 +362,7 @@ namespace squeal
     print(context, "Unstable ranges (sigma > 0)", {&all.ranges});
     enter_figures(context, scenes, all, totals);
     report.set_verdict(all.ranges.n_rows() ? HtmlReport::Verdict::bad
+                       : totals.is_meshed  ? HtmlReport::Verdict::neutral
                                            : HtmlReport::Verdict::good,
                        headline(scenes, all, totals, p),
                        context.record.figures);

@@ -2,6 +2,7 @@
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/base/packing.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/sweep/continued_pencils.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -252,8 +253,10 @@ namespace squeal
         nearest_exceptional_point(line, range.branch, edge);
       if (!e)
         return std::nan("");
+      // It may lie a little beyond the ends of the sweep.
       SweepPoint at = line.start;
-      at[0]         = e->coordinate.real();
+      at[0]         = std::clamp(
+        e->coordinate.real(), model.grid().lower(0), model.grid().upper(0));
       const Detuning detuning =
         detuning_at(model.undamped(at), 2. * M_PI * e->frequency);
       const double coupling =
@@ -356,7 +359,8 @@ namespace squeal
       line.branch_names = branch_names(model, line);
       line.ranges       = stability.ranges(line.points);
       if (p.exceptional_points)
-        line.exceptional = stability.exceptional_points(line.points);
+        line.exceptional = stability.exceptional_points(
+          line.points, continuation_of(model.system(), model.reduced(), start));
       if (model.has_contact_states())
         line.exceptional.erase(
           std::remove_if(line.exceptional.begin(),

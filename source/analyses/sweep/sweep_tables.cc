@@ -392,16 +392,17 @@ namespace squeal
       for (const auto &e : line.exceptional)
         {
           std::vector<Cell> row = fixed_values(grid, line.start);
-          row.insert(row.end(),
-                     {line.branch_names[e.branch_1],
-                      line.branch_names[e.branch_2],
-                      e.is_lock_in ? "lock-in" : "lock-out",
-                      grid.axis(0).name,
-                      e.coordinate.real(),
-                      e.coordinate.imag(),
-                      e.frequency,
-                      e.sigma,
-                      unbounded(e.condition)});
+          row.insert(
+            row.end(),
+            {line.branch_names[e.branch_1],
+             line.branch_names[e.branch_2],
+             e.is_lock_in ? "lock-in" : "lock-out",
+             grid.axis(0).name,
+             e.coordinate.real(),
+             e.coordinate.imag(),
+             e.frequency,
+             e.sigma,
+             std::isnan(e.condition) ? Cell() : unbounded(e.condition)});
           table.add_row(row);
         }
     return table;
