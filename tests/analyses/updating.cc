@@ -419,7 +419,7 @@ end
           {"name,frequency_hz,weight\na,nan,1\n", "measured.csv:2"},
           {"name,frequency_hz,weight\na,5,1\n", "cannot determine"},
           {"name,frequency_hz,weight\na,900,1\nb,95000,1\nc,950,1\n",
-           "measured.csv:3: frequency_hz = 95000 Hz lies outside"},
+           "measured.csv:3: frequency_hz = 95000"},
           {"name,frequency_hz,weight\nnobody,900,1\nb,5,1\nc,5,1\n",
            "no mode of the band is called 'nobody'"}})
       {
