@@ -167,7 +167,10 @@ namespace squeal
             if (is_steady(map, motion.orbit))
               motion.status = CycleStatus::steady_sliding;
             else if (is_there() && !has_located_anew())
-              motion.status = CycleStatus::converged;
+              {
+                motion.status = CycleStatus::converged;
+                run_alone();
+              }
             if (motion.status != CycleStatus::not_converged ||
                 motion.iterations >= settings.iterations || !improve())
               return motion;
@@ -227,6 +230,22 @@ namespace squeal
         motion.period   = next.period;
         motion.residual = next.residual;
         motion.is_held  = next.is_held;
+      }
+
+      /** Runs the motion again without those that have led to it, so that its
+       * bits depend on its start alone: what is stored comes back the same. */
+      void
+      run_alone()
+      {
+        PeriodicMotion alone;
+        if (try_orbit(map,
+                      motion.orbit.states.front(),
+                      motion.period,
+                      settings.n_steps,
+                      motion.orbit.past,
+                      is_held() ? &*held : nullptr,
+                      alone))
+          take(alone);
       }
 
       bool
