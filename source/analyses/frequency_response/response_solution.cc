@@ -101,7 +101,8 @@ namespace squeal
     constexpr double rounding = 1e-10;
     if (checks.empty())
       return {};
-    Eigen::MatrixXd size = 0. * checks.front().exact.cwiseAbs();
+    Eigen::MatrixXd size = Eigen::MatrixXd::Zero(checks.front().exact.rows(),
+                                                 checks.front().exact.cols());
     for (const ResponseCheck &check : checks)
       size += check.exact.cwiseAbs2();
     size                  = (size / checks.size()).cwiseSqrt();
@@ -118,11 +119,12 @@ namespace squeal
     for (const ResponseCheck &check : checks)
       for (Eigen::Index j = 0; j < size.cols(); ++j)
         for (Eigen::Index i = 0; i < size.rows(); ++i)
-          if (const double error =
-                std::abs(check.superposed(i, j) - check.exact(i, j)) /
-                size(i, j);
-              error > worst.error)
-            worst = {error, i, j};
+          if (const double difference =
+                std::abs(check.superposed(i, j) - check.exact(i, j));
+              // What is no number is the worst there is.
+              size(i, j) > 0. && !std::isnan(worst.error) &&
+              !(difference / size(i, j) <= worst.error))
+            worst = {difference / size(i, j), i, j};
     return worst;
   }
 

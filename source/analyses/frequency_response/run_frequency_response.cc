@@ -140,7 +140,7 @@ namespace squeal
     {
       const auto &p     = context.parameters;
       const auto  worst = state.worst_function();
-      if (!(worst.error > p.frequency_response.check_tolerance))
+      if (worst.error <= p.frequency_response.check_tolerance)
         return;
       const auto &points = p.measurement.points;
       context.log.warning(
@@ -165,7 +165,7 @@ namespace squeal
                                 " is unstable (" + text +
                                 "): its responses are those of the linear "
                                 "problem, no steady vibration reaches them");
-          if (state.worst_check() > p.frequency_response.check_tolerance)
+          if (!(state.worst_check() <= p.frequency_response.check_tolerance))
             context.log.warning(
               "contact state " + state.state +
               ": superposition and direct solution differ by " +
@@ -260,9 +260,9 @@ namespace squeal
     HtmlReport report("Frequency responses of " + p.scene.name,
                       grid.quantity + " in " + grid.unit);
     report.set_verdict(
-      worst_of(worst, worst_of_own) > p.frequency_response.check_tolerance
-        ? HtmlReport::Verdict::bad
-        : HtmlReport::Verdict::good,
+      worst_of(worst, worst_of_own) <= p.frequency_response.check_tolerance
+        ? HtmlReport::Verdict::good
+        : HtmlReport::Verdict::bad,
       resonance_headline(participation, grid.unit) + "; " +
         (n_checks ? "superposition within " +
                       rounded_text(worst_of(worst, worst_of_own), 2) +

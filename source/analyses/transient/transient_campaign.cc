@@ -341,7 +341,10 @@ namespace squeal
         {
           const double change = table.real(k, "rms_normal_change_n"),
                        rms    = table.real(k, "rms_normal_n");
-          if (table.text(k, "limit_cycle") == "yes" &&
+          // Pure stick-slip leaves but noise of the solver in the normal force.
+          const bool vibrates =
+            rms > least_vibration * table.real(k, "max_normal_n");
+          if (vibrates && table.text(k, "limit_cycle") == "yes" &&
               std::abs(change) > settled_rms_change * rms)
             text += (text.empty() ? "" : "; ") + run_label(runs[k], table) +
                     " (by " + rounded_text(100. * std::abs(change) / rms, 2) +

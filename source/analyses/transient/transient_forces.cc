@@ -4,6 +4,7 @@
 // one that vibrates most.
 
 #include <squeal/analyses/transient/transient_results.h>
+#include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/contact/summed_pairs.h>
 
@@ -16,10 +17,6 @@ namespace squeal
   {
     /** The first stretch of the second half. */
     constexpr unsigned int middle = n_force_stretches / 2;
-
-    /** Vibration of a force, over the mean normal force, that is more than the
-     * noise of the solver. */
-    constexpr double least_vibration = 1e-4;
 
     /** Pairs that carry less than this share of the largest mean normal force
      * only graze: over their own mean every touch is a large vibration. */

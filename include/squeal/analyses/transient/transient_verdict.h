@@ -34,6 +34,10 @@ namespace squeal
   /** Of a run that has none: what it does instead. */
   std::string reason_for_no_cycle(const TransientFigures &figures);
 
+  /** Vibration of a force, over the mean normal force, that is more than the
+   * noise of the solver. */
+  constexpr double least_vibration = 1e-4;
+
   /** A limit cycle has settled where its rms changes by no more than this share
    * between the halves of the time that it is taken over. */
   constexpr double settled_rms_change = 0.02;
