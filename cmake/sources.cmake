@@ -329,6 +329,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/point_forces.cc
     source/model/point_remarks.cc
     source/model/pressed_model.cc
+    source/model/pressed_models.cc
     source/model/pressed_parameters.cc
     source/model/pressed_scene.cc
     source/model/reduced_motions.cc

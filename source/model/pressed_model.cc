@@ -33,19 +33,23 @@ namespace squeal
   {
     MovingScene(const PressedModel &held, Timers &timers)
       : scene(guided(held.parameters))
-      , space(scene.scene,
-              scene.discretization,
-              held.discretization->degree(),
-              MPI_COMM_WORLD)
-      , bodies(assemble_bodies(space))
+      , bodies(std::make_shared<const Bodies>(held))
+      , pressed(scene,
+                bodies->space,
+                bodies->matrices,
+                held.cut_off,
+                timers,
+                held.interface_cut_off,
+                held.flexibility)
     {
-      pressed = std::make_unique<const PressedModel>(scene,
-                                                     space,
-                                                     bodies,
-                                                     held.cut_off,
-                                                     timers,
-                                                     held.interface_cut_off,
-                                                     held.flexibility);
+    }
+
+    /** The same bodies with the sliding of @p p. */
+    MovingScene(const MovingScene &other, const Parameters &p, Timers &timers)
+      : scene(guided(p))
+      , bodies(other.bodies)
+      , pressed(other.pressed.with_sliding(scene, timers))
+    {
     }
 
     static Parameters
@@ -57,11 +61,45 @@ namespace squeal
       return p;
     }
 
+    /** What all scenes share whose sliding alone is another. */
+    struct Bodies
+    {
+      explicit Bodies(const PressedModel &held)
+        : scene(guided(held.parameters))
+        , space(scene.scene,
+                scene.discretization,
+                held.discretization->degree(),
+                MPI_COMM_WORLD)
+        , matrices(assemble_bodies(space))
+      {
+      }
+      const Parameters                scene;
+      const Discretization            space;
+      const std::vector<BodyMatrices> matrices;
+    };
+
     const Parameters                    scene;
-    const Discretization                space;
-    const std::vector<BodyMatrices>     bodies;
-    std::unique_ptr<const PressedModel> pressed;
+    const std::shared_ptr<const Bodies> bodies;
+    const PressedModel                  pressed;
   };
+
+
+
+  namespace
+  {
+    /** What steady sliding asks of a model whose state is that of another one:
+     * the frequencies of its motions. */
+    ReducedContactModel
+    frequencies_alone(const ReductionBasis &basis, const ContactNodes &nodes)
+    {
+      ReducedContactModel model;
+      model.omega_squared = basis.omega_squared;
+      model.load_motion   = Eigen::VectorXd::Zero(3 * nodes.n_nodes());
+      model.initial_gap   = Eigen::VectorXd::Zero(nodes.n_nodes());
+      model.speed_ratio   = nodes.speed_ratio();
+      return model;
+    }
+  } // namespace
 
 
 
@@ -122,77 +160,20 @@ namespace squeal
       basis = std::make_shared<const ReductionBasis>(reduction_basis(
         *pencil, modes, contact_nodes.relative_motion(), interface_cut_off));
     }
-    {
-      Timers::Section section(timers, "Solve: contact flexibility");
-      struck =
-        inner_products(*pencil->space(), basis->shapes, open.struck).col(0);
-      struck.normalize();
-      reduced = reduce_contact_model(
-        *pencil, *basis, cut_off, contact_nodes, load, observed, flexibility);
-      add_cut_off_damping(reduced, p.transient.cut_off_damping);
-    }
+    if (is_state_of_moving())
+      reduced = frequencies_alone(*basis, contact_nodes);
+    else
+      {
+        Timers::Section section(timers, "Solve: contact flexibility");
+        struck =
+          inner_products(*pencil->space(), basis->shapes, open.struck).col(0);
+        struck.normalize();
+        reduced = reduce_contact_model(
+          *pencil, *basis, cut_off, contact_nodes, load, observed, flexibility);
+        add_cut_off_damping(reduced, p.transient.cut_off_damping);
+      }
     if (has_held_support(scene))
       moving = std::make_shared<const MovingScene>(*this, timers);
-  }
-
-
-
-  namespace
-  {
-    PressedModel
-    pressed_model_of(const Parameters &parameters,
-                     const Model      &model,
-                     const double      cut_off,
-                     Timers           &timers,
-                     const double      interface_cut_off,
-                     const Flexibility flexibility)
-    {
-      if (model.imported() == nullptr)
-        return {parameters,
-                *model.discretization(),
-                model.body_matrices(),
-                cut_off,
-                timers,
-                interface_cut_off,
-                flexibility};
-      return {parameters,
-              timed(timers,
-                    [&]() {
-                      return open_scene(parameters.scene, *model.imported());
-                    }),
-              cut_off,
-              timers,
-              interface_cut_off,
-              flexibility};
-    }
-  } // namespace
-
-  PressedModel
-  pressed_model(const Parameters &parameters,
-                const Model      &model,
-                const double      cut_off,
-                Timers           &timers,
-                const double      interface_cut_off)
-  {
-    return pressed_model_of(parameters,
-                            model,
-                            cut_off,
-                            timers,
-                            interface_cut_off,
-                            Flexibility::complete);
-  }
-
-  PressedModel
-  pressed_for_states(const Parameters &parameters,
-                     const Model      &model,
-                     Timers           &timers)
-  {
-    return pressed_model_of(parameters,
-                            model,
-                            cut_off_of_statics(parameters),
-                            timers,
-                            0.,
-                            Flexibility::of_sliding);
   }
 
 
@@ -249,7 +230,7 @@ namespace squeal
   {
     PressedModel result(*this, p);
     if (moving)
-      result.moving = std::make_shared<const MovingScene>(result, timers);
+      result.moving = std::make_shared<const MovingScene>(*moving, p, timers);
     return result;
   }
 
@@ -323,6 +304,12 @@ namespace squeal
 
 
 
+  bool
+  PressedModel::is_state_of_moving() const
+  {
+    return flexibility == Flexibility::of_sliding && has_held_support(scene);
+  }
+
   SteadyModel
   PressedModel::steady(const double tolerance, Timers &timers) const
   {
@@ -338,13 +325,15 @@ namespace squeal
         return result;
       }
     const SteadyModel guided =
-      moving->pressed->with_friction(contact_nodes.coefficients())
+      moving->pressed.with_friction(contact_nodes.coefficients())
         .steady(tolerance, timers);
     result.sliding    = guided.sliding;
     model.initial_gap = guided.pressed.model().initial_gap;
     if ((model.omega_squared.array() == 0.).any())
       throw InputError("Scene/Supports: with a held support a motion is left "
                        "that nothing holds; hold it by Scene/Springs");
+    if (is_state_of_moving())
+      return result;
     // The held support adds a constant to the motion of the nodes: what is left
     // when loads and contact forces have done theirs.
     SteadySliding &steady = result.sliding;
@@ -416,56 +405,5 @@ namespace squeal
         result.push_back({state});
       }
     return result;
-  }
-
-
-
-  std::vector<ContactStates>
-  preload_states(const PressedModel &pressed,
-                 const Parameters   &parameters,
-                 Timers             &timers)
-  {
-    auto states = pressed.states_of(
-      pressed.steady(parameters.preload.tolerance, timers).sliding);
-    for (std::size_t i = 0; i < states.size(); ++i)
-      if (parameters.scene.contacts[i].state !=
-          ContactParameters::State::preload)
-        states[i].clear();
-    return states;
-  }
-
-  std::vector<ContactStates>
-  preload_states(const Parameters                &parameters,
-                 const Discretization            &discretization,
-                 const std::vector<BodyMatrices> &bodies,
-                 Timers                          &timers)
-  {
-    const Parameters p = without_damping(parameters);
-    return preload_states(PressedModel(p,
-                                       discretization,
-                                       bodies,
-                                       cut_off_of_statics(p),
-                                       timers,
-                                       0.,
-                                       Flexibility::of_sliding),
-                          parameters,
-                          timers);
-  }
-
-  std::vector<ContactStates>
-  preload_states(const Parameters    &parameters,
-                 const ImportedModel &model,
-                 Timers              &timers)
-  {
-    const Parameters p = without_damping(parameters);
-    return preload_states(
-      PressedModel(p,
-                   timed(timers, [&]() { return open_scene(p.scene, model); }),
-                   cut_off_of_statics(p),
-                   timers,
-                   0.,
-                   Flexibility::of_sliding),
-      parameters,
-      timers);
   }
 } // namespace squeal

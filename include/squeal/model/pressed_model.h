@@ -56,7 +56,8 @@ namespace squeal
 
     /** References are kept. Motions of the contact itself have mass up to
      * @p interface_cut_off, Hz; 0: none. With the flexibility of sliding alone
-     * the model is good for steady sliding, not for motions. */
+     * the model is good for steady sliding, not for motions; where a support
+     * is held it is good for the state alone. */
     PressedModel(const Parameters                &parameters,
                  const Discretization            &discretization,
                  const std::vector<BodyMatrices> &bodies,
@@ -124,6 +125,9 @@ namespace squeal
 
   private:
     PressedModel(const PressedModel &other, const Parameters &parameters);
+    /** Whether all that is asked of this scene, whose support is held, is the
+     * state, which is that of the guided scene. */
+    bool                          is_state_of_moving() const;
     SteadySliding                 steady_of_this(const double tolerance) const;
     const Parameters             &parameters;
     const SceneParameters        &scene;
