@@ -183,6 +183,7 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/mode_naming_profile.cc
     source/eigen/mode_naming_solid.cc
     source/eigen/reduced_basis.cc
+    source/eigen/same_operators.cc
     source/eigen/shifted_hessenberg.cc
     source/eigen/sliding_inverse.cc
     source/eigen/standard_pairs.cc
@@ -334,6 +335,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/pressed_scene.cc
     source/model/reduced_motions.cc
     source/model/rotor_symmetry.cc
+    source/model/solved_scene.cc
     source/model/turning_modes.cc)
 
 set(SQUEAL_SOURCES_OUTPUT

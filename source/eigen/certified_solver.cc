@@ -141,6 +141,22 @@ namespace squeal
                   modes.stiffness_products.leftCols(n));
   }
 
+  CertifiedSolver::CertifiedSolver(const Pencil          &p,
+                                   const CertifiedSolver &other)
+    : pencil(p)
+    , inverse(p, other.inverse)
+    , finder(nullptr)
+    , reduced(p)
+  {
+    reduced.start(other.reduced);
+  }
+
+  bool
+  CertifiedSolver::can_be_started_from() const
+  {
+    return !finder && others.empty() && reduced.has_products();
+  }
+
   const std::vector<BasisEnrichment> &
   CertifiedSolver::history() const
   {
@@ -471,7 +487,8 @@ namespace squeal
         if (done && (!finder || finder->is_complete(reduced.parts())))
           {
             look_below_band(dense, options);
-            reduced.release_products();
+            if (!options.keep_products)
+              reduced.release_products();
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);
             return pairs;

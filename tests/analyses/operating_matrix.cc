@@ -263,6 +263,54 @@ namespace
           "a pull is not made a push: " + pull.errors);
   }
 
+  /** Where friction alone differs, backward starts from the factor and the
+   * basis of forward; its pairs are those of the analysis that starts anew. */
+  void
+  started_from_the_other_direction(const std::string &program)
+  {
+    const auto brake = [&](const std::string &analysis,
+                           const std::string &friction) {
+      return changed_brake(
+               {{"set Analysis         = cea", "set Analysis = " + analysis},
+                {"set Friction coefficient = 0.3",
+                 "set Friction slope = -0.05\n    set Normal force = 100\n"
+                 "    set Friction coefficient = " +
+                   friction}}) +
+             "set Overwrite = true\nsubsection Scene\n"
+             " set Lumped masses = clip\n subsection Lumped mass clip\n"
+             "  set Body = disc\n  set Point = 0.1, 0.03, 0\n"
+             "  set Mass = 0.5\n end\nend\n";
+    };
+    write_text("both.prm",
+               brake("operating matrix", "0.3") +
+                 "subsection Operating matrix\n"
+                 " set Both directions = true\nend\n");
+    const Outcome o = run_program({program, "both.prm"});
+    check(o.code == 0, "a disc with a clip on one side: " + o.errors);
+    check(unbroken(o.output).find("factor, modes and basis of the condition") !=
+            std::string::npos,
+          "backward starts from forward");
+    const Table matrix = read_csv("out/operating_matrix.csv");
+    check(matrix.n_rows() == 2, "two directions");
+    Worst difference;
+    for (const std::string friction : {"0.3", "-0.3"})
+      {
+        write_text("alone.prm", brake("cea", friction));
+        check(run_program({program, "alone.prm"}).code == 0, "alone it runs");
+        const Table       alone   = read_csv("out/eigenvalues.csv");
+        const std::size_t loudest = loudest_of(alone);
+        const std::size_t row     = friction == "0.3" ? 0 : 1;
+        for (const std::string column : {"frequency_hz", "sigma_per_s"})
+          difference.add(std::abs(
+            matrix.real(row, column) / alone.real(loudest, column) - 1.));
+      }
+    check(difference.largest() < 1e-8, "and finds what it finds alone");
+    check(
+      std::abs(matrix.real(0, "sigma_per_s") / matrix.real(1, "sigma_per_s") -
+               1.) > 1e-3,
+      "which is another growth");
+  }
+
   /** Speeds are refused where friction is the same at all of them. */
   void
   speeds(const std::string &program)
@@ -388,6 +436,7 @@ main(int argc, char *argv[])
   one_sided(program, folder);
   stiffened_by_pressure(program, folder);
   turning(program);
+  started_from_the_other_direction(program);
   speeds(program);
   check(difference.largest() < 1e-9, "as the eigenvalue analysis");
   check(asymmetry.largest() < 1e-6, "alike in both directions");

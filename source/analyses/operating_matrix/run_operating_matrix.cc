@@ -6,6 +6,7 @@
 #include <squeal/base/number_text.h>
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/model/solved_scene.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -121,32 +123,24 @@ namespace squeal
         pressed.pressed.with_sliding(undamped, timers), undamped, timers);
     }
 
-    /** @p pressed: of the condition's bodies, none where no contact asks for
-     * it. */
     ConditionPairs
-    solve_condition(const Parameters         &here,
-                    const OperatingCondition &c,
-                    const PressedCondition   *pressed,
-                    RunContext               &context)
+    pairs_of(const SolvedScene        &scene,
+             const OperatingCondition &c,
+             RunContext               &context)
     {
-      Timers           &timers = context.timers;
-      Model             model(here,
-                  timers,
-                  pressed ? states_of(here, *pressed, timers)
-                                      : std::vector<ContactStates>());
-      ModeSolution      modes    = solve_modes(model, context.log, timers);
-      const CeaSolution solution = solve_cea(model, modes, context.log, timers);
-      warn_of_growth_below(
-        solution, here.eigen, text_of(c) + ": ", context.log);
+      const Model        &model = scene.model();
+      const ComplexPairs &pairs = scene.solution().pairs;
+      warn_of_growth_below(scene.solution(),
+                           model.parameters().eigen,
+                           text_of(c) + ": ",
+                           context.log);
       context.record.n_dofs = model.n_unknowns();
-      if (solution.pairs.size() == 0)
-        refuse_empty_band(here, modes);
       const PairErrors errors =
-        here.discretization.estimate_error
+        model.parameters().discretization.estimate_error
           ? loudest_pair_errors(
-              model, *modes.pencil, solution.pairs, context.log, timers)
-          : PairErrors::unknown(solution.pairs.size());
-      return condition_pairs(model, solution.pairs, c, errors.lambda);
+              model, scene.pencil(), pairs, context.log, context.timers)
+          : PairErrors::unknown(pairs.size());
+      return condition_pairs(model, pairs, c, errors.lambda);
     }
 
     /** Of all conditions, in their order. */
@@ -159,6 +153,7 @@ namespace squeal
       for (const auto &[key, members] : with_same_bodies(all))
         {
           std::optional<PressedCondition> pressed;
+          std::unique_ptr<SolvedScene>    first;
           for (const std::size_t k : members)
             {
               context.log.heading(text_of(all[k]) + ", " +
@@ -167,8 +162,16 @@ namespace squeal
               const Parameters here = parameters_of(context.parameters, all[k]);
               if (!pressed && has_preload_state(here.scene))
                 pressed.emplace(here, context.timers);
-              result[k] = solve_condition(
-                here, all[k], pressed ? &*pressed : nullptr, context);
+              auto scene = std::make_unique<SolvedScene>(
+                here,
+                pressed ? states_of(here, *pressed, context.timers)
+                        : std::vector<ContactStates>(),
+                first.get(),
+                context.log,
+                context.timers);
+              result[k] = pairs_of(*scene, all[k], context);
+              if (scene->has_start())
+                first = std::move(scene);
             }
         }
       return result;
