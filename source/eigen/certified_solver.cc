@@ -142,19 +142,28 @@ namespace squeal
   }
 
   CertifiedSolver::CertifiedSolver(const Pencil          &p,
-                                   const CertifiedSolver &other)
+                                   const CertifiedSolver &other,
+                                   const UndampedModes   &modes,
+                                   const ComplexPairs    &pairs)
     : pencil(p)
     , inverse(p, other.inverse)
     , finder(nullptr)
-    , reduced(p)
+    , reduced(p,
+              other.reduced.keeps_products() ? BasisProducts::kept
+                                             : BasisProducts::computed_anew)
   {
-    reduced.start(other.reduced);
-  }
-
-  bool
-  CertifiedSolver::can_be_started_from() const
-  {
-    return !finder && others.empty() && reduced.has_products();
+    const RowSpace    &space = *pencil.space();
+    const Block       &modal = modes.shapes;
+    const Block        mass  = pencil.multiply_mass(modal);
+    const Eigen::Index n     = pairs.size();
+    reduced.start(modal, mass, pencil.multiply_undamped_stiffness(modal));
+    ComplexBlock beyond(modal.rows(), 2 * n);
+    beyond << pairs.right, pairs.left;
+    const Eigen::MatrixXd re = inner_products(space, mass, beyond.real()),
+                          im = inner_products(space, mass, beyond.imag());
+    beyond.real() -= modal * re;
+    beyond.imag() -= modal * im;
+    reduced.extend(compress(space, beyond, Eigen::VectorXd::Ones(2 * n), 0.));
   }
 
   const std::vector<BasisEnrichment> &
@@ -487,8 +496,7 @@ namespace squeal
         if (done && (!finder || finder->is_complete(reduced.parts())))
           {
             look_below_band(dense, options);
-            if (!options.keep_products)
-              reduced.release_products();
+            reduced.release_products();
             pairs.right = reduced.lift(current.right);
             pairs.left  = reduced.lift(current.left);
             return pairs;

@@ -91,19 +91,6 @@ namespace squeal
         project(i, W);
   }
 
-  void
-  ReducedBasis::start(const ReducedBasis &other)
-  {
-    const auto        W = other.vectors(), MW = other.basis.mass_products();
-    const std::size_t i = other.stiffness_part;
-    if (i == other.pencil.parts().size() || !other.products[i].rows.empty())
-      return start(W, MW, pencil.multiply_undamped_stiffness(Block(W)));
-    start(W,
-          MW,
-          other.pencil.parts()[i].coefficients.stiffness.real() *
-            other.products[i].columns.view());
-  }
-
   unsigned int
   ReducedBasis::extend(Block new_directions)
   {
@@ -178,12 +165,6 @@ namespace squeal
   ReducedBasis::size() const
   {
     return basis.size();
-  }
-
-  bool
-  ReducedBasis::has_products() const
-  {
-    return basis.keeps_products() && !products.empty();
   }
 
   bool

@@ -18,7 +18,7 @@ namespace squeal
   namespace
   {
     CertifiedOptions
-    certified_options(const EigenParameters &p, const bool is_kept)
+    certified_options(const EigenParameters &p)
     {
       CertifiedOptions options;
       options.lowest_frequency    = p.lowest_frequency;
@@ -26,7 +26,6 @@ namespace squeal
       options.residual_tolerance  = p.residual_tolerance;
       options.error_tolerance     = p.error_tolerance;
       options.maximum_enrichments = p.maximum_enrichments;
-      options.keep_products       = is_kept;
       return options;
     }
   } // namespace
@@ -77,12 +76,11 @@ namespace squeal
     CeaSolution
     solve_certified(CertifiedSolver       &solver,
                     const EigenParameters &p,
-                    RunLog                &log,
-                    const bool             is_kept = false)
+                    RunLog                &log)
     {
       CeaSolution solution;
-      solution.pairs = solver.solve(
-        certified_options(p, is_kept), [&](const BasisEnrichment &step) {
+      solution.pairs =
+        solver.solve(certified_options(p), [&](const BasisEnrichment &step) {
           log.info("  basis " + std::to_string(step.basis_size) +
                    ": worst residual " + rounded_text(step.worst_residual, 2) +
                    ", worst error estimate " +
@@ -91,20 +89,6 @@ namespace squeal
         });
       solution.history    = solver.history();
       solution.basis_size = solver.basis().size();
-      return solution;
-    }
-
-    /** Of a pencil whose moduli are the same for all pairs. */
-    CeaSolution
-    solve_whole_band(CertifiedSolver       &solver,
-                     const EigenParameters &p,
-                     RunLog                &log,
-                     const bool             is_kept)
-    {
-      CeaSolution solution      = solve_certified(solver, p, log, is_kept);
-      solution.lowest_frequency = p.lowest_frequency;
-      solution.has_looked_below = true;
-      solution.growth_below     = solver.growth_below_band();
       return solution;
     }
 
@@ -177,6 +161,18 @@ namespace squeal
 
 
   CeaSolution
+  solve_whole_band(CertifiedSolver       &solver,
+                   const EigenParameters &p,
+                   RunLog                &log)
+  {
+    CeaSolution solution      = solve_certified(solver, p, log);
+    solution.lowest_frequency = p.lowest_frequency;
+    solution.has_looked_below = true;
+    solution.growth_below     = solver.growth_below_band();
+    return solution;
+  }
+
+  CeaSolution
   solve_cea(const Model                      &model,
             ModeSolution                     &modes,
             RunLog                           &log,
@@ -202,22 +198,10 @@ namespace squeal
                                                     products_of(model, modes));
     modes.modes.release_start();
     return_freed_memory();
-    solution = solve_whole_band(*solver, p, log, kept != nullptr);
-    if (kept && solver->can_be_started_from())
+    solution = solve_whole_band(*solver, p, log);
+    if (kept)
       *kept = std::move(solver);
     return solution;
-  }
-
-  CeaSolution
-  solve_cea_from(const CertifiedSolver &earlier,
-                 const Pencil          &pencil,
-                 const EigenParameters &p,
-                 RunLog                &log,
-                 Timers                &timers)
-  {
-    Timers::Section section(timers, "Solve: certified eigenvalues");
-    CertifiedSolver solver(pencil, earlier);
-    return solve_whole_band(solver, p, log, false);
   }
 
 

@@ -18,10 +18,14 @@ namespace squeal
       shared_pencil = pencil_on(*earlier);
     if (shared_pencil)
       {
-        log.info("  factor, modes and basis of the condition that differs by "
-                 "its friction alone");
-        found = solve_cea_from(
-          *earlier->solver, *shared_pencil, parameters.eigen, log, timers);
+        log.info("  factor and modes of the condition that differs by its "
+                 "friction alone");
+        Timers::Section section(timers, "Solve: certified eigenvalues");
+        CertifiedSolver from_there(*shared_pencil,
+                                   *earlier->solver,
+                                   earlier->modes.modes,
+                                   earlier->found.pairs);
+        found = solve_whole_band(from_there, parameters.eigen, log);
       }
     else
       {

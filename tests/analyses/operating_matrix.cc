@@ -264,7 +264,7 @@ namespace
   }
 
   /** Where friction alone differs, backward starts from the factor and the
-   * basis of forward; its pairs are those of the analysis that starts anew. */
+   * pairs of forward; its pairs are those of the analysis that starts anew. */
   void
   started_from_the_other_direction(const std::string &program)
   {
@@ -287,7 +287,7 @@ namespace
                  " set Both directions = true\nend\n");
     const Outcome o = run_program({program, "both.prm"});
     check(o.code == 0, "a disc with a clip on one side: " + o.errors);
-    check(unbroken(o.output).find("factor, modes and basis of the condition") !=
+    check(unbroken(o.output).find("factor and modes of the condition") !=
             std::string::npos,
           "backward starts from forward");
     const Table matrix = read_csv("out/operating_matrix.csv");

@@ -19,8 +19,6 @@ namespace squeal
     double       residual_tolerance  = 1e-8;
     double       error_tolerance     = 1e-8; /**< |d lambda| / |lambda| */
     unsigned int maximum_enrichments = 30;
-    /** Whether another solver is to start from this one. */
-    bool keep_products = false;
   };
 
   /**
@@ -83,13 +81,15 @@ namespace squeal
                     PairFinder           *finder   = nullptr,
                     const BasisProducts   products = BasisProducts::kept);
 
-    /** Of a pencil that differs from that of @p other, which has kept its
-     * products and is kept itself, in the strength of its non-symmetric terms
-     * alone: with its factor, its friction responses and its space. */
-    CertifiedSolver(const Pencil &pencil, const CertifiedSolver &other);
-
-    /** Whether another one can start from it. */
-    bool can_be_started_from() const;
+    /** Of a pencil that differs from that of @p other, which must live as long,
+     * in the strength of its non-symmetric terms alone: with its factor and
+     * friction responses. The space starts from the undamped modes, which both
+     * have in common, and from the right and left vectors of @p pairs of the
+     * other pencil: friction of the opposite sign about exchanges them. */
+    CertifiedSolver(const Pencil          &pencil,
+                    const CertifiedSolver &other,
+                    const UndampedModes   &modes,
+                    const ComplexPairs    &pairs);
 
     /** Adds directions to the space before it is solved in. */
     void extend(const Block &directions);

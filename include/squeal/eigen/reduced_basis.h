@@ -36,10 +36,6 @@ namespace squeal
                const Eigen::Ref<const Block> &MW,
                const Eigen::Ref<const Block> &KW);
 
-    /** Starts with the vectors of @p other, whose symmetric parts are the same
-     * and whose products are there. */
-    void start(const ReducedBasis &other);
-
     /** Adds the directions of @p W that V does not hold yet and projects.
      * Returns how many were added. */
     unsigned int extend(Block W);
@@ -47,10 +43,8 @@ namespace squeal
     /** Frees what extend() and residuals() need, when both are done. */
     void release_products();
 
-    unsigned int size() const;
-    bool         keeps_products() const;
-    /** Whether release_products() has not been called. */
-    bool                            has_products() const;
+    unsigned int                    size() const;
+    bool                            keeps_products() const;
     Eigen::Map<const Block>         vectors() const;
     const std::vector<ReducedPart> &parts() const;
 

@@ -49,21 +49,19 @@ namespace squeal
   std::string text_unseen_below_band(const EigenParameters &parameters);
 
   /** Solves with the solver of the parameters (certified or direct). Where
-   * another scene can start from the certified one, it is left in @p kept
-   * (optional); @p modes must live as long. */
+   * that of another scene can start from the certified one, it is left in @p
+   * kept (optional); @p modes must live as long. */
   CeaSolution solve_cea(const Model                      &model,
                         ModeSolution                     &modes,
                         RunLog                           &log,
                         Timers                           &timers,
                         std::unique_ptr<CertifiedSolver> *kept = nullptr);
 
-  /** Solves @p pencil, which differs from that of @p earlier in the strength of
-   * its non-symmetric terms alone, from the space of that solver. */
-  CeaSolution solve_cea_from(const CertifiedSolver &earlier,
-                             const Pencil          &pencil,
-                             const EigenParameters &parameters,
-                             RunLog                &log,
-                             Timers                &timers);
+  /** Solves the pencil of @p solver, whose moduli are the same for all pairs.
+   */
+  CeaSolution solve_whole_band(CertifiedSolver       &solver,
+                               const EigenParameters &parameters,
+                               RunLog                &log);
 
   /** Pairs of the band by the direct solver. */
   ComplexPairs solve_direct(const Model &model, const ModeSolution &modes);

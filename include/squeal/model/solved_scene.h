@@ -16,10 +16,10 @@ namespace squeal
    * friction start from.
    *
    * A brake that turns backwards, or slides at another speed, differs by its
-   * friction alone as long as the same contact nodes are closed. Factor, modes,
-   * friction responses and basis are then those of the earlier scene, which
-   * saves most of the work; whether they are is asked of the matrices.
-   * Residuals and errors of the pairs are their own.
+   * friction alone as long as the same contact nodes are closed. Factor, modes
+   * and friction responses are then those of the earlier scene, whose pairs are
+   * a start as well; whether they are is asked of the matrices. Residuals and
+   * errors of the pairs are their own.
    */
   class SolvedScene
   {
