@@ -120,6 +120,7 @@ namespace
   void
   places_of_parts()
   {
+    write_features(0., 0.);
     write_damage(2e-3, 2e-3);
     check(!read().is_place_assumed && largest_difference(read()) == 0.,
           "a whole face counted from its centre");

@@ -172,7 +172,8 @@ namespace
           const std::string text = ", " + std::to_string(int(width)) +
                                    " px wide at " +
                                    std::to_string(int(degrees)) + " degrees";
-          check(std::abs(length - 300.) <= 4., "a bar is 300 px long" + text);
+          check(std::abs(length - 300.) <= 4. + 0.5 * line.end_error,
+                "a bar is 300 px long" + text);
           check(width > 1. ? line.end_error > 0. : line.end_error < 0.1,
                 "its ends are as sure as it is thin" + text);
         }
