@@ -177,15 +177,6 @@ namespace
           check(width > 1. ? line.end_error > 0. : line.end_error < 0.1,
                 "its ends are as sure as it is thin" + text);
         }
-    for (const double width : {5., 9., 13., 21.})
-      {
-        const double length =
-          length_in(line_of_mask(filled_bar(width, 20., 0.15 * width)).line);
-        std::printf("rough bar %g px wide: %.1f\n", width, length);
-        check(std::abs(length - 300.) <= 15.,
-              "a rough outline gives no branches, " +
-                std::to_string(int(width)) + " px wide");
-      }
     const cv::Mat none = cv::Mat::zeros(90, 90, CV_8U);
     check(length_in(line_of_mask(none).line) == 0., "nothing has no line");
   }
