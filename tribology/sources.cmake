@@ -46,6 +46,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_depth.cc
     source/images/crack_finder.cc
     source/images/crack_growth.cc
+    source/images/crack_profiles.cc
     source/images/crack_width.cc
     source/images/decoder_messages.cc
     source/images/image_files.cc
@@ -62,6 +63,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/line_smoothing.cc
     source/images/metadata.cc
     source/images/micrograph.cc
+    source/images/mask_line.cc
     source/images/mosaic.cc
     source/images/path_evidence.cc
     source/images/rater_masks.cc
@@ -86,10 +88,12 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_history.cc
     source/setup/image_parameters.cc
     source/setup/tribology_parameters.cc
+    source/setup/unused_entries.cc
     source/statistics/association.cc
     source/statistics/cell_lags.cc
     source/statistics/conditional_link.cc
     source/statistics/covariance_family.cc
+    source/statistics/feature_place.cc
     source/statistics/feature_rows.cc
     source/statistics/group_comparison.cc
     source/statistics/link_test.cc

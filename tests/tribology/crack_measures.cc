@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Length and width of lines against closed forms: straight lines, circles, a
-// junction, blurred cracks of known width and depth; cells add up to the total.
+// junction, blurred cracks of known width and depth, thin, wide and beside each
+// other; cells add up to the total.
 #include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
@@ -10,8 +11,11 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "check.h"
 #include "worst.h"
@@ -161,25 +165,57 @@ namespace
 
 
 
-  /** A straight crack with vertical walls, blurred by 0.7 pixels and the
-   * pixel, at 25 degrees. */
+  /** Straight cracks with vertical walls, blurred by 0.7 pixels and the pixel,
+   * at 25 degrees and @p apart from the first one's middle, in @p noise of so
+   * many grey levels. Lines are drawn on those of @p drawn. */
   CrackMap
-  blurred_crack(const double width, const double depth)
+  blurred_cracks(const double               width,
+                 const double               depth,
+                 const std::vector<double> &apart,
+                 const std::vector<double> &drawn,
+                 const double               noise,
+                 const double               largest_width)
   {
     const cv::Point2d c(150.2, 150.4), along = unit(25. * CV_PI / 180.);
     const double      blur = std::sqrt(0.49 + 1. / 12.) * std::sqrt(2.);
     cv::Mat           grey(300, 300, CV_32F);
+    cv::RNG           random(11);
     for (int y = 0; y < grey.rows; ++y)
       for (int x = 0; x < grey.cols; ++x)
         {
-          const double r       = along.cross(cv::Point2d(x, y) - c);
-          const double dark    = 0.5 * (std::erf((r + 0.5 * width) / blur) -
-                                     std::erf((r - 0.5 * width) / blur));
-          grey.at<float>(y, x) = float(128. * (1. - depth * dark));
+          double light = 128.;
+          for (const double place : apart)
+            {
+              const double r = along.cross(cv::Point2d(x, y) - c) - place;
+              light *= 1. - 0.5 * depth *
+                              (std::erf((r + 0.5 * width) / blur) -
+                               std::erf((r - 0.5 * width) / blur));
+            }
+          grey.at<float>(y, x) = float(light + random.gaussian(noise));
         }
-    cv::Mat line = cv::Mat::zeros(grey.size(), CV_8U);
-    draw(line, c - 120. * along, c + 120. * along);
-    return measure_cracks(grey, line, filter_ridges(grey, 2));
+    cv::Mat           line = cv::Mat::zeros(grey.size(), CV_8U);
+    const cv::Point2d across(-along.y, along.x);
+    for (const double place : drawn)
+      draw(line,
+           c + place * across - 90. * along,
+           c + place * across + 90. * along);
+    return measure_cracks(grey, line, filter_ridges(grey, 2), largest_width);
+  }
+
+  CrackMap
+  blurred_crack(const double width, const double depth)
+  {
+    return blurred_cracks(width, depth, {0.}, {0.}, 0., 9.);
+  }
+
+  /** Mean width and its deviation. */
+  std::array<double, 2>
+  width_of(const CrackMap &m)
+  {
+    const double n = cv::countNonZero(m.centre_line);
+    return {{cv::sum(m.width)[0] / n,
+             std::hypot(cv::sum(m.width_error)[0] / n,
+                        cv::sum(m.common_width_error)[0] / n)}};
   }
 
 
@@ -190,19 +226,16 @@ namespace
     for (const double depth : {0.45, 0.57, 0.7})
       for (const double width : {0.5, 1., 2., 3., 4., 6., 8.})
         {
-          const CrackMap m     = blurred_crack(width, depth);
-          const double   n     = cv::countNonZero(m.centre_line);
-          const double   found = cv::sum(m.width)[0] / n;
-          const double   own   = cv::sum(m.width_error)[0] / n;
-          const double   all   = cv::sum(m.common_width_error)[0] / n;
+          const CrackMap m          = blurred_crack(width, depth);
+          const auto [found, error] = width_of(m);
           std::printf("width %.1f depth %.2f: %.3f +- %.3f\n",
                       width,
                       depth,
                       found,
-                      std::hypot(own, all));
+                      error);
           const std::string text = " at width " + std::to_string(width) +
                                    ", depth " + std::to_string(depth);
-          check(std::abs(found - width) <= 2. * std::hypot(own, all),
+          check(std::abs(found - width) <= 2. * error,
                 "within two deviations" + text);
           if (depth == 0.57)
             check(std::abs(found / width - 1.) < 0.1,
@@ -211,6 +244,67 @@ namespace
             check(std::abs(found / width - 1.) < 0.05,
                   "wide cracks show their depth" + text);
         }
+  }
+
+
+
+  /** Bands that no profile of a pixel reaches over, and a line on nothing. */
+  void
+  check_wide_cracks()
+  {
+    for (const double width : {12., 15., 18., 23., 35., 51., 90.})
+      {
+        const auto [found, error] =
+          width_of(blurred_cracks(width, 0.6, {0.}, {0.}, 3., 144.));
+        std::printf("wide %g: %.2f +- %.2f\n", width, found, error);
+        const std::string text = " at width " + std::to_string(int(width));
+        check_close(found, width, 0.05 * width, "wide crack" + text);
+        check(std::abs(found - width) <= 2. * error,
+              "within two deviations" + text);
+      }
+    // Without the wider ones a thin one is what it was.
+    const auto thin = width_of(blurred_cracks(3., 0.6, {0.}, {0.}, 3., 9.)),
+               same = width_of(blurred_cracks(3., 0.6, {0.}, {0.}, 3., 144.));
+    check(thin == same, "a thin crack beside what may be wide is the same");
+    const CrackMap none = blurred_cracks(3., 0., {0.}, {0.}, 3., 144.);
+    check(none.without_line == cv::countNonZero(none.centre_line) &&
+            width_of(none)[1] >= 144.,
+          "where no line is dark any width may be");
+  }
+
+
+
+  /** Flanks between two cracks, and beside one that nobody drew. */
+  void
+  check_parallel_cracks()
+  {
+    for (const auto &[width, apart] : {std::pair(3., 8.),
+                                       std::pair(3., 10.),
+                                       std::pair(5., 10.),
+                                       std::pair(9., 16.),
+                                       std::pair(3., 14.)})
+      for (const double last : {apart, 0.})
+        {
+          std::vector<double> drawn = {0.};
+          if (last > 0.)
+            drawn.push_back(last);
+          const auto [found, error] =
+            width_of(blurred_cracks(width, 0.6, {0., apart}, drawn, 2., 144.));
+          std::printf("width %g, %g apart, %zu drawn: %.2f +- %.2f\n",
+                      width,
+                      apart,
+                      drawn.size(),
+                      found,
+                      error);
+          const std::string text = " at width " + std::to_string(int(width)) +
+                                   ", " + std::to_string(int(apart)) + " apart";
+          check_close(found, width, 0.15 * width, "parallel cracks" + text);
+          check(std::abs(found - width) <= 2. * error,
+                "within two deviations" + text);
+        }
+    const auto [found, error] =
+      width_of(blurred_cracks(9., 0.6, {0., 16., -16.}, {0.}, 2., 144.));
+    check(std::abs(found - 9.) <= 2. * error, "one between two others");
   }
 
 
@@ -287,6 +381,8 @@ main()
   check_circles();
   check_junction();
   check_widths();
+  check_wide_cracks();
+  check_parallel_cracks();
   check_cells();
   return 0;
 }

@@ -8,6 +8,7 @@
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/specimen.h>
 #include <squeal/tribology/images/stored_pixels.h>
+#include <squeal/tribology/setup/image_parameters.h>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -167,6 +168,7 @@ namespace
     cv::imwrite("tiny.png", cv::Mat(3, 3, CV_8U, cv::Scalar(9)));
     fs::create_directory("folder.png");
     cv::imwrite("plain.png", cv::Mat(64, 64, CV_8U, cv::Scalar(9)));
+    cv::imwrite("pad.png", cv::Mat(64, 64, CV_8U, cv::Scalar(9)));
     const std::string line = "'Segmentation/Registration = points' --set "
                              "'Segmentation/Image points = 0,0,1,1,2,2' --set "
                              "'Segmentation/Pad points = 0,0,1,1,2,2'";
@@ -179,6 +181,7 @@ namespace
       {"missing.png", "", "missing.png"},
       {"none*.png", "", "no file matches"},
       {"plain.png", "'Pixel size = 0'", "no scale"},
+      {"pad.png", "", "rename the file"},
       {"plain.png", line, "collinear"},
       {"plain.png", "'Segmentation/Depth band = 20'", "'View = section'"},
       {"plain.png", "'Segmentation/Mask tolerance = 5'", "without 'Masks'"},
@@ -217,6 +220,20 @@ namespace
             }
         check(n_files == 0, "nothing is left half written");
       }
+  }
+
+  /** A map that no crack follows. */
+  void
+  check_unlinked_map()
+  {
+    SpecimenParameters made;
+    made.damage_table  = "damage.csv";
+    made.damage_column = "index";
+    check_throws<InputError>([&]() { check_specimen({}, made); },
+                             "'Link strength = 0'",
+                             "a map is refused where no crack follows it");
+    made.link_strength = 1.;
+    check_specimen({}, made);
   }
 
   /** A bar of 200 pixels, 6 high, in a data bar: bright on dark or dark on
@@ -388,6 +405,7 @@ int
 main(int argc, char **argv)
 {
   check_metadata();
+  check_unlinked_map();
   check_rotations();
   check_missed_images();
   check_messages();

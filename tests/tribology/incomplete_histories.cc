@@ -29,10 +29,12 @@ namespace
                 const double               friction = .5,
                 const bool                 is_open  = false,
                 const double               slip     = 2.,
-                const std::string         &name     = "")
+                const std::string         &name     = "",
+                const double               sliding  = 1.)
   {
     HistoryLayout layout;
-    layout.name = name;
+    layout.name    = name;
+    layout.sliding = {{0., sliding}};
     for (const double y : {0., 1e-3})
       for (const double x : {0., 1e-3})
         layout.points.push_back({{x, y, 0.}});
@@ -210,6 +212,14 @@ namespace
     const std::string turned = run_damage("  set File = turned.h5\n");
     check(has(turned, direction) && !has(turned, "the friction power is"),
           "sliding the other way than the history says");
+    for (const double sliding : {1., 0.3})
+      {
+        write_history(
+          "speed.h5", times, pressures, true, .5, false, .3, "", sliding);
+        check(has(run_damage("  set File = speed.h5\n"),
+                  "'nodes/sliding' has a length of 0.30") == (sliding < 1.),
+              "a speed for a direction is no sliding all round");
+      }
     const std::string dragged = "the tractions point along (0, -1.0)";
     write_history("dragged.h5", times, pressures, false, -.5);
     check(has(run_damage("  set File = dragged.h5\n"), dragged),

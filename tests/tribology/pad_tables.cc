@@ -115,6 +115,38 @@ namespace
 
 
 
+  /** A part of a face whose centre is not the origin may lie at either of two
+   * places; what reaches over the whole face lies at one. */
+  void
+  places_of_parts()
+  {
+    write_features(0., 0.);
+    write_damage(2e-3, 2e-3);
+    check(!read().is_place_assumed && largest_difference(read()) == 0.,
+          "a whole face counted from its centre");
+    std::ofstream("features.csv") << "x_m,y_m,coverage,feature\n"
+                                  << "0,0,1,7\n0.002,0,1,8\n";
+    check(read().is_place_assumed, "a part that lies on the face twice");
+    CorrelationParameters p;
+    p.damage_tables                = {"damage.csv"};
+    p.feature_tables               = {"features.csv"};
+    p.indices                      = {"index"};
+    std::vector<PadMaps>     pads  = read_pads(p);
+    std::vector<std::string> lines = warnings_of_assumed_places(pads, p);
+    check(lines.size() == 1 && lines[0].find("'image'") != std::string::npos,
+          "is warned of");
+    std::ofstream("features.csv") << "image,x_m,y_m,coverage,feature\n"
+                                  << "pad,0,0,1,7\n";
+    check(!read().is_place_assumed &&
+            read().features.at("feature").values[n * n / 2] == 7.,
+          "rows of the pad count from its centre");
+    write_damage(0., 0.);
+    std::ofstream("features.csv") << "x_m,y_m,coverage,feature\n0,0,1,7\n";
+    check(!read().is_place_assumed, "about the origin both are the same");
+  }
+
+
+
   void
   rows_of_a_cell()
   {
@@ -179,6 +211,20 @@ namespace
     check(pad.causes.values.cols() == plain.causes.values.cols() + 4 &&
             pad.causes.names.back() == "mean_pressure_pa",
           "but a cause, with its square");
+    check(warnings_of_lacking_covariates(read_pads(p)).empty(),
+          "covariates that are known everywhere");
+    {
+      std::ofstream features("features.csv");
+      features << "x_m,y_m,crack_density_per_m,plateau_fraction\n";
+      for (unsigned int k = 0; k < n * n; ++k)
+        features << place(k % n) << "," << place(k / n) << "," << k * k % 17
+                 << "," << (k < 7 ? "" : std::to_string(k % 5)) << "\n";
+    }
+    const auto lacking = warnings_of_lacking_covariates(read_pads(p));
+    check(lacking.size() == 1 &&
+            lacking[0].find("not known in 7 of 25 cells") != std::string::npos,
+          "cells without a covariate are counted");
+    write_measured();
     p.covariates = {"hardness"};
     check_throws<InputError>(
       [&p] { read_pads(p); },
@@ -468,6 +514,7 @@ int
 main()
 {
   shifts();
+  places_of_parts();
   rows_of_images();
   means_of_pads();
   rows_of_a_cell();

@@ -58,7 +58,7 @@ set Output directory = correlation
 set Overwrite = true
 subsection Correlation
   set Damage tables = damage/damage.csv, damage/damage.csv
-  set Feature tables = features.csv, features.csv
+  set Feature tables = features.csv, again.csv
   set Indices = damage_m3_per_s
   set Groups = squealing, silent
   set Surrogates = 99
@@ -278,6 +278,7 @@ end
       features += table.text(i, "x_m") + "," + table.text(i, "y_m") + "," +
                   table.text(i, "damage_m3_per_s") + "\n";
     write_text("features.csv", features);
+    write_text("again.csv", features + "0,0,1\n");
     runs(correlation_prm, "correlation");
     const auto json =
       nlohmann::json::parse(text_of("correlation/correlation.json"));
@@ -403,29 +404,61 @@ end
       replaced_in(history_prm("squealing"), "Run = squealing", "Source = csv"),
       {"Samples"},
       "a table that is not named");
+    const std::string tables =
+      "set Source = csv\n  set Samples = s.csv\n  set Nodes = n.csv\n  set ";
+    for (const std::string entry : {"Slip speed = 2",
+                                    "Friction coefficient = 0.2",
+                                    "Rate = 99999",
+                                    "Run = silent"})
+      refuses("set Analysis = recorded history\nset Output directory = x\n"
+              "subsection Recorded history\n  " +
+                tables + entry + "\nend\n",
+              {entry.substr(0, entry.find(" =")), "Source = csv"},
+              "an entry of the generator beside tables");
+    refuses(replaced_in(history_prm("squealing"),
+                        "set Run = squealing",
+                        "set Samples = s.csv"),
+            {"Samples", "Source = clipped sine"},
+            "a table beside the generator");
 
     refuses(replaced_in(correlation_prm, "damage_m3_per_s", "damage_m4_per_s"),
             {"damage_m4_per_s"},
             "an unknown index");
-    refuses(replaced_in(
-              correlation_prm, "features.csv, features.csv", "features.csv"),
-            {"Feature tables"},
-            "fewer tables of features");
+    refuses(
+      replaced_in(correlation_prm, "features.csv, again.csv", "features.csv"),
+      {"Feature tables"},
+      "fewer tables of features");
+    fs::copy_file(
+      "features.csv", "copy.csv", fs::copy_options::overwrite_existing);
+    for (const std::string same :
+         {"features.csv", "./features.csv", "copy.csv"})
+      refuses(replaced_in(correlation_prm,
+                          "features.csv, again.csv",
+                          "features.csv, " + same),
+              {"Feature tables", "same pad twice", same},
+              "a pad that counts twice: " + same);
+    for (const std::string entry :
+         {"Test pairs = 500", "Test lengths = 1", "Test patterns = trend"})
+      refuses(replaced_in(correlation_prm,
+                          "set Feature tables",
+                          "set " + entry + "\n  set Feature tables"),
+              {entry.substr(0, entry.find(" =")), "Self test = true"},
+              "an entry of the self test without it");
     write_text("away.csv", "x_m,y_m,f\n1,1,1\n");
     refuses(replaced_in(correlation_prm,
-                        "features.csv, features.csv",
+                        "features.csv, again.csv",
                         "features.csv, away.csv"),
             {"away.csv:2", "no cell"},
             "a feature beside the pad");
     write_text("nan.csv", "x_m,y_m,f\n0,0,nan\n");
     refuses(replaced_in(correlation_prm,
-                        "features.csv, features.csv",
+                        "features.csv, again.csv",
                         "features.csv, nan.csv"),
             {"nan.csv:2"},
             "a feature that is no number");
     write_text("lacks.csv", "x_m,f\n0,0\n");
     refuses(replaced_in(correlation_prm,
-                        "features.csv, features.csv",
+                        "features.csv, again.csv",
                         "features.csv, lacks.csv"),
             {"lacks.csv", "y_m"},
             "a missing column");

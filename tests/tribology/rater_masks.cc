@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Masks that people drew: agreement against closed forms, and what the program
+// Masks that people drew: agreement against closed forms, lengths of bars that
+// were filled, and what the program
 // makes of files by one rater, by two, beside squeal's own finding, and of
 // wrong ones. Argument: the program.
 #include "../analyses/program.h"
 
 #include <squeal/tribology/images/agreement.h>
 #include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/line_length.h>
+#include <squeal/tribology/images/mask_line.h>
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/specimen.h>
 
@@ -15,7 +18,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 using namespace squeal;
@@ -106,6 +111,91 @@ namespace
           "one of three does not");
     check(cv::countNonZero(consensus_line({a}, 2.) != a) == 0,
           "one rater's line stays as it is");
+  }
+
+
+
+  double
+  length_in(const cv::Mat &line)
+  {
+    return cv::sum(pixel_lengths(line))[0];
+  }
+
+
+
+  /** Bars of 300 x @p width pixels, turned by @p degrees, whose outline is
+   * rough by @p rough pixels. */
+  cv::Mat
+  filled_bar(const double width, const double degrees, const double rough)
+  {
+    cv::Mat      mask = cv::Mat::zeros(360, 360, CV_8U);
+    cv::RNG      random(3);
+    const double c = std::cos(degrees * CV_PI / 180.),
+                 s = std::sin(degrees * CV_PI / 180.);
+    std::array<std::vector<double>, 2> outline;
+    for (std::vector<double> &side : outline)
+      for (int i = 0; i <= 300; ++i)
+        {
+          const double jump = random.gaussian(rough);
+          side.push_back(i == 0 ? jump : 0.75 * side.back() + 0.66 * jump);
+        }
+    for (int y = 0; y < mask.rows; ++y)
+      for (int x = 0; x < mask.cols; ++x)
+        {
+          const double u = c * (x - 180.) + s * (y - 180.) + 150.,
+                       v = c * (y - 180.) - s * (x - 180.);
+          if (u >= 0. && u < 300.)
+            mask.at<uchar>(y, x) = v >= -0.5 * width + outline[0][int(u)] &&
+                                       v < 0.5 * width + outline[1][int(u)]
+                                     ? 255
+                                     : 0;
+        }
+    return mask;
+  }
+
+
+
+  /** Masks that fill cracks have the length of the cracks. */
+  void
+  check_filled_masks()
+  {
+    for (const double width : {1., 3., 7., 15., 25.})
+      for (const double degrees : {0., 20., 45., 90.})
+        {
+          const MaskLine line   = line_of_mask(filled_bar(width, degrees, 0.));
+          const double   length = length_in(line.line);
+          std::printf("bar %g px wide at %g degrees: %.1f, ends +- %.2f\n",
+                      width,
+                      degrees,
+                      length,
+                      line.end_error);
+          const std::string text = ", " + std::to_string(int(width)) +
+                                   " px wide at " +
+                                   std::to_string(int(degrees)) + " degrees";
+          check(std::abs(length - 300.) <= 4. + 0.5 * line.end_error,
+                "a bar is 300 px long" + text);
+          check(width > 1. ? line.end_error > 0. : line.end_error < 0.1,
+                "its ends are as sure as it is thin" + text);
+        }
+    const cv::Mat none = cv::Mat::zeros(90, 90, CV_8U);
+    check(length_in(line_of_mask(none).line) == 0., "nothing has no line");
+  }
+
+
+
+  /** Raters who agree shorten nothing. */
+  void
+  check_lengths_agreed()
+  {
+    cv::Mat line = cv::Mat::zeros(300, 400, CV_8U);
+    cv::line(line, {110, 150}, {290, 150}, 255);
+    const double length = length_in(line);
+    for (const double tolerance : {0., 2., 5., 20., 50.})
+      check_close(length_in(consensus_line({line, line, line}, tolerance)),
+                  length,
+                  2.,
+                  "three alike, at a tolerance of " +
+                    std::to_string(int(tolerance)));
   }
 
 
@@ -360,6 +450,8 @@ main(int argc, char **argv)
   cv::setNumThreads(1);
   check_kappa();
   check_consensus();
+  check_filled_masks();
+  check_lengths_agreed();
   const Files files;
   check_one_rater();
   check_nothing_marked();

@@ -16,6 +16,10 @@ namespace squeal::tribology
      * cosine of the angle from which two directions contradict each other. */
     constexpr double one_way = 0.5, least_cosine = 0.5;
 
+    /** Of a history that slides all round: more of its sliding points one way
+     * than there can be. */
+    constexpr double hardly_round = 0.9;
+
 
 
     /** "" where the friction takes energy. */
@@ -93,6 +97,13 @@ namespace squeal::tribology
   {
     const double told = std::hypot(layout.sliding[0], layout.sliding[1]),
                  way  = std::hypot(way_x, way_y);
+    if (!(told > one_way) && way > hardly_round * way_size)
+      return "'nodes/sliding' has a length of " + rounded_text(told, 2) +
+             ", which says that the target slides all round and that there is "
+             "no leading edge, but the " +
+             (layout.has_slip_rate ? "slip rates" : "tractions") +
+             " point one way: it is the mean of unit directions, no speed; "
+             "give one of length 1";
     // Neither counts where points slide all round or to and fro.
     if (!(told > one_way) || !(way > one_way * way_size) ||
         layout.sliding[0] * way_x + layout.sliding[1] * way_y >

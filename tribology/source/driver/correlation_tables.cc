@@ -60,7 +60,7 @@ namespace squeal::tribology
         text("index", "column of the damage table"),
         text("feature", "column of the features"),
         text("verdict", "what follows, shared causes taken out"),
-        integer("cells", "cells with both"),
+        integer("cells", "cells with both, those without a covariate too"),
         real("pearson", "correlation"),
         real("spearman", "correlation of the ranks"),
         real("roc_auc", "index finds cells with the feature; 0.5 is chance"),

@@ -33,13 +33,17 @@ namespace squeal::tribology
     /** Two octaves reach nine pixels, six 144. */
     constexpr int most_octaves = 6;
 
+    /** Pixels. The judge of lines knows no wider cracks, whatever the filters
+     * reach. */
+    constexpr double widest_found = 15.;
+
     SegmentationSettings
     settings_of(const SegmentationParameters &p, const double pixel_size)
     {
       SegmentationSettings s;
       const double         width = p.largest_width / pixel_size;
       while (s.n_octaves < most_octaves &&
-             width > 4.5 * std::pow(2., s.n_octaves - 1))
+             width > width_of_octaves(s.n_octaves))
         ++s.n_octaves;
       if (p.smallest_area > 0.)
         s.areas.smallest_area = p.smallest_area / (pixel_size * pixel_size);
@@ -240,18 +244,38 @@ namespace squeal::tribology
         return input.placement_of(m, p);
       }
 
+      /** Of the finding of image @p i, where it is stated. */
       void
-      warn_of_width(const Micrograph &m) const
+      warn_of_width(const std::size_t i) const
       {
-        const double reach = 4.5 * std::pow(2., most_octaves - 1);
-        if (p.largest_width > reach * m.pixel_size)
+        const Micrograph &m = images[i];
+        const bool        is_drawn =
+          !p.mosaic && !input.crack_marks[i].empty() &&
+          p.mask_use == SegmentationParameters::MaskUse::instead;
+        if (!is_drawn && p.largest_width > widest_found * m.pixel_size)
           context.log.warning(
-            m.path + ": cracks wider than " +
-            rounded_text(reach * m.pixel_size, 3) + " um (" +
-            rounded_text(reach, 3) +
-            " pixels) are not looked for, although 'Largest crack width' is " +
+            m.path + ": cracks wider than about " +
+            rounded_text(widest_found * m.pixel_size, 3) + " um (" +
+            rounded_text(widest_found, 3) +
+            " pixels) are mostly not found, although 'Largest crack width' "
+            "is " +
             rounded_text(p.largest_width, 3) +
-            " um: give the image with larger pixels");
+            " um, and the error of the length does not contain them: give the "
+            "image with larger pixels, or mark them in 'Masks'");
+      }
+
+      /** Where nothing is dark along drawn lines, or all around them, their
+       * width is not known. */
+      void
+      warn_of_lines_unseen(const Micrograph &m, const CrackMap &cracks) const
+      {
+        if (cracks.without_line > 0.)
+          context.log.warning(
+            m.path + ": along " +
+            rounded_text(cracks.without_line * m.pixel_size, 3) +
+            " um of the cracks the image shows no dark line, or one that is "
+            "wider than what is measured: the width there is not known, and "
+            "its error says so");
       }
 
       /** The frame of an image and what is seen of it, of a section without
@@ -279,7 +303,7 @@ namespace squeal::tribology
         const Micrograph &m = images[i];
         SegmentedImage    entry;
         Segmentation      found;
-        warn_of_width(m);
+        warn_of_width(i);
         {
           Timers::Section   section(context.timers, "Solve: segment images");
           const SectionView shown = specimen_in(m);
@@ -289,6 +313,7 @@ namespace squeal::tribology
                           shown.seen);
           if (!p.mosaic)
             rate(i, shown.grey, found, entry);
+          warn_of_lines_unseen(m, found.cracks);
         }
         entry.stem         = m.stem;
         entry.path         = m.path;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace squeal::tribology
@@ -82,6 +83,18 @@ namespace squeal::tribology
 
 
 
+    /** Rows of that name are those of all images laid on the pad. */
+    void
+    require_no_pad(const std::string &file)
+    {
+      if (std::filesystem::path(file).stem() == "pad")
+        throw InputError(file + ": the image 'pad' of cells.csv is what all "
+                                "images show of the pad, and one by itself "
+                                "would pass for it: rename the file");
+    }
+
+
+
     class Reader
     {
     public:
@@ -135,6 +148,7 @@ namespace squeal::tribology
         int most_bits = 0;
         for (const std::string &file : files)
           {
+            require_no_pad(file);
             input.images.push_back(read(file, 8));
             most_bits = std::max(most_bits, input.images.back().bits);
           }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/agreement.h>
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/mask_line.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -212,10 +213,12 @@ namespace squeal::tribology
     std::vector<cv::Mat> wide;
     for (const cv::Mat &line : lines)
       wide.push_back(widened(line, tolerance));
-    // The skeleton of a widened line ends where the line does, but for half of
-    // the tolerance, and has spurs as long as it is wide.
-    cv::Mat result = thin(consensus_of(wide));
+    // The skeleton of a widened line has spurs as long as it is wide and ends
+    // before the line does; the outline lies beyond that by the tolerance.
+    const cv::Mat mask   = consensus_of(wide);
+    cv::Mat       result = thin(mask);
     remove_spurs(result, std::max(shortest_branch, int(2. * tolerance) + 1));
+    reach_ends(result, mask, tolerance);
     return result;
   }
 } // namespace squeal::tribology

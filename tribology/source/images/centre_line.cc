@@ -14,6 +14,9 @@ namespace squeal::tribology
 
   namespace
   {
+    // Rough outlines give branches that reach from the middle to the outline.
+    constexpr double spur_over_half_width = 1.5;
+
     bool
     is_set(const cv::Mat &mask, const cv::Point &p)
     {
@@ -184,6 +187,20 @@ namespace squeal::tribology
   void
   remove_spurs(cv::Mat &skeleton, const int n)
   {
+    remove_spurs(skeleton, n, {});
+  }
+
+
+
+  void
+  remove_spurs(cv::Mat &skeleton, const int n, const cv::Mat1f &half_widths)
+  {
+    const auto most = [&](const double half) {
+      return std::max(n, int(spur_over_half_width * half));
+    };
+    double widest = 0.;
+    if (!half_widths.empty())
+      cv::minMaxLoc(half_widths, nullptr, &widest);
     for (int pass = 0; pass < 2; ++pass)
       {
         PixelPath pixels, removed;
@@ -191,7 +208,10 @@ namespace squeal::tribology
         for (const cv::Point &p : pixels)
           if (n_neighbours(skeleton, p) == 1)
             {
-              const PixelPath branch = short_branch(skeleton, p, n);
+              const PixelPath branch = short_branch(skeleton, p, most(widest));
+              if (!half_widths.empty() && !branch.empty() &&
+                  int(branch.size()) > most(half_widths(branch.back())))
+                continue;
               removed.insert(removed.end(), branch.begin(), branch.end());
             }
         if (removed.empty())

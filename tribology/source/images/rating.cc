@@ -3,6 +3,7 @@
 #include <squeal/tribology/images/area_evidence.h>
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
+#include <squeal/tribology/images/mask_line.h>
 #include <squeal/tribology/images/rating.h>
 
 #include <cmath>
@@ -11,8 +12,9 @@ namespace squeal::tribology
 {
   namespace
   {
-    constexpr int longest_mask_spur = 6; // pixels, of the skeleton of a mask
-    const char *const own_name      = "squeal";
+    // Where people drew it, a crack need not be found to be measured.
+    constexpr double  widest_drawn = 144.; // pixels
+    const char *const own_name     = "squeal";
     // Deviation of a drawn outline, pixels.
     constexpr double drawn_outline = 0.7;
     // Raters below this agree on less than they disagree.
@@ -65,13 +67,14 @@ namespace squeal::tribology
   {
     Rating               rating;
     std::vector<cv::Mat> lines, wide;
+    double               square = 0.; // of what ends are wrong by
     for (const Marks &marks : cracks)
       {
-        cv::Mat line = thin(marks.mask);
-        remove_spurs(line, longest_mask_spur);
-        keep_seen(line, segmentation.seen);
+        MaskLine drawn = line_of_mask(marks.mask);
+        keep_seen(drawn.line, segmentation.seen);
         rating.raters.push_back(marks.rater);
-        lines.push_back(line);
+        lines.push_back(drawn.line);
+        square += drawn.end_error * drawn.end_error;
       }
     const cv::Mat stated = settings.is_beside
                              ? segmentation.cracks.centre_line
@@ -84,9 +87,14 @@ namespace squeal::tribology
     else
       // Whoever drew them misses and invents nothing but what raters differ by.
       {
-        const cv::Mat grey  = mirrored_beyond(picture, segmentation.seen);
-        segmentation.cracks = measure_cracks(
-          grey, stated, filter_ridges(grey, n_octaves, 1., segmentation.seen));
+        const cv::Mat grey = mirrored_beyond(picture, segmentation.seen);
+        segmentation.cracks =
+          measure_cracks(grey,
+                         stated,
+                         filter_ridges(grey, n_octaves, 1., segmentation.seen),
+                         widest_drawn);
+        segmentation.cracks.doubt.ends =
+          std::sqrt(square / double(cracks.size()));
         keep_seen(segmentation.cracks.area, segmentation.seen);
         // What the finder left out is part of its judgement, not of theirs.
         segmentation.excluded.clear();

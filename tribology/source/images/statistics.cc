@@ -48,7 +48,8 @@ namespace squeal::tribology
       return std::sqrt(
         std::pow(relative * length, 2) + std::pow(end_error, 2) * n_ends +
         (doubt.is_drawn && length > 0. ? 0. : std::pow(too_short, 2)) +
-        std::pow(doubt.unsettled, 2) + std::pow(doubt_error * doubt.missed, 2) +
+        std::pow(doubt.unsettled, 2) + std::pow(doubt.ends, 2) +
+        std::pow(doubt_error * doubt.missed, 2) +
         std::pow(doubt_error * doubt.invented, 2));
     }
 

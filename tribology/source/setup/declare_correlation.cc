@@ -2,19 +2,88 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/schema.h>
 #include <squeal/tribology/setup/damage_parameters.h>
+#include <squeal/tribology/setup/unused_entries.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace squeal::tribology
 {
   using prm::Allowed;
+
+  namespace
+  {
+    const char *const correlation_section = "Correlation";
+
+    /** Whether two files are one, or alike to the last byte. */
+    bool
+    are_one_table(const std::string &a, const std::string &b)
+    {
+      namespace fs = std::filesystem;
+      std::error_code none;
+      if (!fs::is_regular_file(a, none) || !fs::is_regular_file(b, none))
+        return a == b;
+      if (fs::equivalent(a, b, none))
+        return true;
+      if (fs::file_size(a, none) != fs::file_size(b, none))
+        return false;
+      using Bytes = std::istreambuf_iterator<char>;
+      std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
+      return std::equal(Bytes(first), Bytes(), Bytes(second));
+    }
+
+
+
+    /** A pad is one sample, however often its table is named. */
+    void
+    require_other_pads(const std::vector<std::string> &tables)
+    {
+      for (std::size_t i = 0; i < tables.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (are_one_table(tables[i], tables[j]))
+            prm::refuse_entry(
+              correlation_section,
+              "Feature tables",
+              "names the same pad twice: '" + tables[j] + "' and '" +
+                tables[i] +
+                "' hold the same; a pad counts as one sample, so name each "
+                "once");
+    }
+
+
+
+    void
+    refuse_entries_of_test(const CorrelationParameters &c)
+    {
+      const CorrelationParameters otherwise;
+      const std::string           without_test =
+        "without 'Self test = true': set that or remove it";
+      refuse_without_effect(correlation_section,
+                            "Test pairs",
+                            c.n_test_pairs != otherwise.n_test_pairs,
+                            c.self_test,
+                            without_test);
+      refuse_without_effect(correlation_section,
+                            "Test lengths",
+                            c.test_lengths != otherwise.test_lengths,
+                            c.self_test,
+                            without_test);
+      refuse_without_effect(correlation_section,
+                            "Test patterns",
+                            c.test_patterns != otherwise.test_patterns,
+                            c.self_test,
+                            without_test);
+    }
+  } // namespace
 
 
 
   void
   declare_correlation(prm::Schema &schema, CorrelationParameters &c)
   {
-    schema.enter_section("Correlation",
+    schema.enter_section(correlation_section,
                          "Damage maps against maps of features, cell by cell.");
     schema.add("Damage tables",
                c.damage_tables,
@@ -129,7 +198,7 @@ namespace squeal::tribology
   void
   check_correlation(const CorrelationParameters &c)
   {
-    const std::string section = "Correlation";
+    const std::string section = correlation_section;
     if (c.damage_tables.empty() && !c.self_test)
       prm::refuse_entry(section,
                         "Damage tables",
@@ -138,6 +207,8 @@ namespace squeal::tribology
       prm::refuse_entry(section,
                         "Feature tables",
                         "has not one table for each of 'Damage tables'");
+    require_other_pads(c.feature_tables);
+    refuse_entries_of_test(c);
     for (const std::string &name : c.covariates)
       for (const auto *list : {&c.indices, &c.features})
         if (std::find(list->begin(), list->end(), name) != list->end())

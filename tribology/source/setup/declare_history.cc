@@ -2,10 +2,56 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/schema.h>
 #include <squeal/tribology/setup/damage_parameters.h>
+#include <squeal/tribology/setup/unused_entries.h>
+
+#include <tuple>
 
 namespace squeal::tribology
 {
   using prm::Allowed;
+
+
+
+  namespace
+  {
+    /** What only the generator or only the table takes. */
+    void
+    refuse_other_source(const RecordedHistoryParameters &r)
+    {
+      const RecordedHistoryParameters otherwise;
+      const bool                      is_made =
+        r.source == RecordedHistoryParameters::Source::clipped_sine;
+      const auto refuse =
+        [&](const std::string &entry, const bool is_set, const bool is_used) {
+          refuse_without_effect("Recorded history",
+                                entry,
+                                is_set,
+                                is_used,
+                                std::string("with 'Source = ") +
+                                  (is_made
+                                     ? "clipped sine', which makes all samples"
+                                     : "csv', whose tables tell it") +
+                                  ": change that or remove it");
+        };
+      refuse("Samples", !r.samples.empty(), !is_made);
+      refuse("Nodes", !r.nodes.empty(), !is_made);
+      refuse("Run", r.run != otherwise.run, is_made);
+      for (const auto &[entry, value, other] :
+           {std::tuple("Duration", r.duration, otherwise.duration),
+            std::tuple("Rate", r.rate, otherwise.rate),
+            std::tuple("Frequency", r.frequency, otherwise.frequency),
+            std::tuple("Mean pressure", r.pressure, otherwise.pressure),
+            std::tuple("Leading edge factor", r.leading, otherwise.leading),
+            std::tuple("Slip speed", r.slip_speed, otherwise.slip_speed),
+            std::tuple("Friction coefficient", r.friction, otherwise.friction),
+            std::tuple("Noise", r.noise, otherwise.noise),
+            std::tuple("Pad length", r.pad_length, otherwise.pad_length),
+            std::tuple(
+              "Nodes per edge", double(r.n_nodes), double(otherwise.n_nodes)),
+            std::tuple("Seed", double(r.seed), double(otherwise.seed))})
+        refuse(entry, value != other, is_made);
+    }
+  } // namespace
 
 
 
@@ -162,5 +208,6 @@ namespace squeal::tribology
           prm::refuse_entry(
             section, "Duration", "gives more than 1e9 samples at 'Rate'");
       }
+    refuse_other_source(r);
   }
 } // namespace squeal::tribology

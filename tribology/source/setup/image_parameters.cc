@@ -2,6 +2,7 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/schema.h>
 #include <squeal/tribology/setup/image_parameters.h>
+#include <squeal/tribology/setup/unused_entries.h>
 
 namespace squeal::tribology
 {
@@ -65,7 +66,9 @@ namespace squeal::tribology
       schema.add("Largest crack width",
                  s.largest_width,
                  Allowed::number(0.),
-                 "Widest dark line that is looked for; 0: 9 pixels.",
+                 "Widest dark line that is looked for; 0: 9 pixels. Cracks "
+                 "wider than about 15 pixels are mostly not found: give the "
+                 "image with larger pixels, or mark them in 'Masks'.",
                  "um");
       schema.add("Smallest area",
                  s.smallest_area,
@@ -266,66 +269,55 @@ namespace squeal::tribology
 
   namespace
   {
-    /** Refuses an entry that differs from its default although nothing takes
-     * it: the run would tell what it tells without it. */
-    void
-    refuse_without_effect(const std::string &entry,
-                          const bool         is_set,
-                          const bool         is_used,
-                          const std::string &condition)
-    {
-      if (is_set && !is_used)
-        prm::refuse_entry(
-          segmentation_section, entry, "is set but has no effect " + condition);
-    }
-
-
-
     void
     refuse_unused_entries(const ImageParameters        &images,
                           const SegmentationParameters &s)
     {
       using S = SegmentationParameters;
-      const S           otherwise;
+      const S    otherwise;
+      const auto refuse = [](const std::string &entry,
+                             const bool         is_set,
+                             const bool         is_used,
+                             const std::string &condition) {
+        refuse_without_effect(
+          segmentation_section, entry, is_set, is_used, condition);
+      };
       const bool        by_points = s.registration == S::Registration::points;
       const std::string without_points =
         "without 'Registration = points': set that or remove it";
-      refuse_without_effect(
+      refuse(
         "Image points", !s.image_points.empty(), by_points, without_points);
-      refuse_without_effect(
-        "Pad points", !s.pad_points.empty(), by_points, without_points);
-      refuse_without_effect("Transform",
-                            s.transform != otherwise.transform,
-                            by_points,
-                            without_points);
-      refuse_without_effect("Depth band",
-                            s.depth_band != otherwise.depth_band,
-                            s.view == S::View::section,
-                            "without 'View = section': set that or remove it");
+      refuse("Pad points", !s.pad_points.empty(), by_points, without_points);
+      refuse("Transform",
+             s.transform != otherwise.transform,
+             by_points,
+             without_points);
+      refuse("Depth band",
+             s.depth_band != otherwise.depth_band,
+             s.view == S::View::section,
+             "without 'View = section': set that or remove it");
       const bool        by_bar = images.pixel_size == 0.;
       const std::string beside = "beside 'Pixel size': remove one of them";
-      refuse_without_effect(
-        "Scale bar length", s.scale_bar_length > 0., by_bar, beside);
-      refuse_without_effect(
-        "Scale bar box", !s.scale_bar_box.empty(), by_bar, beside);
-      refuse_without_effect("Scale bar box",
-                            !s.scale_bar_box.empty(),
-                            s.scale_bar_length > 0.,
-                            "without 'Scale bar length': set that or remove "
-                            "it");
+      refuse("Scale bar length", s.scale_bar_length > 0., by_bar, beside);
+      refuse("Scale bar box", !s.scale_bar_box.empty(), by_bar, beside);
+      refuse("Scale bar box",
+             !s.scale_bar_box.empty(),
+             s.scale_bar_length > 0.,
+             "without 'Scale bar length': set that or remove "
+             "it");
       const bool        has_masks = !(s.masks.empty() && s.area_masks.empty());
       const std::string without_masks =
         "without 'Masks' or 'Area masks': name some or remove it";
-      refuse_without_effect(
+      refuse(
         "Mask use", s.mask_use != otherwise.mask_use, has_masks, without_masks);
-      refuse_without_effect("Mask value",
-                            s.mask_value != otherwise.mask_value,
-                            has_masks,
-                            without_masks);
-      refuse_without_effect("Mask tolerance",
-                            s.mask_tolerance != otherwise.mask_tolerance,
-                            has_masks,
-                            without_masks);
+      refuse("Mask value",
+             s.mask_value != otherwise.mask_value,
+             has_masks,
+             without_masks);
+      refuse("Mask tolerance",
+             s.mask_tolerance != otherwise.mask_tolerance,
+             has_masks,
+             without_masks);
     }
   } // namespace
 
@@ -371,6 +363,19 @@ namespace squeal::tribology
       prm::refuse_entry(specimen_section,
                         "Damage table",
                         "is empty, but 'Link strength' is not 0");
+    const std::string without_link =
+      "with 'Link strength = 0', where cracks lie anywhere: set that or remove "
+      "it";
+    refuse_without_effect(specimen_section,
+                          "Damage table",
+                          !s.damage_table.empty(),
+                          s.link_strength > 0.,
+                          without_link);
+    refuse_without_effect(specimen_section,
+                          "Damage column",
+                          !s.damage_column.empty(),
+                          s.link_strength > 0.,
+                          without_link);
     if (!s.damage_table.empty() && s.damage_column.empty())
       prm::refuse_entry(specimen_section,
                         "Damage column",

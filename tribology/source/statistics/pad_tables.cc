@@ -3,6 +3,7 @@
 #include <squeal/results/table.h>
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/statistics/association.h>
+#include <squeal/tribology/statistics/feature_place.h>
 #include <squeal/tribology/statistics/feature_rows.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 #include <squeal/tribology/statistics/sliding_of_pad.h>
@@ -173,40 +174,6 @@ namespace squeal::tribology
 
 
 
-    /** What takes places of features to those of the nodes. Images are known
-     * from the centre of the pad on; a transient's nodes stand where the pad
-     * stands on the disc. Zero where all features lie on the face as they are,
-     * unless the table says that they are known from the centre on.
-     */
-    std::array<double, 2>
-    pad_centre(const std::vector<std::array<double, 3>> &points,
-               const Table                              &features,
-               const std::vector<std::size_t>           &rows,
-               const bool                                from_centre)
-    {
-      std::array<double, 2> centre{{0., 0.}};
-      bool                  is_beside = from_centre;
-      for (const int axis : {0, 1})
-        {
-          const auto [lower, upper] = std::minmax_element(
-            points.begin(), points.end(), [axis](const auto &a, const auto &b) {
-              return a[axis] < b[axis];
-            });
-          const double low = (*lower)[axis], high = (*upper)[axis];
-          // Half a cell lies beyond the outermost nodes.
-          const double border = 0.1 * (high - low);
-          for (const std::size_t row : rows)
-            {
-              const double at = features.real(row, axis == 0 ? "x_m" : "y_m");
-              is_beside = is_beside || at < low - border || at > high + border;
-            }
-          centre[axis] = 0.5 * (low + high);
-        }
-      return is_beside ? centre : std::array<double, 2>{{0., 0.}};
-    }
-
-
-
     /** Rows of features on the nodal cells, with the part of each row's cell
      * that was seen. */
     struct SeenRows
@@ -214,6 +181,7 @@ namespace squeal::tribology
       std::vector<std::size_t> rows; /**< of the table */
       FeatureRows              lie;  /**< numbers of @p rows */
       std::vector<double>      coverages;
+      bool is_place_assumed = false; /**< see FeaturePlace */
     };
 
     /** A feature on the cells: the mean of the rows of a cell, by the area of
@@ -287,15 +255,18 @@ namespace squeal::tribology
               const std::string                        &file)
     {
       auto [rows, of_pad] = rows_of_pad(features, file);
-      const auto centre   = pad_centre(points, features, rows, of_pad);
-      SeenRows   seen;
-      std::vector<std::array<double, 2>> at;
+      std::vector<std::array<double, 2>> stated;
       for (const std::size_t row : rows)
-        {
-          at.push_back({{features.real(row, "x_m") + centre[0],
-                         features.real(row, "y_m") + centre[1]}});
-          seen.coverages.push_back(coverage(features, row, file));
-        }
+        stated.push_back(
+          {{features.real(row, "x_m"), features.real(row, "y_m")}});
+      const FeaturePlace place = place_of_features(points, stated, of_pad);
+      SeenRows           seen;
+      seen.is_place_assumed = place.is_assumed;
+      std::vector<std::array<double, 2>> at;
+      for (const auto &from : stated)
+        at.push_back({{from[0] + place.shift[0], from[1] + place.shift[1]}});
+      for (const std::size_t row : rows)
+        seen.coverages.push_back(coverage(features, row, file));
       seen.rows = std::move(rows);
       seen.lie  = share_rows(grid, at, [&](const std::size_t row) {
         return file + ":" + std::to_string(seen.rows[row] + 2) + ": ";
@@ -366,6 +337,7 @@ namespace squeal::tribology
       const SeenRows rows =
         seen_rows(*pad.grid, points, features, feature_file);
       pad.coarseness           = rows.lie.coarseness;
+      pad.is_place_assumed     = rows.is_place_assumed;
       std::vector<double> seen = seen_parts(*pad.grid, rows);
       pad.coverage             = on_grid(*pad.grid, seen);
       for (std::size_t k = 0; k < seen.size(); ++k)

@@ -3,6 +3,7 @@
 #include <squeal/tribology/statistics/feature_rows.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -50,6 +51,56 @@ namespace squeal::tribology
           p.feature_tables[i] + "' are " + rounded_text(pads[i].coarseness, 2) +
           " times as long as those of the nodes: each tells of the nodes next "
           "to its centre only; take finer 'Cells' of images");
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_assumed_places(const std::vector<PadMaps>  &pads,
+                             const CorrelationParameters &p)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      if (pads[i].is_place_assumed)
+        warnings.push_back(
+          "pad " + std::to_string(i + 1) + ": the places of '" +
+          p.feature_tables[i] + "' lie on the face of '" + p.damage_tables[i] +
+          "' as they stand, and counted from its centre as well: they are "
+          "taken as they stand, and every link is wrong if they count from "
+          "the centre; then give the table a column 'image' with 'pad' in "
+          "each row");
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_lacking_covariates(const std::vector<PadMaps> &pads)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      {
+        std::size_t n_seen = 0, n_lacking = 0;
+        for (std::size_t cell = 0; cell < pads[i].coverage.size(); ++cell)
+          if (std::any_of(pads[i].features.begin(),
+                          pads[i].features.end(),
+                          [cell](const auto &feature) {
+                            return std::isfinite(feature.second.values[cell]);
+                          }))
+            {
+              ++n_seen;
+              n_lacking += !pads[i].causes.values.row(cell).allFinite();
+            }
+        if (n_lacking > 0)
+          warnings.push_back(
+            "pad " + std::to_string(i + 1) +
+            ": 'Covariates' are not known in " + std::to_string(n_lacking) +
+            " of " + std::to_string(n_seen) +
+            " cells that have features: the verdicts are of the other " +
+            std::to_string(n_seen - n_lacking) +
+            ", although 'cells' counts all with index and feature");
+      }
     return warnings;
   }
 

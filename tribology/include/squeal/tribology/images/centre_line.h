@@ -18,6 +18,11 @@ namespace squeal::tribology
    * junction, and thins again. */
   void remove_spurs(cv::Mat &skeleton, int n);
 
+  /** The same, where @p half_widths (pixels, of the mask that the skeleton is
+   * of) tell how wide it is: branches of at most one and a half times the half
+   * width at their junction go as well. */
+  void remove_spurs(cv::Mat &skeleton, int n, const cv::Mat1f &half_widths);
+
   /** Number of the eight neighbours that are set. */
   int n_neighbours(const cv::Mat &skeleton, const cv::Point &p);
 

@@ -20,7 +20,9 @@ namespace squeal::tribology
     double missed = 0., invented = 0.;
     double unsettled = 0.; /**< deviation from 0, where no crack is found: each
                               line that may be one has even odds */
-    bool is_drawn = true;  /**< by people: nothing is too short for them */
+    double ends = 0.;     /**< deviation by where in a filled outline lines that
+                             people drew end */
+    bool is_drawn = true; /**< by people: nothing is too short for them */
   };
 
   /** Cracks of one image. All of its size. */
@@ -33,7 +35,10 @@ namespace squeal::tribology
                             alike along a crack, apart between cracks */
     cv::Mat common_width_error; /**< as above, but alike in the image */
     cv::Mat direction; /**< CV_32F, radians in [0, pi), on the centre line */
-    FinderDoubt doubt; /**< nothing where people drew the lines */
+    FinderDoubt doubt; /**< nothing but ends where people drew the lines */
+    /** Pixels of the centre line along which the picture shows no dark line,
+     * so that their width is not known: its deviation is the largest width. */
+    double without_line = 0.;
   };
 
   /** Centre lines and the evidence that they were found in. */
@@ -70,12 +75,17 @@ namespace squeal::tribology
                          const LineJudge  &judge = LineJudge::standard(),
                          const SeenPixels &seen  = {});
 
+  /** The widest line that filters of @p n_octaves reach, pixels. */
+  double width_of_octaves(int n_octaves);
+
   /** Width, direction and area from the dark profile across the centre line:
-   * the width is the missing light over the depth, see CrackDepth. @p grey is
-   * CV_32F. */
+   * the width is the missing light over the depth, see CrackDepth and
+   * dips_along(). @p grey is CV_32F. Dark bands wider than @p largest_width
+   * (pixels) are not told from a dark surface. */
   CrackMap measure_cracks(const cv::Mat    &grey,
                           const cv::Mat    &centre_line,
-                          const RidgeField &ridges);
+                          const RidgeField &ridges,
+                          double            largest_width = 9.);
 } // namespace squeal::tribology
 
 #endif

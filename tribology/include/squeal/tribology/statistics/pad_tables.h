@@ -27,6 +27,9 @@ namespace squeal::tribology
     bool   is_silent  = false;
     /** Whether neither the table nor the parameters tell the leading edge. */
     bool is_edge_assumed = false;
+    /** Whether the features lie on the face both as they stand and counted from
+     * its centre, and are taken as they stand. */
+    bool is_place_assumed = false;
     /** Whether a row of the features that counts is of made images, by a column
      * "synthetic" that is positive there. */
     bool is_synthetic = false;
@@ -74,6 +77,16 @@ namespace squeal::tribology
   std::vector<std::string> warnings_of_coarse_features(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
+
+  /** Pads whose features may as well be counted from the centre of the face. */
+  std::vector<std::string> warnings_of_assumed_places(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Pads with cells in which features but not all covariates are known: the
+   * verdicts are without them. */
+  std::vector<std::string> warnings_of_lacking_covariates(
+    const std::vector<PadMaps> &pads);
 
   /** Pads whose leading edge is taken for the one at the lowest y because
    * nothing tells it. */

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/mask_line.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squeal::tribology
+{
+  namespace
+  {
+    constexpr int longest_mask_spur = 6; // pixels
+    // A skeleton ends within that of the outline: half widths and pixels.
+    constexpr double before_outline = 2., and_pixels = 2.;
+    constexpr double of_half_width = 0.5; // deviation of an end
+
+    /** Distance of the pixels of a mask from its outline, pixels. */
+    cv::Mat1f
+    half_widths_of(const cv::Mat &mask)
+    {
+      cv::Mat1f half;
+      if (cv::countNonZero(mask) == int(mask.total()))
+        return cv::Mat1f::zeros(mask.size());
+      cv::distanceTransform(mask, half, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+      return cv::max(half - 0.5F, 0.F);
+    }
+
+
+
+    /** The last pixel of @p mask on the straight way on from an end, less
+     * @p short_of pixels; the tip where another line is met. */
+    cv::Point
+    last_on_way(const cv::Mat &line,
+                const cv::Mat &mask,
+                const LineEnd &end,
+                const double   farthest,
+                const double   short_of)
+    {
+      const cv::Rect inside({0, 0}, mask.size());
+      const auto     ahead = [&end](const double d) {
+        return cv::Point(cvRound(end.tip.x + d * end.ahead.x),
+                         cvRound(end.tip.y + d * end.ahead.y));
+      };
+      double reach = 0.;
+      for (double d = 1.; d <= farthest; d += 0.5)
+        {
+          const cv::Point q = ahead(d);
+          if (!inside.contains(q) || mask.at<uchar>(q) == 0)
+            break;
+          if (q != end.tip && line.at<uchar>(q) != 0)
+            return end.tip;
+          reach = d;
+        }
+      return ahead(std::max(0., reach - short_of));
+    }
+  } // namespace
+
+
+
+  void
+  reach_ends(cv::Mat &line, const cv::Mat &mask, const double short_of)
+  {
+    const cv::Mat1f half   = half_widths_of(mask);
+    const cv::Mat   before = line.clone();
+    for (const LineEnd &end : line_ends(before))
+      {
+        double widest = 0.;
+        for (const cv::Point &p : end.behind)
+          widest = std::max(widest, double(half(p)));
+        cv::line(
+          line,
+          end.tip,
+          last_on_way(
+            before, mask, end, before_outline * widest + and_pixels, short_of),
+          255);
+      }
+    line = thin(line);
+  }
+
+
+
+  MaskLine
+  line_of_mask(const cv::Mat &mask)
+  {
+    const cv::Mat1f half = half_widths_of(mask);
+    MaskLine        result;
+    result.line = thin(mask);
+    remove_spurs(result.line, longest_mask_spur, half);
+    double square = 0.;
+    for (const LineEnd &end : line_ends(result.line))
+      {
+        double widest = 0.;
+        for (const cv::Point &p : end.behind)
+          widest = std::max(widest, double(half(p)));
+        square += std::pow(of_half_width * std::max(0., widest - 0.5), 2);
+      }
+    result.end_error = std::sqrt(square);
+    reach_ends(result.line, mask, 0.);
+    return result;
+  }
+} // namespace squeal::tribology
