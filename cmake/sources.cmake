@@ -73,6 +73,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/drop_included.cc
     source/parameters/entry_traits.cc
     source/parameters/face_geometry.cc
+    source/parameters/glued_bodies.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
     source/parameters/numbers.cc
