@@ -353,6 +353,7 @@ set(SQUEAL_SOURCES_OUTPUT
 
 set(SQUEAL_SOURCES_ANALYSES
     source/analyses/angles/run_angles.cc
+    source/analyses/angles/turned_rotor.cc
     source/analyses/cea/run_cea.cc
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
