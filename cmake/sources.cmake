@@ -73,6 +73,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/drop_included.cc
     source/parameters/entry_traits.cc
     source/parameters/face_geometry.cc
+    source/parameters/glued_bodies.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
     source/parameters/numbers.cc
@@ -354,6 +355,7 @@ set(SQUEAL_SOURCES_OUTPUT
 
 set(SQUEAL_SOURCES_ANALYSES
     source/analyses/angles/run_angles.cc
+    source/analyses/angles/turned_rotor.cc
     source/analyses/cea/run_cea.cc
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc

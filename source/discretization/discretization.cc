@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/discretization/discretization.h>
 #include <squeal/scene/layer_mesh.h>
+#include <squeal/scene/turning.h>
 
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/distributed/tria.h>
@@ -90,9 +91,7 @@ namespace squeal
         mesh->set_manifold(
           id,
           dealii::CylindricalManifold<3>(dealii::Tensor<1, 3>({0., 0., 1.}),
-                                         dealii::Point<3>(body.position[0],
-                                                          body.position[1],
-                                                          body.position[2])));
+                                         turned_position(body)));
       }
     attach_manifolds_of_layers();
     attach_charts();
@@ -111,12 +110,13 @@ namespace squeal
         const auto &bottom = bottom_body(*scene_parameters, body);
         const dealii::types::manifold_id id =
           1 + body_index(*scene_parameters, bottom.name);
+        const dealii::Point<3> axis = turned_position(bottom);
         // Of a cylinder only what lies on its side or outside of it is round.
         const auto is_round = [&](const auto &face) {
           std::array<double, 4> r;
           for (unsigned int v = 0; v < 4; ++v)
-            r[v] = std::hypot(face->vertex(v)[0] - bottom.position[0],
-                              face->vertex(v)[1] - bottom.position[1]);
+            r[v] = std::hypot(face->vertex(v)[0] - axis[0],
+                              face->vertex(v)[1] - axis[1]);
           const auto [low, high] = std::minmax_element(r.begin(), r.end());
           return *low > (1. - 1e-9) * bottom.outer_radius &&
                  *high < (1. + 1e-9) * *low;

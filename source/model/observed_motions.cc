@@ -4,7 +4,7 @@
 #include <squeal/discretization/load_vector.h>
 #include <squeal/model/observed_motions.h>
 #include <squeal/model/pressed_model.h>
-#include <squeal/scene/layer_mesh.h>
+#include <squeal/parameters/glued_bodies.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

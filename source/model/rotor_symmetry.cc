@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
+#include <squeal/base/unknown_choice.h>
+#include <squeal/discretization/element_matrices.h>
 #include <squeal/model/model.h>
 #include <squeal/model/rotor_symmetry.h>
-#include <squeal/scene/layer_mesh.h>
+#include <squeal/parameters/checks.h>
+#include <squeal/parameters/glued_bodies.h>
 #include <squeal/scene/turning.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -11,6 +14,8 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <deal.II/grid/tria.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -23,17 +28,17 @@ namespace squeal
 {
   namespace
   {
-    constexpr unsigned int highest_order = 64;
-    constexpr double       significant   = 2e-3;
+    constexpr int    highest_order = 64, highest_spin = 4;
+    constexpr double significant = 2e-3, rounding = 1e-9;
 
-    using Vector = dealii::Tensor<1, 3>;
+    using Vector  = dealii::Tensor<1, 3>;
+    using Complex = std::complex<double>;
 
-    /** Masses round an axis: sums of m cos(n angle) and m sin(n angle) over
-     * what is added, kg, for the orders n up to the highest. */
-    class AngularMoments
+    /** A point and the directions that angles about an axis are measured by:
+     * first, second and axis are right-handed. */
+    struct AxisFrame
     {
-    public:
-      AngularMoments(const Vector3 &direction, const Vector3 &centre)
+      AxisFrame(const Vector3 &direction, const Vector3 &centre)
         : origin(centre[0], centre[1], centre[2])
       {
         const Vector line({direction[0], direction[1], direction[2]});
@@ -45,24 +50,43 @@ namespace squeal
         second = dealii::cross_product_3d(axis, first);
       }
 
+      dealii::Point<3> origin;
+      Vector           axis, first, second;
+    };
+
+    /** Masses round an axis: sums of m exp(i n angle) over what is added, kg,
+     * for the orders n up to the highest and the spins of elastic constants
+     * beyond. Of volumes, m^3. */
+    class AngularMoments
+    {
+    public:
+      explicit AngularMoments(const AxisFrame &f)
+        : frame(f)
+      {
+      }
+
       void
       add(const dealii::Point<3> &x, const double mass)
       {
-        const Vector r     = x - origin;
-        const double angle = std::atan2(r * second, r * first);
-        for (unsigned int n = 0; n <= highest_order; ++n)
-          {
-            values[2 * n] += mass * std::cos(n * angle);
-            values[2 * n + 1] += mass * std::sin(n * angle);
-          }
+        const Vector r     = x - frame.origin;
+        const double angle = std::atan2(r * frame.second, r * frame.first);
+        for (std::size_t n = 0; n < values.size(); ++n)
+          values[n] += mass * std::polar(1., n * angle);
+      }
+
+      void
+      add(const AngularMoments &other, const double factor)
+      {
+        for (std::size_t n = 0; n < values.size(); ++n)
+          values[n] += factor * other.values[n];
       }
 
       /** The same of a point mass, which has no angle on the axis. */
       void
       add_point(const dealii::Point<3> &x, const double mass)
       {
-        const Vector r = x - origin;
-        if (std::hypot(r * first, r * second) > on_axis)
+        const Vector r = x - frame.origin;
+        if (std::hypot(r * frame.first, r * frame.second) > on_axis)
           add(x, mass);
         else
           values[0] += mass;
@@ -75,20 +99,29 @@ namespace squeal
       add_rigid(const BodyParameters &body)
       {
         add_point(centre_of_gravity(body), body.mass);
+        const auto &[origin, axis, first, second] = frame;
+
         const auto   J     = turned_tensor(body, body.inertia);
         const double share = body.mass / (axis * (J * axis));
-        values[2] -= share * (first * (J * axis));
-        values[3] -= share * (second * (J * axis));
-        values[4] += share * (second * (J * second) - first * (J * first));
-        values[5] -= 2. * share * (first * (J * second));
+        values[1] -= share * Complex(first * (J * axis), second * (J * axis));
+        values[2] +=
+          share * Complex(second * (J * second) - first * (J * first),
+                          -2. * (first * (J * second)));
+      }
+
+      /** Of the order @p n, which may be negative. */
+      Complex
+      at(const int n) const
+      {
+        return n < 0 ? std::conj(values[-n]) : values[n];
       }
 
       /** Whether what was added has an order @p n > 0 that is above @p part
        * of its mass. */
       bool
-      has_order(const unsigned int n, const double part) const
+      has_order(const int n, const double part) const
       {
-        return std::hypot(values[2 * n], values[2 * n + 1]) > part * values[0];
+        return std::abs(at(n)) > part * values[0].real();
       }
 
       void
@@ -96,7 +129,7 @@ namespace squeal
       {
         MPI_Allreduce(MPI_IN_PLACE,
                       values.data(),
-                      static_cast<int>(values.size()),
+                      static_cast<int>(2 * values.size()),
                       MPI_DOUBLE,
                       MPI_SUM,
                       communicator);
@@ -105,9 +138,91 @@ namespace squeal
     private:
       static constexpr double on_axis = 1e-9; /**< m */
 
-      dealii::Point<3>                            origin;
-      Vector                                      axis, first, second;
-      std::array<double, 2 * (highest_order + 1)> values{};
+      AxisFrame                                             frame;
+      std::array<Complex, highest_order + highest_spin + 1> values{};
+    };
+
+    /**
+     * Elastic constants round an axis, Pa: C(e_a, e_b, e_c, e_d) along
+     * e_+ = (first + i second) / sqrt 2, e_- and the axis. At the angle t the
+     * same along the radial and the tangential direction is exp(-i s t) times
+     * it, with the spin s: how many of a, b, c, d are + less how many are -.
+     */
+    class SpinComponents
+    {
+    public:
+      static constexpr int size = 81;
+
+      SpinComponents(const BodyParameters &body, const AxisFrame &frame)
+      {
+        Eigen::Matrix3cd e;
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            e(0, c) = M_SQRT1_2 * Complex(frame.first[c], frame.second[c]);
+            e(1, c) = std::conj(e(0, c));
+            e(2, c) = frame.axis[c];
+          }
+        const auto   tensor = elastic_tensor(body);
+        const double scale  = elastic_scale(body);
+        Matrix9      Q, C;
+        for (unsigned int i = 0; i < 9; ++i)
+          for (unsigned int j = 0; j < 9; ++j)
+            {
+              Q(i, j) = e(i / 3, j / 3) * e(i % 3, j % 3);
+              C(i, j) = scale * tensor[i][j];
+            }
+        values = Q * C * Q.transpose();
+      }
+
+      Complex
+      value(const int k) const
+      {
+        return values(k / 9, k % 9);
+      }
+
+      static int
+      spin(const int k)
+      {
+        const auto of = [](const int index) {
+          return index == 0 ? 1 : index == 1 ? -1 : 0;
+        };
+        return of(k / 27) + of(k / 9 % 3) + of(k / 3 % 3) + of(k % 3);
+      }
+
+      double
+      largest() const
+      {
+        return values.cwiseAbs().maxCoeff();
+      }
+
+      /** Isotropic, or transversely isotropic about the axis. */
+      bool
+      are_same_at_all_angles() const
+      {
+        for (int k = 0; k < size; ++k)
+          if (spin(k) != 0 && std::abs(value(k)) > rounding * largest())
+            return false;
+        return true;
+      }
+
+    private:
+      using Matrix9 = Eigen::Matrix<Complex, 9, 9>;
+
+      /** Of elastic_tensor(), which leaves out an isotropic modulus. */
+      static double
+      elastic_scale(const BodyParameters &body)
+      {
+        switch (body.material_model)
+          {
+          case BodyParameters::MaterialModel::isotropic:
+            return body.young_modulus;
+          case BodyParameters::MaterialModel::orthotropic:
+            return 1.;
+          }
+        unknown_choice("material model");
+      }
+
+      Matrix9 values;
     };
 
     /** Whether a rigid body is the same at all angles about an axis. */
@@ -116,39 +231,40 @@ namespace squeal
                    const Vector3        &axis,
                    const Vector3        &centre)
     {
-      AngularMoments moments(axis, centre);
+      AngularMoments moments(AxisFrame(axis, centre));
       moments.add_rigid(rigid);
-      return !moments.has_order(1, 1e-9) && !moments.has_order(2, 1e-9);
+      return !moments.has_order(1, rounding) && !moments.has_order(2, rounding);
     }
 
-    /** The body and all that ties glue to it. */
-    std::vector<unsigned int>
-    glued_to(const SceneParameters &scene, const std::string &body)
+    /** Whether a round mesh has the axis of the @p rotor and is of a material
+     * that is the same at all angles about it. */
+    bool
+    is_round_mesh_on_axis(const BodyParameters &body,
+                          const BodyParameters &rotor)
     {
-      std::set<std::string> names{body};
-      for (std::size_t n = 0; n != names.size();)
-        {
-          n = names.size();
-          for (const auto &[a, b] : glued_bodies(scene))
-            if (names.count(a) + names.count(b) == 1)
-              names.insert({a, b});
-        }
-      std::vector<unsigned int> result;
-      for (const auto &name : names)
-        result.push_back(body_index(scene, name));
-      return result;
+      if (body.shape != BodyParameters::Shape::annulus &&
+          body.shape != BodyParameters::Shape::cylinder)
+        return false;
+      BodyParameters own     = body;
+      const auto     x       = turned_position(body);
+      own.rotation_centre    = Vector3{{x[0], x[1], x[2]}};
+      const Vector3 &axis    = rotor.rotation_axis;
+      const bool     on_axis = axis[0] == 0. && axis[1] == 0. &&
+                           prm::have_centres_on_one_axis(rotor, own);
+      return on_axis &&
+             SpinComponents(body, AxisFrame(axis, rotor.centre_of_rotation()))
+               .are_same_at_all_angles();
     }
 
-    /** By its shape alone, or as a rigid body of the @p rotor, with nothing
-     * fixed to it. */
+    /** A body of the @p rotor that is the same at all angles by its shape and
+     * material alone, with nothing fixed to it. */
     bool
     is_of_revolution(const SceneParameters &scene,
                      const unsigned int     number,
                      const BodyParameters  &rotor)
     {
       const BodyParameters &body = scene.bodies[number];
-      return (body.shape == BodyParameters::Shape::annulus ||
-              body.shape == BodyParameters::Shape::cylinder ||
+      return (is_round_mesh_on_axis(body, rotor) ||
               (body.shape == BodyParameters::Shape::rigid &&
                is_round_about(
                  body, rotor.rotation_axis, rotor.centre_of_rotation()))) &&
@@ -156,6 +272,92 @@ namespace squeal
                scene.lumped_masses.begin(),
                scene.lumped_masses.end(),
                [&](const auto &mass) { return mass.body == body.name; });
+    }
+
+
+
+    /** Moments of the volume of each of some bodies, none of rigid ones. */
+    std::vector<AngularMoments>
+    volume_moments(const Discretization            &d,
+                   const std::vector<unsigned int> &bodies,
+                   const AxisFrame                 &frame)
+    {
+      std::vector<AngularMoments> result(bodies.size(), AngularMoments(frame));
+      const dealii::QGauss<3>     quadrature(d.degree() + 1);
+      dealii::FEValues<3>         values(d.mapping(),
+                                 d.dof_handler().get_fe(),
+                                 quadrature,
+                                 dealii::update_quadrature_points |
+                                   dealii::update_JxW_values);
+      for (const auto &cell : d.dof_handler().active_cell_iterators())
+        {
+          const auto found =
+            std::find(bodies.begin(), bodies.end(), cell->material_id());
+          if (!cell->is_locally_owned() || found == bodies.end())
+            continue;
+          values.reinit(cell);
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            result[found - bodies.begin()].add(values.quadrature_point(q),
+                                               values.JxW(q));
+        }
+      for (auto &moments : result)
+        moments.sum_over_ranks(d.space()->communicator());
+      return result;
+    }
+
+    /** The moments of the mass of some bodies with @p volumes. */
+    AngularMoments
+    mass_moments(const SceneParameters             &scene,
+                 const std::vector<unsigned int>   &bodies,
+                 const std::vector<AngularMoments> &volumes,
+                 const AxisFrame                   &frame)
+    {
+      AngularMoments result(frame);
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (const auto &body = scene.bodies[bodies[i]];
+            body.shape == BodyParameters::Shape::rigid)
+          result.add_rigid(body);
+        else
+          result.add(volumes[i], body.density);
+      for (const auto &mass : scene.lumped_masses)
+        if (std::count(
+              bodies.begin(), bodies.end(), body_index(scene, mass.body)) > 0)
+          result.add_point(place_of(scene, mass), mass.mass);
+      return result;
+    }
+
+    /** The orders that an elastic constant along the radial, tangential and
+     * axial directions has above part of the largest of all: of a component of
+     * spin s the order n is that of the volume of the order n - s. */
+    std::set<unsigned int>
+    elastic_orders(const SceneParameters             &scene,
+                   const std::vector<unsigned int>   &bodies,
+                   const std::vector<AngularMoments> &volumes,
+                   const AxisFrame                   &frame)
+    {
+      std::vector<SpinComponents>         constants;
+      std::vector<const AngularMoments *> moments;
+      double                              whole = 0.;
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (const auto &body = scene.bodies[bodies[i]];
+            body.shape != BodyParameters::Shape::rigid)
+          {
+            constants.emplace_back(body, frame);
+            moments.push_back(&volumes[i]);
+            whole += constants.back().largest() * volumes[i].at(0).real();
+          }
+      std::set<unsigned int> orders;
+      for (int n = 1; n <= highest_order; ++n)
+        for (int k = 0; k < SpinComponents::size; ++k)
+          {
+            Complex sum = 0.;
+            for (std::size_t i = 0; i < constants.size(); ++i)
+              sum += constants[i].value(k) *
+                     moments[i]->at(n - SpinComponents::spin(k));
+            if (std::abs(sum) > significant * whole)
+              orders.insert(n);
+          }
+      return orders;
     }
   } // namespace
 
@@ -167,35 +369,14 @@ namespace squeal
                  const Vector3                   &axis,
                  const Vector3                   &centre)
   {
-    AngularMoments          moments(axis, centre);
-    const dealii::QGauss<3> quadrature(d.degree() + 1);
-    dealii::FEValues<3>     values(d.mapping(),
-                               d.dof_handler().get_fe(),
-                               quadrature,
-                               dealii::update_quadrature_points |
-                                 dealii::update_JxW_values);
-    for (const auto &cell : d.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          std::count(bodies.begin(), bodies.end(), cell->material_id()) > 0)
-        {
-          values.reinit(cell);
-          const double density = d.scene().bodies[cell->material_id()].density;
-          for (unsigned int q = 0; q < quadrature.size(); ++q)
-            moments.add(values.quadrature_point(q), density * values.JxW(q));
-        }
-    moments.sum_over_ranks(d.space()->communicator());
-    for (const auto &mass : d.scene().lumped_masses)
-      if (std::count(
-            bodies.begin(), bodies.end(), body_index(d.scene(), mass.body)) > 0)
-        moments.add_point(place_of(d.scene(), mass), mass.mass);
-    for (const unsigned int b : bodies)
-      if (d.scene().bodies[b].shape == BodyParameters::Shape::rigid)
-        moments.add_rigid(d.scene().bodies[b]);
-    std::vector<unsigned int> orders;
-    for (unsigned int n = 1; n <= highest_order; ++n)
-      if (moments.has_order(n, significant))
-        orders.push_back(n);
-    return orders;
+    const AxisFrame frame(axis, centre);
+    const auto      volumes = volume_moments(d, bodies, frame);
+    const auto      masses  = mass_moments(d.scene(), bodies, volumes, frame);
+    auto            orders  = elastic_orders(d.scene(), bodies, volumes, frame);
+    for (int n = 1; n <= highest_order; ++n)
+      if (masses.has_order(n, significant))
+        orders.insert(n);
+    return {orders.begin(), orders.end()};
   }
 
 
@@ -231,7 +412,9 @@ namespace squeal
             !target_turns(scene, contact) ||
             !seen.insert(contact.target_body).second)
           continue;
-        const auto  rotor = glued_to(scene, contact.target_body);
+        std::vector<unsigned int> rotor;
+        for (const auto &name : glued_to(scene, contact.target_body))
+          rotor.push_back(body_index(scene, name));
         const auto &body = scene.bodies[body_index(scene, contact.target_body)];
         if (std::all_of(rotor.begin(), rotor.end(), [&](const unsigned int b) {
               return is_of_revolution(scene, b, body);
@@ -245,9 +428,9 @@ namespace squeal
         for (const unsigned int n : orders)
           common = std::gcd(common, n);
         text += (text.empty() ? "" : "; ") + std::string("body ") + body.name +
-                " is no body of revolution and stands still at one angle: this "
-                "is one sample of what it does while it turns. It repeats "
-                "every " +
+                " is no body of revolution in shape and material and stands "
+                "still at one angle: this is one sample of what it does while "
+                "it turns. It repeats every " +
                 rounded_text(360. / common, 5) +
                 " deg; 'Analysis = angles' goes over that";
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/face_geometry.h>
 #include <squeal/parameters/numbers.h>
 
 #include <array>
@@ -102,14 +103,17 @@ namespace squeal
                        "Rotation axis",
                        "must be along z for annuli and cylinders, whose axis "
                        "that is, and where 'Rotation speed' is not 0");
-        if (is_round && (body.angle != 0. || body.rotation_speed != 0.) &&
-            (body.centre_of_rotation()[0] != body.position[0] ||
-             body.centre_of_rotation()[1] != body.position[1]))
+        // A cylinder may be a bolt that a disc takes with it.
+        const bool stays_in_place =
+          body.rotation_speed != 0. ||
+          (body.angle != 0. && body.shape == Shape::annulus);
+        if (is_round && stays_in_place && !turns_about_own_axis(body))
           refuse_entry(section,
                        "Rotation centre",
-                       "is not on the body's own axis: an annulus or a "
-                       "cylinder with an 'Angle' or a 'Rotation speed' would "
-                       "move; give 'Position' instead");
+                       "is not on the body's own axis: an annulus that is "
+                       "turned ('Angle', 'Analysis = angles') and a round body "
+                       "with a 'Rotation speed' would move; give 'Position' "
+                       "instead");
         // A block that turns is not at rest in the fixed frame, and a rigid
         // body has no terms of turning.
         if (body.rotation_speed != 0. &&

@@ -4,6 +4,7 @@
 
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
+#include <squeal/parameters/glued_bodies.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
 
@@ -89,6 +90,45 @@ namespace squeal
 
 
 
+      /** Refuses bodies that would stay behind or cannot be turned: what is
+       * glued turns as one, and a layer with what it lies on. */
+      void
+      check_turned_as_one(const SceneParameters  &scene,
+                          const AnglesParameters &a)
+      {
+        const auto body_of = [&](const std::string &name) -> const auto &
+        {
+          return require_body(scene, name, "Angles", "Turning bodies");
+        };
+        const auto turns = [&](const BodyParameters &body) {
+          return std::count(a.bodies.begin(), a.bodies.end(), body.name) > 0;
+        };
+        for (const std::string &name : a.bodies)
+          {
+            if (body_of(name).shape == BodyParameters::Shape::layer)
+              refuse_entry("Angles",
+                           "Turning bodies",
+                           "contains the layer " + in_quotes(name) +
+                             ", which turns with the body that it lies on: "
+                             "name that body alone");
+            const std::set<std::string> glued = glued_to(scene, name);
+            for (const BodyParameters &other : scene.bodies)
+              if (const BodyParameters &body = turning_body(scene, other);
+                  glued.count(other.name) > 0 && !turns(body))
+                refuse_entry("Angles",
+                             "Turning bodies",
+                             "leaves out " + in_quotes(body.name) +
+                               ", which a tie or a layer glues to " +
+                               in_quotes(name) +
+                               " and which would stand still: name it too");
+            BodyParameters turned = body_of(name);
+            turned.angle          = 1.;
+            check_body(turned);
+          }
+      }
+
+
+
       void
       check_angles(const Parameters &parameters)
       {
@@ -116,6 +156,7 @@ namespace squeal
                 in_quotes(a.bodies[0]) +
                 " (without an entry the centre is the 'Position' of "
                 "each body)");
+        check_turned_as_one(parameters.scene, a);
         if (a.number > 1 && a.from == a.to)
           refuse_entry("Angles", "To", "is 'From': there is nothing to turn");
       }

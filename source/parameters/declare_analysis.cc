@@ -150,8 +150,11 @@ namespace squeal
                    a.bodies,
                    Allowed::list(Allowed::text()),
                    "Bodies that turn together, each about its 'Rotation axis', "
-                   "from its own 'Angle' on. Rigid bodies are turned as meshed "
-                   "ones are.");
+                   "from its own 'Angle' on: one and all that ties glue to it. "
+                   "Rigid bodies are turned as meshed ones are, layers with "
+                   "what they lie on. The axes of orthotropic materials and "
+                   "springs between two of the bodies turn with them; other "
+                   "springs, supports and loads stay where they are.");
         schema.add("From",
                    a.from,
                    Allowed::number(),

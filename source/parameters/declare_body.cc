@@ -193,7 +193,8 @@ namespace squeal
                    b.material_axis_1,
                    Allowed::vector(),
                    "Direction, of any length, of the axis 1 of an orthotropic "
-                   "material. It does not turn with 'Angle'.");
+                   "material. It does not turn with 'Angle', but "
+                   "'Analysis = angles' turns it with the body.");
         schema.add("Material axis 2",
                    b.material_axis_2,
                    Allowed::vector(),
@@ -285,8 +286,9 @@ namespace squeal
         "What the mesh and lumped masses on it, or the centre of gravity, the "
         "inertia and the contact points of a rigid body are turned by about "
         "that axis, such as the angle at which a disc with vanes stands; "
-        "springs and measurement points stay where they are. Annuli and "
-        "cylinders turn about z only.",
+        "springs and measurement points stay where they are ('Analysis = "
+        "angles' turns springs between two turning bodies). Annuli and "
+        "cylinders turn about z only, annuli about their own axis.",
         "deg");
     }
   } // namespace prm

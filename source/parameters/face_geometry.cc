@@ -110,12 +110,22 @@ namespace squeal
 
 
 
+    bool
+    turns_about_own_axis(const BodyParameters &round)
+    {
+      const Vector3 &centre = round.centre_of_rotation();
+      return centre[0] == round.position[0] && centre[1] == round.position[1];
+    }
+
+
+
     std::optional<Box>
     box_of(const BodyParameters &body)
     {
       if (body.has_mesh_file() || body.shape == Shape::rigid ||
           body.shape == Shape::layer ||
-          (body.shape == Shape::block && body.angle != 0.))
+          (body.angle != 0. &&
+           (body.shape == Shape::block || !turns_about_own_axis(body))))
         return {};
       const Vector3 extent =
         body.shape == Shape::block

@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 
 #include <squeal/scene/layer_mesh.h>
+#include <squeal/scene/turning.h>
 
 #include <Eigen/Dense>
 
@@ -108,7 +109,8 @@ namespace squeal
       if (bottom.shape != BodyParameters::Shape::annulus &&
           bottom.shape != BodyParameters::Shape::cylinder)
         return {};
-      return Point<3>(bottom.position[0], bottom.position[1], 0.);
+      const Point<3> x = turned_position(bottom);
+      return Point<3>(x[0], x[1], 0.);
     }
 
     /** The normals of a quadrilateral of squeal's own cylinders are radial. */
@@ -444,19 +446,5 @@ namespace squeal
              ? bottom_body(scene,
                            scene.bodies[body_index(scene, body.layer_body)])
              : body;
-  }
-
-
-
-  std::vector<std::array<std::string, 2>>
-  glued_bodies(const SceneParameters &scene)
-  {
-    std::vector<std::array<std::string, 2>> result;
-    for (const TieParameters &tie : scene.ties)
-      result.push_back({{tie.source_body, tie.target_body}});
-    for (const BodyParameters &body : scene.bodies)
-      if (body.shape == BodyParameters::Shape::layer)
-        result.push_back({{body.layer_body, body.name}});
-    return result;
   }
 } // namespace squeal

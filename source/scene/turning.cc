@@ -47,10 +47,18 @@ namespace squeal
 
 
   dealii::Point<3>
+  turned_position(const BodyParameters &body)
+  {
+    const Vector3 &x = body.position;
+    return turned_point(body, {x[0], x[1], x[2]});
+  }
+
+
+
+  dealii::Point<3>
   centre_of_gravity(const BodyParameters &rigid)
   {
-    const Vector3 &x = rigid.position;
-    return turned_point(rigid, {x[0], x[1], x[2]});
+    return turned_position(rigid);
   }
 
 

@@ -155,31 +155,6 @@ namespace
 
 
 
-  /** Bodies that turn as one have one axis, which is a line. */
-  void
-  turning_lines()
-  {
-    const std::vector<std::string> turning = {"Analysis = angles",
-                                              "Angles/Turning bodies = disc, "
-                                              "pad",
-                                              "Angles/To = 10"};
-    const auto with = [&](const std::vector<std::string> &changes) {
-      std::vector<std::string> result = turning;
-      result.insert(result.end(), changes.begin(), changes.end());
-      return result;
-    };
-    check_change_refused(turning,
-                         {"'Angles/Turning bodies'", "Rotation centre"});
-    check_change_refused(with({"Scene/Body pad/Rotation axis = 1, 0, 0"}),
-                         {"'Angles/Turning bodies'", "Rotation axis"});
-    read_parameters("example.prm",
-                    with({"Scene/Body disc/Rotation centre = 0, 0, 0",
-                          "Scene/Body pad/Rotation centre = 0, 0, 0.02"}))
-      .check();
-  }
-
-
-
   /** The contact of an updating is that of its start. */
   void
   updating_about_preload()
@@ -488,7 +463,6 @@ main()
   exported_matrices();
   ladders();
   disc_frame();
-  turning_lines();
   updating_about_preload();
   comparison_with_eigenvalues();
   cut_off_damping();

@@ -125,6 +125,20 @@ namespace
       check_change_refused(
         {disc + turns, disc + "Rotation centre = 0.03, 0, 0"},
         {"'Scene/Body disc/Rotation centre'", "own axis"});
+    // A bolt goes round with the disc, but has no terms of turning there.
+    const std::vector<std::string> bolt = {
+      "Scene/Bodies = disc, pad, support, bolt",
+      "Scene/Body bolt/Shape = cylinder",
+      "Scene/Body bolt/Position = 0.07, 0, 0.1",
+      "Scene/Body bolt/Rotation centre = 0, 0, 0"};
+    const auto with = [&](const std::string &change) {
+      std::vector<std::string> result = bolt;
+      result.push_back(change);
+      return result;
+    };
+    read_parameters("example.prm", with("Scene/Body bolt/Angle = 10")).check();
+    check_change_refused(with("Scene/Body bolt/Rotation speed = 10"),
+                         {"'Scene/Body bolt/Rotation centre'", "own axis"});
     read_parameters(
       "example.prm",
       {disc + "Rotation speed = 300", disc + "Rotation centre = 0, 0, 1"})

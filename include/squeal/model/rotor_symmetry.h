@@ -13,10 +13,13 @@ namespace squeal
   class RunLog;
 
   /**
-   * The numbers n of times a turn in which the mass of some bodies repeats
-   * about an axis: the orders with a Fourier coefficient |int exp(i n theta)
-   * dm| above 0.2 % of the mass, up to 64. Empty for a body of revolution;
-   * circles of facets have the order of their facets where these are few.
+   * The numbers n of times a turn in which the mass or the stiffness of some
+   * bodies repeats about an axis: the orders up to 64 with a Fourier
+   * coefficient |int exp(i n theta) dm| above 0.2 % of the mass, or |int exp(i
+   * n theta) C dV| of an elastic constant C along the radial, tangential and
+   * axial directions above 0.2 % of the largest one's integral. Empty for a
+   * body of revolution of a material that is the same at all angles; circles of
+   * facets have the order of their facets where these are few.
    *
    * @param axis   of any length
    * @param centre a point of the axis, m
@@ -30,7 +33,8 @@ namespace squeal
   /**
    * What the fixed frame leaves out: a line that names each rotor (the target
    * of a contact with friction and all that is tied to it) that is no body of
-   * revolution and stands still at one angle. Empty where there is none.
+   * revolution in shape and material and stands still at one angle. Empty where
+   * there is none.
    */
   std::string frozen_rotors(const Discretization &discretization);
 

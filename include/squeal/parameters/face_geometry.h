@@ -18,8 +18,12 @@ namespace squeal
      * files, which hold the names. */
     std::vector<std::string> faces_of(BodyParameters::Shape shape);
 
-    /** The box around a body; nothing for rigid ones and those of mesh files. m
-     */
+    /** Whether the 'Rotation centre' of an annulus or a cylinder is on its own
+     * axis, along z through its 'Position'. */
+    bool turns_about_own_axis(const BodyParameters &round);
+
+    /** The box around a body; nothing for rigid ones, those of mesh files, and
+     * those that their 'Angle' has moved. m */
     struct Box
     {
       Vector3 lower, upper;
@@ -45,8 +49,8 @@ namespace squeal
       double                body_size; /**< longest edge of the body's box */
     };
 
-    /** The face of this name, or nothing if it is curved or the body is
-     * rigid or of a mesh file. */
+    /** The face of this name, or nothing if it is curved or the body has
+     * no box_of(). */
     std::optional<FlatFace> flat_face(const BodyParameters &body,
                                       const std::string    &face);
 

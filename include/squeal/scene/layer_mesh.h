@@ -4,8 +4,6 @@
 
 #include <squeal/scene/coarse_mesh.h>
 
-#include <array>
-#include <string>
 #include <vector>
 
 namespace squeal
@@ -42,11 +40,6 @@ namespace squeal
    * layer. */
   const BodyParameters &bottom_body(const SceneParameters &scene,
                                     const BodyParameters  &body);
-
-  /** Bodies that are glued: those of ties, and layers with the bodies that they
-   * lie on. */
-  std::vector<std::array<std::string, 2>> glued_bodies(
-    const SceneParameters &scene);
 } // namespace squeal
 
 #endif

@@ -18,6 +18,9 @@ namespace squeal
   dealii::Point<3> turned_point(const BodyParameters   &body,
                                 const dealii::Point<3> &x);
 
+  /** Where the `Position` of a body is (m) at its `Angle`. */
+  dealii::Point<3> turned_position(const BodyParameters &body);
+
   /** Where the centre of gravity of a rigid body is (m) at its `Angle`. */
   dealii::Point<3> centre_of_gravity(const BodyParameters &rigid);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "turned_rotor.h"
+
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/model/adaptive_cea.h>
@@ -6,7 +8,6 @@
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
 #include <squeal/output/open_signs.h>
-#include <squeal/parameters/number_access.h>
 #include <squeal/results/chart.h>
 
 #include <algorithm>
@@ -41,21 +42,6 @@ namespace squeal
           "estimated: growth rate on an infinitely fine mesh less this one",
           2}});
       return result;
-    }
-
-    /** The scene with the rotor turned by @p angle, degrees, from where it
-     * stands: each body keeps its own angle to the others. */
-    Parameters
-    turned(const Parameters &p, const double angle)
-    {
-      std::vector<std::string> paths;
-      std::vector<double>      angles;
-      for (const auto &body : p.angles.bodies)
-        {
-          paths.push_back("Scene/Body " + body + "/Angle");
-          angles.push_back(get_number(p, paths.back()) + angle);
-        }
-      return with_values(p, paths, angles);
     }
 
     /** Rows of all unstable pairs of one angle, of the loudest pair alone where
@@ -161,7 +147,8 @@ namespace squeal
         context.log.heading("Rotor at " + rounded_text(angle, 6) + " deg, " +
                             std::to_string(k + 1) + " of " +
                             std::to_string(p.angles.number));
-        const Table at = pairs_at(turned(p, angle), angle, context, growth);
+        const Table at =
+          pairs_at(turned_rotor(p, angle), angle, context, growth);
         all.append(at);
         std::vector<Cell> last;
         for (std::size_t c = 0; c < at.columns().size(); ++c)
