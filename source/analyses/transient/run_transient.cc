@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/motion_output.h>
 #include <squeal/analyses/transient/saved_transient.h>
 #include <squeal/analyses/transient/transient_sound.h>
@@ -9,6 +8,7 @@
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/output/open_scene_output.h>

@@ -3,11 +3,11 @@
 // Transients over the axes of `Sweep` and several tops, several at a time.
 
 #include <squeal/analyses/transient/campaign_table.h>
-#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_scene.h>
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
