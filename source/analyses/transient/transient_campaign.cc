@@ -95,8 +95,10 @@ namespace squeal
         const TransientFigures f = evaluate_transient(
           prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
         if (f.beyond_samples > 0.)
-          context.log.warning(text_of_sampling(
-            f.beyond_samples, run.parameters.transient.sample_interval));
+          context.log.warning(
+            text_of_sampling(f.beyond_samples,
+                             run.parameters.transient.sample_interval,
+                             f.is_beyond_in_steps));
         return {campaign_row(run, prepared, record, f), phase_table(record, f)};
       }
 
