@@ -113,7 +113,8 @@ namespace
   multipliers_outside()
   {
     TriggerResult r;
-    r.unstable.coarse.status = r.unstable.motion.status =
+    r.threshold.status = r.finer.status = TriggerThreshold::Status::not_there;
+    r.unstable.coarse.status            = r.unstable.motion.status =
       CycleStatus::converged;
     FloquetMultipliers &m = r.unstable.multipliers;
     m.values              = Eigen::Vector4cd(1.65, -1.2, 1., .4);
