@@ -116,11 +116,13 @@ namespace
     r.threshold.status = r.finer.status = TriggerThreshold::Status::not_there;
     r.unstable.coarse.status            = r.unstable.motion.status =
       CycleStatus::converged;
-    FloquetMultipliers &m = r.unstable.multipliers;
-    m.values              = Eigen::Vector4cd(1.65, -1.2, 1., .4);
-    m.trivial             = 1.;
-    m.largest             = 1.65;
-    const auto n_outside  = [&](const double error) {
+    r.edge.rms_normal = r.unstable.figures.rms_normal = 50.;
+    r.edge.frequency = r.unstable.figures.frequency = 1000.;
+    FloquetMultipliers &m                           = r.unstable.multipliers;
+    m.values             = Eigen::Vector4cd(1.65, -1.2, 1., .4);
+    m.trivial            = 1.;
+    m.largest            = 1.65;
+    const auto n_outside = [&](const double error) {
       m.error = error;
       return trigger_table({r});
     };
