@@ -315,6 +315,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/cea_solution.cc
     source/model/contact_states.cc
     source/model/doublets.cc
+    source/model/drive_warnings.cc
     source/model/finer_modes.cc
     source/model/frequency_pencil.cc
     source/model/growth_errors.cc
@@ -402,7 +403,6 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/campaign_amplitudes.cc
     source/analyses/transient/campaign_plots.cc
     source/analyses/transient/campaign_table.cc
-    source/analyses/transient/drive_warnings.cc
     source/analyses/transient/force_statistics.cc
     source/analyses/transient/force_sums.cc
     source/analyses/transient/make_integrator.cc

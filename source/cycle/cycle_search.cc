@@ -309,6 +309,16 @@ namespace squeal
     return 2. * std::abs(with_all - with_half);
   }
 
+  std::string
+  with_error(const double value, const double error)
+  {
+    const double shown  = std::max(error, 1e-12 * std::abs(value));
+    const int    digits = std::max(
+      3, 1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / shown))));
+    return rounded_text(value, std::min(digits, 8)) + " +- " +
+           rounded_text(error, 2);
+  }
+
   double
   CycleResult::frequency_error() const
   {

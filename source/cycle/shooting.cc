@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace squeal
 {
@@ -263,14 +264,17 @@ namespace squeal
       }
 
       /** Whether changes that were held from far away can be located on the
-       * motion that has been found, so that it moves on to one of its own:
-       * where the steps are too rough for that the residual is large again. */
+       * motion that has been found, so that it moves on to one of its own.
+       * Those of a motion far away make another one periodic, however short the
+       * steps: where what is located comes much nearer than they were they are
+       * held again as they lie there. Where the steps are too rough the
+       * residual is as large again. */
       bool
       has_located_anew()
       {
         if (!is_held() || held_at < Rule::near_enough)
           return false;
-        held_at = 0.;
+        const double   before = std::exchange(held_at, 0.);
         PeriodicMotion located;
         if (!try_orbit(map,
                        motion.orbit.states.front(),
@@ -280,11 +284,17 @@ namespace squeal
                        nullptr,
                        located,
                        &motion.orbit) ||
-            !(located.residual < Rule::near_enough))
+            !(located.residual < Rule::near_enough ||
+              located.residual < Rule::much_nearer * before))
           return false;
         take(located);
-        held.reset();
-        linear.reset();
+        if (motion.residual < Rule::near_enough)
+          {
+            held.reset();
+            linear.reset();
+          }
+        else
+          hold();
         return true;
       }
 

@@ -4,6 +4,7 @@
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace squeal
 {
@@ -136,10 +137,39 @@ namespace squeal
         check_duration(hammer.duration, t.step(), section, "Duration");
       }
 
-      void
-      check_friction_impulse(const TransientParameters &t)
+      /** Size of the least coefficient of a pair at any slip rate. */
+      double
+      least_friction(const ContactParameters &c)
       {
-        const std::string section = "Transient";
+        return c.friction_law == ContactParameters::FrictionLaw::table
+                 ? *std::min_element(c.friction_coefficients.begin(),
+                                     c.friction_coefficients.end())
+                 : std::abs(c.friction_coefficient);
+      }
+
+      /** The steps would cut the half sine off at a coefficient of 0. */
+      void
+      check_size_of_impulse(const Parameters &p)
+      {
+        const double impulse = p.transient.friction_impulse;
+        for (const ContactParameters &c : p.scene.contacts)
+          if (const double least = least_friction(c);
+              c.sliding_speed > 0. && impulse + least < 0.)
+            refuse_entry("Transient",
+                         "Friction impulse",
+                         "= " + format_number(impulse) +
+                           " takes the friction of contact " +
+                           in_quotes(c.name) +
+                           " below 0: it is added to the size of the "
+                           "coefficient, and must be at least " +
+                           format_number(-least));
+      }
+
+      void
+      check_friction_impulse(const Parameters &p)
+      {
+        const TransientParameters &t       = p.transient;
+        const std::string          section = "Transient";
         if (t.friction_impulse == 0.)
           return;
         if (!(t.friction_impulse_time < t.end_time))
@@ -150,14 +180,15 @@ namespace squeal
                        t.step(),
                        section,
                        "Friction impulse duration");
+        check_size_of_impulse(p);
       }
 
       /** Hammer and friction impulse of a transient. */
       void
-      check_strikes(const TransientParameters &t)
+      check_strikes(const Parameters &p)
       {
-        check_hammer(t);
-        check_friction_impulse(t);
+        check_hammer(p.transient);
+        check_friction_impulse(p);
       }
     } // namespace
 
@@ -167,7 +198,7 @@ namespace squeal
     check_triggers(const Parameters &p)
     {
       if (p.analysis == Parameters::Analysis::transient)
-        check_strikes(p.transient);
+        check_strikes(p);
       if (p.analysis != Parameters::Analysis::triggers)
         return;
       check_blows(p);

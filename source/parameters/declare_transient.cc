@@ -13,8 +13,10 @@ namespace squeal
         schema.add("Friction impulse",
                    t.friction_impulse,
                    Allowed::number(-5., 5.),
-                   "What is added to the friction coefficient for a while, as "
-                   "a half sine: a trigger.");
+                   "What is added to the friction coefficient of every pair "
+                   "that slides for a while, as a half sine: a trigger. It is "
+                   "added to the size of a coefficient, whatever its sign, and "
+                   "must not take one below 0.");
         schema.add("Friction impulse time",
                    t.friction_impulse_time,
                    Allowed::number(0.),

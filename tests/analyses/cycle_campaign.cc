@@ -216,6 +216,14 @@ subsection Limit cycle
   set Every growing pair = true
   set Campaign           = )";
 
+  const std::string ramp = R"(
+subsection Scene
+  subsection Load press
+    set Ramp time = 0.02
+  end
+end
+)";
+
   std::string
   limit_cycle(const std::string &folder,
               const std::string &more,
@@ -237,7 +245,8 @@ subsection Limit cycle
   std::string
   campaign(const std::string &folder)
   {
-    return limit_cycle(folder, search + R"(true
+    return limit_cycle(folder, ramp + search + R"(true
+  set Starts             = 3
 end
 subsection Sweep
   set Axes = mu
@@ -254,7 +263,7 @@ end
   single(const std::string &folder)
   {
     return limit_cycle(folder,
-                       search + R"(false
+                       ramp + search + R"(false
 end
 subsection Scene
   subsection Contact pin_beam
@@ -290,6 +299,14 @@ end
     check(first.code == 0, "a campaign runs: " + first.errors);
     const Outcome alone = run_program({program, "single.prm"});
     check(alone.code == 0, "the point alone runs: " + alone.errors);
+    for (const Outcome *o : {&first, &alone})
+      check(unbroken(o->output).find("'Ramp time' of a load has no effect") !=
+              std::string::npos,
+            "a ramp without effect is warned of");
+    const std::string starts = text_of("out/starts.csv");
+    check(starts.find(" J, reversed") != std::string::npos &&
+            starts.find("of -") == std::string::npos,
+          "impulses are named by an energy and a direction: " + starts);
     const std::string pairs = text_of("out/competition.csv"),
                       cells = text_of("out/campaign.csv");
     check(last_row("out/competition.csv", 1) ==

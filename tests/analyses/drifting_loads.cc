@@ -234,6 +234,26 @@ end
     refused({"Transient/Friction impulse = 0.5",
              "Transient/Friction impulse duration = 4e-6"},
             {"'Transient/Friction impulse duration'", "ten time steps"});
+    // The size of the coefficient of a target that turns backwards, too.
+    const std::string mu = "Scene/Contact c/Friction coefficient = ";
+    for (const char *size : {"0.3", "-0.3"})
+      refused({mu + size,
+               "Transient/Friction impulse = -0.301",
+               "Transient/Friction impulse duration = 1e-4"},
+              {"'Transient/Friction impulse' = -0.301",
+               "contact 'c' below 0",
+               "at least -0.3"});
+    refused({mu + "0",
+             "Scene/Contact c/Friction law = table",
+             "Scene/Contact c/Friction speeds = 0, 0.1, 0.2",
+             "Scene/Contact c/Friction coefficients = 0.5, 0.2, 0.3",
+             "Transient/Friction impulse = -0.25",
+             "Transient/Friction impulse duration = 1e-4"},
+            {"'Transient/Friction impulse' = -0.25", "at least -0.2"});
+    runs({"Transient/End time = 1e-3",
+          mu + "-0.3",
+          "Transient/Friction impulse = -0.3",
+          "Transient/Friction impulse duration = 1e-4"});
     refused(struck("block", "x_max", "0, 0, 0", "1e-4"),
             {"'Transient/Hammer/Force'", "nothing is struck"});
     for (const char *face : {"x_min", "z_max"})

@@ -2,9 +2,10 @@
 
 // Triggers of the coarse TriboBrake: what a search without a threshold says, a
 // threshold between the blows either side of it that a second run tries, and
-// finished scenes that are kept with the same bytes. Arguments: the program and
-// the folder of parameter files.
+// finished scenes that are kept with the same bytes; multipliers that their
+// error leaves open. Arguments: the program and the folder of parameter files.
 
+#include <squeal/analyses/triggers/trigger_tables.h>
 #include <squeal/results/table.h>
 
 #include "../worst.h"
@@ -15,6 +16,8 @@ using namespace squeal::testing;
 
 namespace
 {
+  const std::string ramp = "Scene/Load press/Ramp time = 0.02";
+
   struct Run
   {
     const std::string program, folder;
@@ -50,15 +53,19 @@ namespace
     check(t.n_rows() == 1 && t.text(0, "trigger_status") == status &&
             t.is_missing(0, "impulse_ns"),
           "says '" + status + "': " + t.text(0, "trigger_status"));
-    check(unbroken(o.output).find(status) != std::string::npos,
+    const std::string said = unbroken(o.output);
+    check(said.find(status) != std::string::npos,
           "in the sentence of the run, too");
+    check((said.find("'Ramp time' of a load has no effect") !=
+           std::string::npos) == (settings.back() == ramp),
+          "a ramp without effect is warned of");
   }
 
   void
   faults(const Run &run)
   {
     ends_with(run,
-              {"Scene/Contact pad_disc/Friction coefficient = 0.6"},
+              {"Scene/Contact pad_disc/Friction coefficient = 0.6", ramp},
               "steady sliding is unstable");
     ends_with(run,
               {"Triggers/Impulses = 0.01, 0.02"},
@@ -99,6 +106,31 @@ namespace
     check(other.code == 0 && text_of("first/triggers.csv") != bytes,
           "not where the point is another one");
   }
+
+  /** The multipliers of the cycle on the edge are counted where their error
+   * tells on which side of 1 the largest one lies. */
+  void
+  multipliers_outside()
+  {
+    TriggerResult r;
+    r.threshold.status = r.finer.status = TriggerThreshold::Status::not_there;
+    r.unstable.coarse.status            = r.unstable.motion.status =
+      CycleStatus::converged;
+    r.edge.rms_normal = r.unstable.figures.rms_normal = 50.;
+    r.edge.frequency = r.unstable.figures.frequency = 1000.;
+    FloquetMultipliers &m                           = r.unstable.multipliers;
+    m.values             = Eigen::Vector4cd(1.65, -1.2, 1., .4);
+    m.trivial            = 1.;
+    m.largest            = 1.65;
+    const auto n_outside = [&](const double error) {
+      m.error = error;
+      return trigger_table({r});
+    };
+    check(n_outside(3e-4).integer(0, "n_outside") == 2, "both are outside");
+    check(n_outside(.3).integer(0, "n_outside") == 1, "one by its error");
+    check(n_outside(.9).is_missing(0, "n_outside"),
+          "an error that covers the distance to 1 leaves them open");
+  }
 } // namespace
 
 int
@@ -108,6 +140,7 @@ main(int argc, char *argv[])
   const Run run{argv[1], argv[2]};
   std::filesystem::remove_all("out");
   std::filesystem::remove_all("first");
+  multipliers_outside();
   faults(run);
   threshold(run);
 }

@@ -3,7 +3,7 @@
 // A mass whose two modes couple by friction on a belt, with contact loss and
 // stick: shooting and harmonic balance against a long transient, derivative of
 // the steps against difference quotients, multipliers against what small
-// disturbances do.
+// disturbances do, and motions that are found from far away.
 
 #include "cycle/two_modes.h"
 #include "scenes.h"
@@ -248,6 +248,69 @@ namespace
     if (name != "sticking")
       harmonics(m, x, speed, transient.frequency, name);
   }
+
+  /** What is found from starts far from a cycle, where Newton's method holds
+   * the changes of status, is found again from itself: it is no motion that the
+   * corrections of another one have made periodic. */
+  void
+  far_starts()
+  {
+    constexpr double          mu = .6, speed = 3.;
+    const ReducedContactModel m      = two_modes(1., -.1);
+    const SteadySliding       steady = steady_sliding(m, mu);
+    const LinearizedMotion    linear = linearize(m, steady, mu, speed);
+    const PeriodMap           map(m, mu, speed, 1., 1e-12);
+    const Eigen::Index        n = steady.coordinates.size();
+    // The pair at 1.0666 rad/s, without growth, at a large amplitude leads to
+    // the unstable cycle beside it.
+    Eigen::Index k = 0;
+    (linear.lambda.imag().array() - 1.0666).abs().minCoeff(&k);
+    const Eigen::VectorXd x = 2. * linear.right.col(k).real();
+    ShootingSettings      settings;
+    settings.tolerance = 1e-8;
+    const PeriodicMotion cycle =
+      shoot(map,
+            {steady.coordinates + x.head(n), x.segment(n, n), steady.forces},
+            .99 * 2. * M_PI / linear.lambda[k].imag(),
+            settings);
+    check(cycle.status == CycleStatus::converged &&
+            floquet_multipliers(map, cycle).is_unstable(),
+          "the unstable cycle is there");
+    settings.n_steps     = 256;
+    unsigned int n_found = 0;
+    for (const auto &[at, longer] : {std::pair<unsigned int, double>{72, 1.02},
+                                     {80, 1.02},
+                                     {96, 1.},
+                                     {104, 1.},
+                                     {112, 1.}})
+      {
+        const MotionState &s     = cycle.orbit.states[at];
+        const auto         moved = [](const Eigen::VectorXd &from,
+                              const Eigen::VectorXd &to) {
+          return Eigen::VectorXd(from + 1.5 * (to - from));
+        };
+        const PeriodicMotion found =
+          shoot(map,
+                {moved(steady.coordinates, s.coordinates),
+                 1.5 * s.velocities,
+                 moved(steady.forces, s.forces)},
+                longer * cycle.period,
+                settings);
+        if (found.status != CycleStatus::converged)
+          continue;
+        ++n_found;
+        const PeriodicMotion again =
+          shoot(map, found.orbit.states.front(), found.period, settings);
+        std::printf("from state %u: %.6f rad/s, held %d, again %.6f rad/s\n",
+                    at,
+                    2. * M_PI / found.period,
+                    found.is_held,
+                    2. * M_PI / again.period);
+        check_close(
+          found.period, again.period, 1e-5, "a motion is found again");
+      }
+    check(n_found >= 3, "motions are found from far away");
+  }
 } // namespace
 
 int
@@ -264,8 +327,10 @@ main(int argc, char *argv[])
     cycle(two_coupled_modes(), 3., which);
   else if (which == "sticking")
     cycle(two_modes(), .3, which);
+  else if (which == "far_starts")
+    far_starts();
   else
     check(false,
-          "an argument: derivative, separating (both with _coupled) or "
-          "sticking");
+          "an argument: derivative, separating (both with _coupled), sticking "
+          "or far_starts");
 }

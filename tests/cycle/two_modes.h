@@ -15,14 +15,15 @@ namespace squeal
 {
   namespace testing
   {
-    /** 1 kg that moves along and normal to the belt, on springs that couple
-     * both, @p along of it in N/m; the contact gives way like 1 N/m. */
+    /** 1 kg that moves along and normal to the belt, on springs of @p along and
+     * 0.5 N/m that couple both by @p coupling, N/m; the contact gives way like 1
+     * N/m. */
     inline ReducedContactModel
-    two_modes(const double along = 1.5)
+    two_modes(const double along = 1.5, const double coupling = -.3)
     {
       ReducedContactModel m = empty_model(1, 3);
       Eigen::Matrix2d     K;
-      K << along, -.3, -.3, .5;
+      K << along, coupling, coupling, .5;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(K);
       m.omega_squared << modes.eigenvalues(), 2.;
       m.damping = Eigen::Vector3d::Constant(.05);

@@ -18,6 +18,10 @@ namespace squeal
    * chance as often as not (doc/theory/limit_cycles.md). */
   double error_by_steps(const double with_all, const double with_half);
 
+  /** "1096.956 +- 0.00044": of @p value as many digits as its @p error leaves.
+   */
+  std::string with_error(const double value, const double error);
+
   /** Of one growing pair: the periodic motion that it leads to. */
   struct CycleResult
   {

@@ -61,6 +61,10 @@ namespace squeal
     static constexpr double farthest = 0.5;
     /** where it leaves more than this. */
     static constexpr double no_gain = 0.9;
+    /** On a motion that has been found with changes held from far away they are
+     * located anew, and held again where that leaves less than this share of
+     * the residual that they were held at. */
+    static constexpr double much_nearer = 0.5;
 
     static bool
     holds(const double residual, const double gain)

@@ -130,7 +130,8 @@ namespace squeal
                          energy_ratio(i) * std::pow(cycle.half_change, 2);
           const Eigen::VectorXd v = sign * about.pressed.disturbance(energy);
           result.push_back(beside.follow(
-            "impulse of " + rounded_text(sign * energy, 3) + " J",
+            "impulse of " + rounded_text(energy, 3) + " J" +
+              (sign < 0. ? ", reversed" : ""),
             {{about.sliding.coordinates, v, about.sliding.forces}, {}, 0.}));
         }
       return result;

@@ -171,16 +171,6 @@ namespace squeal
                &RunFigures::recurrence)};
     }
 
-    std::string
-    rounded(const double value, const double error)
-    {
-      const double shown  = std::max(error, 1e-12 * std::abs(value));
-      const int    digits = std::max(
-        3,
-        1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / shown))));
-      return rounded_text(value, std::min(digits, 8));
-    }
-
     /** What unstable cycles are left by. */
     std::string
     way_of_leaving(const FloquetMultipliers &multipliers)
@@ -350,17 +340,16 @@ namespace squeal
              (c.status() == "not converged"
                 ? ", which says nothing about whether there is a limit cycle"
                 : "");
-    const CycleFigures &f  = c.figures;
-    const double        df = c.frequency_error(), dr = c.rms_normal_error();
+    const CycleFigures &f = c.figures;
     const std::string   kind =
       c.multipliers.stability() == "at its limit"
           ? "a limit cycle whose stability the multipliers leave open at "
           : (c.multipliers.stability() == "stable" ? "a stable" : "an unstable") +
             std::string(" limit cycle at ");
-    return kind + rounded(f.frequency, df) + " +- " + rounded_text(df, 2) +
+    return kind + with_error(f.frequency, c.frequency_error()) +
            " Hz, rms of the normal force " +
            (pairs.empty() ? "" : "of " + pairs[f.loudest] + " ") +
-           rounded(f.rms_normal, dr) + " +- " + rounded_text(dr, 2) +
+           with_error(f.rms_normal, c.rms_normal_error()) +
            " N (errors by half the steps; mesh and cut-off not estimated)" +
            (c.multipliers.is_unstable() ? "; " + way_of_leaving(c.multipliers)
                                         : "");

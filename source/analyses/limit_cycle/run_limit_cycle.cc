@@ -9,6 +9,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
@@ -181,6 +182,7 @@ namespace squeal
   void
   run_limit_cycle(RunContext &context)
   {
+    warn_of_drive(context.parameters, context.log);
     if (context.parameters.limit_cycle.campaign)
       {
         run_cycle_campaign(context);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/motion_output.h>
 #include <squeal/analyses/transient/saved_transient.h>
 #include <squeal/analyses/transient/transient_sound.h>
@@ -9,6 +8,7 @@
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/output/open_scene_output.h>
@@ -258,6 +258,9 @@ namespace squeal
       log_pairs(context.log, tables.branches);
       warn_of_other_contact(f, context.log);
       warn_of_rising_rms(f, context.log);
+      if (f.is_beyond_in_steps)
+        context.log.warning(text_of_sampling(
+          f.beyond_samples, p.transient.sample_interval, true));
       if (!left_out.empty())
         context.log.info("  " + left_out);
 
@@ -341,7 +344,7 @@ namespace squeal
     {
       const double f = frequency_beyond_samples(linear, t, t.sample_interval);
       if (f > 0.)
-        log.warning(text_of_sampling(f, t.sample_interval));
+        log.warning(text_of_sampling(f, t.sample_interval, false));
     }
 
     /** What grows fastest in the reduced model about steady sliding, in the

@@ -3,11 +3,11 @@
 // Transients over the axes of `Sweep` and several tops, several at a time.
 
 #include <squeal/analyses/transient/campaign_table.h>
-#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_scene.h>
 #include <squeal/output/headlines.h>
 #include <squeal/parameters/choices.h>
@@ -95,8 +95,10 @@ namespace squeal
         const TransientFigures f = evaluate_transient(
           prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
         if (f.beyond_samples > 0.)
-          context.log.warning(text_of_sampling(
-            f.beyond_samples, run.parameters.transient.sample_interval));
+          context.log.warning(
+            text_of_sampling(f.beyond_samples,
+                             run.parameters.transient.sample_interval,
+                             f.is_beyond_in_steps));
         return {campaign_row(run, prepared, record, f), phase_table(record, f)};
       }
 

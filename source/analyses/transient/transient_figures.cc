@@ -209,7 +209,7 @@ namespace squeal
                    const double               lowest,
                    TransientFigures          &f)
     {
-      const double   highest  = 0.45 / interval;
+      const double   highest  = highest_line(interval);
       const Spectrum spectrum = power_spectrum(force, interval);
       f.largest_line          = spectrum.peak(lowest, highest);
       f.frequency             = spectrum.fundamental(lowest, highest);
@@ -262,6 +262,13 @@ namespace squeal
                  tangential = late(&PairSample::tangential);
       f.beyond_samples =
         frequency_beyond_samples(prepared.linear, p.transient, interval);
+      // Noise has a largest line, too.
+      if (f.beyond_samples == 0. && !nothing_vibrates(f))
+        {
+          f.beyond_samples = line_beyond_samples(
+            record, f.loudest, p.eigen.lowest_frequency, interval);
+          f.is_beyond_in_steps = f.beyond_samples > 0.;
+        }
       if (f.beyond_samples > 0.)
         {
           f.repetition = f.phase = not_known;
@@ -351,7 +358,8 @@ namespace squeal
     constexpr double           least_e_foldings = 7.;
     const std::complex<double> lambda           = fastest_growth(linear, t);
     const double               f                = lambda.imag() / (2. * M_PI);
-    return f * interval > .5 && lambda.real() * t.end_time > least_e_foldings
+    return f > highest_line(interval) &&
+               lambda.real() * t.end_time > least_e_foldings
              ? f
              : 0.;
   }

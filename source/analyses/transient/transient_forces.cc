@@ -7,6 +7,7 @@
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/contact/summed_pairs.h>
+#include <squeal/transient/slow_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,16 @@ namespace squeal
       return result.empty() ? std::vector<JudgedPair>{first} : result;
     }
 
+    /** Without the odd values at the start: the transform of a number of them
+     * with large prime factors takes long. */
+    std::vector<double>
+    of_even_length(const std::vector<double> &values)
+    {
+      constexpr std::size_t block = 2048;
+      const std::size_t     n     = values.size();
+      return {values.begin() + (n > block ? n % block : 0), values.end()};
+    }
+
     /** The first of the pairs that no other one is louder than. */
     template <typename Loudness>
     JudgedPair
@@ -197,6 +208,40 @@ namespace squeal
     f.rms_change_share     = share_of_change(v.judged());
     f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
     f.most_rms  = largest_of(v.judged());
+  }
+
+
+
+  double
+  highest_line(const double interval)
+  {
+    return 0.45 / interval;
+  }
+
+  double
+  line_beyond_samples(const TransientRecord &record,
+                      const JudgedPair      &pair,
+                      const double           lowest,
+                      const double           interval)
+  {
+    const std::vector<StepForces> &steps   = record.last_steps;
+    const std::size_t              n_pairs = record.n_pairs(),
+                      n       = n_pairs > 0 ? steps.size() / n_pairs : 0,
+                      of_half = std::lround(.5 * record.n_steps);
+    if (n < 2)
+      return 0.;
+    const double step =
+      (steps.back().time - steps.front().time) / static_cast<double>(n - 1);
+    std::vector<double> force;
+    for (std::size_t k = n - std::min(n, of_half); k < n; ++k)
+      {
+        const StepForces &s = steps[k * n_pairs + pair.number];
+        force.push_back(pair.by_tangential ? s.tangential : s.normal);
+      }
+    const double line =
+      power_spectrum(without_slow_part(of_even_length(force), 1), step)
+        .peak(lowest, highest_line(step));
+    return line > highest_line(interval) ? line : 0.;
   }
 
 

@@ -61,8 +61,12 @@ namespace squeal
   limit_cycle_text(const TransientFigures &f)
   {
     if (f.has_limit_cycle && f.beyond_samples > 0.)
-      return "a frequency that its samples do not tell, as a motion at " +
-             rounded_text(f.beyond_samples, 5) + " Hz grows";
+      return "a frequency that its samples do not tell, as " +
+             (f.is_beyond_in_steps
+                ? "the force vibrates at " + rounded_text(f.beyond_samples, 5) +
+                    " Hz in the steps"
+                : "a motion at " + rounded_text(f.beyond_samples, 5) +
+                    " Hz grows");
     if (f.has_limit_cycle)
       return rounded_text(f.frequency, 5) +
              (std::isfinite(f.frequency_ci)
@@ -84,13 +88,17 @@ namespace squeal
 
 
   std::string
-  text_of_sampling(const double frequency, const double interval)
+  text_of_sampling(const double frequency,
+                   const double interval,
+                   const bool   is_in_steps)
   {
-    return "the fastest growth about steady sliding is that of a motion at " +
+    return (is_in_steps ? "the force vibrates most, in the steps, at "
+                        : "the fastest growth about steady sliding is that of "
+                          "a motion at ") +
            rounded_text(frequency, 5) +
            " Hz, and 'Transient/Sample interval' = " +
            rounded_text(interval, 3) + " s tells no line above " +
-           rounded_text(.5 / interval, 5) +
+           rounded_text(highest_line(interval), 5) +
            " Hz: lines, repetition and phase are left empty";
   }
 

@@ -6,6 +6,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/measured_points.h>
 #include <squeal/model/pressed_scene.h>
 #include <squeal/model/reduced_motions.h>
@@ -300,7 +301,8 @@ namespace squeal
   void
   run_triggers(RunContext &context)
   {
-    const Parameters                &p      = context.parameters;
+    const Parameters &p = context.parameters;
+    warn_of_drive(p, context.log);
     const std::vector<TriggerTables> scenes = TriggerCampaign(context).run();
     TriggerTables                    all    = scenes.front();
     for (std::size_t i = 1; i < scenes.size(); ++i)

@@ -88,16 +88,19 @@ namespace squeal
       return c.figures.largest_harmonic * c.figures.frequency;
     }
 
-    /** Multipliers above 1 in size by more than their error. */
-    std::size_t
+    /** Multipliers above 1 in size by more than their error; nothing where that
+     * covers the distance of the largest one to 1. */
+    Cell
     n_outside(const CycleResult &c)
     {
-      return std::count_if(c.multipliers.values.begin(),
-                           c.multipliers.values.end(),
-                           [&](const std::complex<double> &m) {
-                             return std::abs(m) - c.multipliers.uncertainty() >
-                                    1.;
-                           });
+      const FloquetMultipliers &m = c.multipliers;
+      if (!m.is_stable() && !m.is_unstable())
+        return Cell();
+      return Cell(std::count_if(m.values.begin(),
+                                m.values.end(),
+                                [&m](const std::complex<double> &value) {
+                                  return std::abs(value) - m.uncertainty() > 1.;
+                                }));
     }
 
     std::vector<TriggerColumn>
@@ -239,8 +242,8 @@ namespace squeal
           {"unstable_multiplier_error",
            Type::real,
            "",
-           "the larger of what the trivial one is off and of the "
-           "twice the difference to half the steps",
+           "the larger of what the trivial one is off 1 and of the "
+           "difference to half the steps",
            3},
           cycle,
           [](const CycleResult &c) { return c.multipliers.uncertainty(); }),
@@ -248,10 +251,10 @@ namespace squeal
           Type::integer,
           "",
           "its multipliers above 1 in size by more than that; 1: it is the "
-          "edge's own attractor"},
+          "edge's own attractor; empty where that covers the distance of the "
+          "largest one to 1"},
          [](const R &r) {
-           return r.unstable.has_converged() ? Cell(n_outside(r.unstable))
-                                             : Cell();
+           return r.unstable.has_converged() ? n_outside(r.unstable) : Cell();
          }},
         {{"edge_frequency_difference_rel",
           Type::real,
@@ -339,8 +342,8 @@ namespace squeal
           {"largest_multiplier_error",
            Type::real,
            "",
-           "the larger of what the trivial one is off and of the "
-           "twice the difference to half the steps",
+           "the larger of what the trivial one is off 1 and of the "
+           "difference to half the steps",
            3},
           cycle,
           [](const CycleResult &c) { return c.multipliers.uncertainty(); })};
@@ -442,6 +445,17 @@ namespace squeal
     const auto shown = [&](const std::string &name, const int digits) {
       return rounded_text(t.real(row, name), digits);
     };
+    // Of the line and the rms of the cycle whose columns start with `cycle`.
+    const auto shown_cycle = [&](const std::string &cycle) {
+      const auto of = [&](const std::string &column) {
+        return t.real(row, cycle + column);
+      };
+      const double times = of("_line_hz") / of("_frequency_hz");
+      return with_error(of("_line_hz"), times * of("_frequency_error_hz")) +
+             " Hz, " +
+             with_error(of("_rms_normal_n"), of("_rms_normal_error_n")) +
+             " N rms";
+    };
     const std::string at     = " at " + t.text(row, "point"),
                       status = t.text(row, "trigger_status");
     if (t.is_missing(row, "impulse_ns"))
@@ -457,15 +471,18 @@ namespace squeal
                        " N s" + at + " is enough for squeal" +
                        (t.is_missing(row, "stable_frequency_hz")
                           ? ""
-                          : " at " + shown("stable_line_hz", 5) + " Hz, " +
-                              shown("stable_rms_normal_n", 3) + " N rms") +
+                          : " at " + shown_cycle("stable")) +
                        "; below it steady sliding returns";
     if (status != "threshold")
       text += " (" + status + ")";
     if (!t.is_missing(row, "unstable_frequency_hz"))
-      text += "; between them stands an unstable cycle at " +
-              shown("unstable_line_hz", 5) + " Hz, " +
-              shown("unstable_rms_normal_n", 3) + " N rms";
+      text +=
+        "; between them stands " +
+        std::string(t.is_missing(row, "n_outside")
+                      ? "a cycle whose multipliers the steps leave open"
+                    : t.integer(row, "n_outside") > 0 ? "an unstable cycle"
+                                                      : "a stable cycle") +
+        " at " + shown_cycle("unstable");
     else
       text += "; edge: " + t.text(row, "edge_status");
     if (t.real(row, "n_changes") > 1.)

@@ -114,11 +114,14 @@ namespace squeal
     double rms_change = 0., rms_change_share = 0.;
     double frequency = 0.; /**< of the periodic resultant that is judged, Hz; 0:
                               not known */
-    /** Of the motion that grows fastest about steady sliding, Hz, where samples
-     * are too far apart for it: what lines they have may be other ones folded
-     * down, and frequencies, harmonics, repetition and phase are left empty. 0:
-     * they are not. */
+    /** Of the motion that grows fastest about steady sliding, or of the largest
+     * line of the force in the last steps, Hz, where samples are too far apart
+     * for it: what lines they have may be other ones folded down, and
+     * frequencies, harmonics, repetition and phase are left empty. 0: they are
+     * not. */
     double beyond_samples = 0.;
+    /** It is that of the steps. */
+    bool is_beyond_in_steps = false;
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
@@ -152,9 +155,24 @@ namespace squeal
                                       const Parameters        &parameters,
                                       const ComplexPairs      *cea = nullptr);
 
+  /** The highest line that values @p interval, s, apart tell, Hz: half their
+   * rate less a margin for lines that are no sharp ones. */
+  double highest_line(const double interval);
+
+  /** The largest line, above @p lowest, Hz, of the force of @p pair that is
+   * judged in the steps that the record has one by one of the second half of
+   * the
+   * run; 0 where samples @p interval, s, apart tell it. It sees every motion,
+   * those above the cut-off and those that the linearised model does not have
+   * among them. */
+  double line_beyond_samples(const TransientRecord &record,
+                             const JudgedPair      &pair,
+                             const double           lowest,
+                             const double           interval);
+
   /** The frequency of fastest_growth(), Hz, where samples @p interval, s, apart
-   * are fewer than two a period and the motion has the time to become large,
-   * else 0. */
+   * do not tell it (highest_line()) and the motion has the time to become
+   * large, else 0. */
   double frequency_beyond_samples(const LinearizedMotion    &linear,
                                   const TransientParameters &t,
                                   const double               interval);

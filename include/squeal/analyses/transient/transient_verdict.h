@@ -43,8 +43,11 @@ namespace squeal
   constexpr double settled_rms_change = 0.02;
 
   /** That samples @p interval, s, apart tell nothing of a motion at
-   * @p frequency, Hz, and what is left empty for it. */
-  std::string text_of_sampling(const double frequency, const double interval);
+   * @p frequency, Hz, and what is left empty for it. @p is_in_steps: as
+   * TransientFigures::is_beyond_in_steps. */
+  std::string text_of_sampling(const double frequency,
+                               const double interval,
+                               const bool   is_in_steps);
 
   /** Why the leading pair has no growth rate. */
   std::string reason_for_no_rate(const TransientFigures &figures);

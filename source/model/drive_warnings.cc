@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/analyses/transient/drive_warnings.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
+#include <squeal/model/drive_warnings.h>
 
 #include <algorithm>
 
