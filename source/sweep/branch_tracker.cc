@@ -469,10 +469,12 @@ namespace squeal
               }
             points.push_back(point);
           }
+        const bool may_divide =
+          round < most_rounds && inserted < options.most_inserted;
         for (std::size_t p = 0; p < matches.size(); ++p)
-          divide(points, matches, p, round < most_rounds, options, wanted);
+          divide(points, matches, p, may_divide, options, wanted);
         label(points, matches);
-        if (wanted.empty() && round < most_rounds)
+        if (wanted.empty() && may_divide)
           add_touches(points, options.touch_tolerance, wanted);
         if (wanted.empty())
           return points;
