@@ -72,7 +72,8 @@ namespace squeal
       result.left.resize(left.rows(), kept.size());
       for (std::size_t k = 0; k < kept.size(); ++k)
         {
-          result.lambda[k]    = lambda[kept[k]];
+          const Complex l     = lambda[kept[k]];
+          result.lambda[k]    = {l.real(), std::abs(l.imag())}; // no -0
           result.right.col(k) = right.col(column[kept[k]]).normalized();
           result.left.col(k)  = left.col(column[kept[k]]).normalized();
         }

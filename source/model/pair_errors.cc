@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/contact/friction_law.h>
 #include <squeal/model/pair_errors.h>
 #include <squeal/model/point_forces.h>
 #include <squeal/model/turning_modes.h>
@@ -18,6 +19,72 @@ namespace squeal
       ComplexBlock result(re.rows(), re.cols());
       result.real() = re;
       result.imag() = im;
+      return result;
+    }
+
+    /** The nodes of a contact without springs that slip: the sliding there,
+     * and the motion of the source along the normal. */
+    struct SlippingNodes
+    {
+      std::vector<Functionals::Row> tangential, normal;
+      std::vector<double>           mu; /**< of each node */
+    };
+
+    SlippingNodes
+    slipping_nodes(const Model &model, const unsigned int i)
+    {
+      const ContactParameters &contact = model.parameters().scene.contacts[i];
+      const ContactGeometry   &g       = model.linearized().contacts[i];
+      const auto              &status  = model.linearized().states[i].status;
+      SlippingNodes            result;
+      for (std::size_t j = 0; j < g.points.size(); ++j)
+        {
+          if (status[j] != ContactStatus::slip)
+            continue;
+          const auto &n = g.frames[j].normal;
+          result.tangential.push_back(g.tangential->rows()[j]);
+          result.normal.push_back(combine({{n[0], &g.source_rows[j][0]},
+                                           {n[1], &g.source_rows[j][1]},
+                                           {n[2], &g.source_rows[j][2]}}));
+          result.mu.push_back(signed_coefficient(contact, g.speed_ratio[j]));
+        }
+      return result;
+    }
+
+    /** What friction adds to left vectors @p full of contacts whose normal
+     * motion is eliminated. The forces n lambda + mu t lambda of the right
+     * vectors do no work on the left ones: those do not follow the target
+     * along n, but part from it by -mu times their sliding. */
+    Block
+    friction_of_left(const Model &model, const Block &full)
+    {
+      const auto &contacts = model.parameters().scene.contacts;
+      const auto &space    = model.discretization()->space();
+      Block       result   = Block::Zero(full.rows(), full.cols());
+      for (unsigned int i = 0; i < contacts.size(); ++i)
+        {
+          if (contacts[i].formulation ==
+              ContactParameters::Formulation::springs)
+            continue;
+          const SlippingNodes nodes = slipping_nodes(model, i);
+          const Eigen::Map<const Eigen::VectorXd> mu(nodes.mu.data(),
+                                                     nodes.mu.size());
+          Eigen::MatrixXd                         sliding =
+            Functionals(space, nodes.tangential).apply(full);
+          sliding = (mu.asDiagonal() * sliding).eval();
+          result += Functionals(space, nodes.normal).apply_transposed(sliding);
+        }
+      return result;
+    }
+
+    ComplexBlock
+    expanded_left(const Model &model, const ComplexBlock &Y)
+    {
+      ComplexBlock result = expanded(model, Y);
+      const Block  re     = friction_of_left(model, result.real()),
+                  im      = friction_of_left(model, result.imag());
+      result.real() += re;
+      result.imag() += im;
       return result;
     }
 
@@ -75,7 +142,7 @@ namespace squeal
     PairShapes shapes;
     shapes.lambda       = pairs.lambda;
     shapes.right        = expanded(model, pairs.right);
-    shapes.left         = expanded(model, pairs.left);
+    shapes.left         = expanded_left(model, pairs.left);
     shapes.derivative   = derivatives(pencil, pairs);
     const Block columns = columns_of(shapes);
     auto        forces  = forces_of_springs(model, columns);

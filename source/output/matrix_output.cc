@@ -27,6 +27,13 @@ namespace squeal
        * the friction is, and by friction. */
       double fixed_damping, friction_damping;
 
+      /** What counts nowhere has no file. */
+      bool
+      counts() const
+      {
+        return !coefficients.is_zero();
+      }
+
       std::string
       damping_label() const
       {
@@ -93,14 +100,15 @@ namespace squeal
     {
       nlohmann::ordered_json list = nlohmann::ordered_json::array();
       for (const NamedPart &part : parts)
-        list.push_back(
-          {{"name", part.name},
-           {"file", part.label + ".mtx"},
-           {"symmetric", part.symmetric},
-           {"mass", part.coefficients.mass},
-           {"damping", part.coefficients.damping},
-           {"stiffness", part.coefficients.stiffness.real()},
-           {"stiffness_imaginary", part.coefficients.stiffness.imag()}});
+        if (part.counts())
+          list.push_back(
+            {{"name", part.name},
+             {"file", part.label + ".mtx"},
+             {"symmetric", part.symmetric},
+             {"mass", part.coefficients.mass},
+             {"damping", part.coefficients.damping},
+             {"stiffness", part.coefficients.stiffness.real()},
+             {"stiffness_imaginary", part.coefficients.stiffness.imag()}});
       const nlohmann::ordered_json index = {{"format_version", 1},
                                             {"equation", equation},
                                             {"unknowns", n_rows},
@@ -281,12 +289,13 @@ namespace squeal
                          0.,
                          0.});
         split_damping(term, context.parameters.scene, parts.back());
-        write_matrix_market(
-          context.output.file(folder + "/" + parts.back().label + ".mtx"),
-          context.is_root,
-          *system.space,
-          {{1., term.matrix}},
-          term.name);
+        if (parts.back().counts())
+          write_matrix_market(
+            context.output.file(folder + "/" + parts.back().label + ".mtx"),
+            context.is_root,
+            *system.space,
+            {{1., term.matrix}},
+            term.name);
       }
     if (can_be_imported(parts))
       write_damping(context, system, parts, folder);

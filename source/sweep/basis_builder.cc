@@ -111,11 +111,11 @@ namespace squeal
         // counts for both.
         const double shift =
           pairs.error_estimate[i] * std::abs(pairs.lambda[i]);
-        const double omega = std::max(std::abs(pairs.lambda[i].imag()), 1e-300);
-        worst.relative     = worst_of(worst.relative, pairs.error_estimate[i]);
-        if (is_worse(shift / omega, worst.frequency))
+        worst.relative = worst_of(worst.relative, pairs.error_estimate[i]);
+        // Over |lambda|: overdamped motions have no frequency.
+        if (is_worse(pairs.error_estimate[i], worst.frequency))
           {
-            worst.frequency    = shift / omega;
+            worst.frequency    = pairs.error_estimate[i];
             worst.frequency_at = point;
           }
         if (is_worse(shift, worst.sigma))

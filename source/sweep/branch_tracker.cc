@@ -104,6 +104,17 @@ namespace squeal
       return (a == Role::lower) == (b == Role::lower);
     }
 
+    /** An overdamped motion has the vectors of a pair that oscillates where two
+     * dampers hold one shape: of those only lambda tells them apart. */
+    bool
+    is_other(const ComplexPairs &a, const int i, const ComplexPairs &b, int j)
+    {
+      const bool first = is_real(a, i), second = is_real(b, j);
+      return first != second && (first ? a.sigma(i) : b.sigma(j)) < 0. &&
+             std::abs(a.lambda[i] - b.lambda[j]) >
+               0.5 * std::max(std::abs(a.lambda[i]), std::abs(b.lambda[j]));
+    }
+
     /** The two pairs in the order that branches keep: by sigma where they have
      * coalesced, by frequency elsewhere. */
     std::pair<int, int>
@@ -172,7 +183,9 @@ namespace squeal
         double most = 0., second = 0.;
         for (int j = 0; j < m; ++j)
           if (const double s =
-                may_be_one(role_a[i], role_b[j]) ? o.single(i, j) : 0.;
+                may_be_one(role_a[i], role_b[j]) && !is_other(a, i, b, j)
+                  ? o.single(i, j)
+                  : 0.;
               s > most)
             {
               second = most;
@@ -469,10 +482,12 @@ namespace squeal
               }
             points.push_back(point);
           }
+        const bool may_divide =
+          round < most_rounds && inserted < options.most_inserted;
         for (std::size_t p = 0; p < matches.size(); ++p)
-          divide(points, matches, p, round < most_rounds, options, wanted);
+          divide(points, matches, p, may_divide, options, wanted);
         label(points, matches);
-        if (wanted.empty() && round < most_rounds)
+        if (wanted.empty() && may_divide)
           add_touches(points, options.touch_tolerance, wanted);
         if (wanted.empty())
           return points;

@@ -222,6 +222,9 @@ namespace
     Sparse mass(M.rows(), M.rows()), damping = mass, stiffness = mass;
     for (const auto &part : index.at("parts"))
       {
+        check(part.at("mass") != 0. || part.at("damping") != 0. ||
+                part.at("stiffness") != 0.,
+              "every part of the index counts");
         const Sparse A = read(folder + part.at("file").get<std::string>());
         mass += part.at("mass").get<double>() * A;
         damping += part.at("damping").get<double>() * A;

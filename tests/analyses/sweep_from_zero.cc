@@ -3,7 +3,8 @@
 // A mass on a belt, swept over a slope of friction that is zero in the file:
 // the growth rates of its two motions have a known sum. A friction table that
 // is flat at the sliding speed of the file is swept beyond that speed. A
-// dashpot that is zero at most values of a list is there at the others.
+// dashpot that is zero at most values of a list is there at the others. A beam
+// with an overdamped end is swept from 0 Hz.
 // Argument: the program.
 
 #include <squeal/results/table.h>
@@ -100,6 +101,91 @@ namespace
       error.add(std::abs(sum + .5 * factor * slope(value)));
     check_within(error, 1e-9, name + ": sum of the growth rates");
   }
+
+  /** A clamped beam whose end a dashpot holds back: at the larger values its
+   * first bending does not oscillate, and decays in two real eigenvalues. */
+  const std::string overdamped_beam = R"(
+    set Overwrite = true
+    subsection Output
+      set Plots  = false
+      set Report = false
+    end
+    subsection Discretization
+      set Degree         = 2
+      set Estimate error = false
+    end
+    subsection Eigenvalues
+      set Lowest frequency  = 0
+      set Highest frequency = 6000
+    end
+    subsection Scene
+      set Bodies   = beam
+      set Supports = clamp
+      set Springs  = damper
+      subsection Body beam
+        set Shape         = block
+        set Size          = .2, .02, .02
+        set Position      = 0, 0, 0
+        set Cells         = 8, 1, 1
+        set Young modulus = 2e11
+        set Density       = 7800
+      end
+      subsection Support clamp
+        set Body = beam
+        set Face = x_min
+      end
+      subsection Spring damper
+        set Kind      = area
+        set Body      = beam
+        set Face      = x_max
+        set Direction = 0, 0, 1
+        set Stiffness = 1e6
+        set Dashpot   = 1e8
+      end
+    end
+    )";
+
+  /** The pairs of a sweep over the dashpot are those of single analyses. */
+  void
+  overdamped(const std::string &program)
+  {
+    write_text("beam.prm",
+               overdamped_beam +
+                 "set Analysis = sweep\nset Output directory = beam\n"
+                 "subsection Sweep\n  set Axes = s\n  subsection Axis s\n"
+                 "    set Entries = Scene/Spring damper/Dashpot\n"
+                 "    set Scale = logarithmic\n    set From = 1e5\n"
+                 "    set To = 1e8\n    set Number = 3\n  end\nend\n");
+    const Outcome o = run_program({program, "beam.prm"});
+    check(o.code == 0, "a sweep of an overdamped motion ends: " + o.errors);
+    check(text_of("beam/run.log").find("in doubt") == std::string::npos,
+          "its branches are told apart");
+    const std::string text = text_of("beam/eigenvalues.csv");
+    check(text.find(",-0,") == std::string::npos, "no frequency is -0");
+    write_text("beam_alone.prm",
+               overdamped_beam +
+                 "set Analysis = cea\nset Output directory = beam_alone\n");
+    const Outcome alone = run_program({program, "beam_alone.prm"});
+    check(alone.code == 0, "one analysis ends: " + alone.errors);
+    const Table sweep  = read_csv("beam/eigenvalues.csv"),
+                single = read_csv("beam_alone/eigenvalues.csv");
+    Worst        sigma, frequency;
+    unsigned int n_real = 0, r = 0;
+    while (r < sweep.n_rows() && sweep.real(r, "s") < 9e7)
+      ++r;
+    check(sweep.n_rows() == r + single.n_rows(), "as many pairs");
+    for (unsigned int i = 0; i < single.n_rows(); ++i, ++r)
+      {
+        n_real += single.real(i, "frequency_hz") == 0.;
+        sigma.add(std::abs(sweep.real(r, "sigma_per_s") -
+                           single.real(i, "sigma_per_s")));
+        frequency.add(std::abs(sweep.real(r, "frequency_hz") -
+                               single.real(i, "frequency_hz")));
+      }
+    check(n_real > 0, "one does not oscillate");
+    check_within(sigma, .5, "their growth rates");
+    check_within(frequency, 6e-3, "their frequencies");
+  }
 } // namespace
 
 int
@@ -127,4 +213,5 @@ main(int argc, char **argv)
     "a dashpot at some values of a list",
     1.,
     101);
+  overdamped(argv[1]);
 }

@@ -273,6 +273,36 @@ namespace
           "a member of a doublet stays one");
   }
 
+  /** Where nothing is like what it was, points are not inserted for ever. */
+  void
+  never_certain()
+  {
+    std::mt19937    generator(1);
+    TrackingOptions bounded = options();
+    bounded.most_inserted   = 60;
+    BranchTracker tracker(
+      [&](const double) {
+        const Eigen::MatrixXd Q =
+          Eigen::MatrixXd::NullaryExpr(
+            6,
+            6,
+            [&]() {
+              return std::uniform_real_distribution<double>(-1., 1.)(generator);
+            })
+            .householderQr()
+            .householderQ();
+        const Eigen::VectorXd kappa =
+          Eigen::VectorXd::LinSpaced(6, 1., 4.).cwiseAbs2();
+        return solve(Q * kappa.asDiagonal() * Q.transpose(),
+                     Eigen::MatrixXd::Zero(6, 6));
+      },
+      bounded);
+    const auto line = tracker.track(steps(0., 1., 10));
+    check(tracker.n_inserted() >= 60 && tracker.n_inserted() < 120,
+          "not for ever, but " + std::to_string(tracker.n_inserted()));
+    check(line.size() == 11 + tracker.n_inserted(), "all points are there");
+  }
+
   void
   ranges_and_edges()
   {
@@ -513,6 +543,7 @@ main()
   tiny_steps();
   closed_loop();
   doublets();
+  never_certain();
   ranges_and_edges();
   // damped a little, and overdamped next to the edge
   divergence(1e-3);

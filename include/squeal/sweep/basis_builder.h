@@ -36,7 +36,7 @@ namespace squeal
   /** Largest error of a set of pairs, and where it is. */
   struct WorstError
   {
-    double     frequency = 0.; /**< relative */
+    double     frequency = 0.; /**< over |lambda| / 2 pi */
     double     sigma     = 0.; /**< 1/s */
     double     relative  = 0.; /**< |dlambda| / |lambda| */
     SweepPoint frequency_at, sigma_at;

@@ -30,6 +30,9 @@ namespace squeal
     double smallest_step = 1e-7;
     /** Distance to which close encounters are located. */
     double touch_tolerance = 1e-5;
+    /** Points that are inserted, about: once there are as many, steps are not
+     * divided any more, and what is in doubt is matched by frequency. */
+    unsigned int most_inserted = 2000;
     /** The problem is real but for a factor: pairs coalesce on the real
      * parameter axis. */
     bool real = true;

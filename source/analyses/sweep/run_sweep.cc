@@ -7,6 +7,7 @@
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -296,6 +297,27 @@ namespace squeal
         }
       context.finish(context.parameters.output.report ? &report : nullptr, "");
     }
+
+    /** Names lines whose branches more points did not make certain. */
+    void
+    warn_of_doubtful_branches(const SweepModel    &model,
+                              const SweepSolution &solution,
+                              RunContext          &context)
+    {
+      const unsigned int most = tracking_options(model).most_inserted;
+      for (const SweepLine &line : solution.lines)
+        if (std::count_if(line.points.begin(),
+                          line.points.end(),
+                          [](const TrackedPoint &p) { return !p.asked; }) >=
+            most)
+          context.log.warning(
+            "the branches along the first axis are in doubt from " +
+            text_of(model.grid(), line.start) + " on, with " +
+            std::to_string(most) +
+            " more points, too: where their shapes do not tell them apart they "
+            "are matched by frequency; more points or a narrower band of "
+            "Eigenvalues help");
+    }
   } // namespace
 
 
@@ -323,6 +345,7 @@ namespace squeal
                          scenes.size() > 1 ? &vectors : nullptr);
         check_column_names(model, scene);
         const SweepSolution solution = solve_sweep(model, context);
+        warn_of_doubtful_branches(model, solution, context);
         add(model, solution, totals);
         has_shapes            = model.model().namer().n_coordinates() > 0;
         context.record.n_dofs = std::max<std::size_t>(
