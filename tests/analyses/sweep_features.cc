@@ -22,7 +22,7 @@ namespace
     "Scene/Body disc/Cells = 16, 3, 1",
     "Scene/Body pad/Cells = 2, 2, 2",
     "Scene/Body support/Cells = 2, 2, 6",
-    "Sweep/Axis e_pad/Number = 21",
+    "Sweep/Axis e_pad/Number = 15",
     // the pair of 5 kHz
     "Eigenvalues/Lowest frequency = 4400",
     "Eigenvalues/Highest frequency = 5600",

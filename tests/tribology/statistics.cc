@@ -478,8 +478,8 @@ main(int argc, char **argv)
   if (which == "false_positives")
     {
       // rough maps, and the smoothest, of the fewest independent cells
-      false_positives({1.5, 8.}, 400);
-      bands_and_waves(2, 400);
+      false_positives({1.5, 8.}, 240);
+      bands_and_waves(2, 240);
       power();
     }
   else if (which == "false_positives_everywhere")
