@@ -435,7 +435,9 @@ end
       refuses(replaced_in(correlation_prm,
                           "features.csv, again.csv",
                           "features.csv, " + same),
-              {"Feature tables", "same pad twice", same},
+              {"Feature tables",
+               "same pad twice",
+               fs::path(same).filename().string()},
               "a pad that counts twice: " + same);
     for (const std::string entry :
          {"Test pairs = 500", "Test lengths = 1", "Test patterns = trend"})
