@@ -184,6 +184,7 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/mode_naming_profile.cc
     source/eigen/mode_naming_solid.cc
     source/eigen/reduced_basis.cc
+    source/eigen/residual_directions.cc
     source/eigen/same_operators.cc
     source/eigen/shifted_hessenberg.cc
     source/eigen/sliding_inverse.cc

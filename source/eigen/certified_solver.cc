@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "residual_directions.h"
+
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/eigen/certified_solver.h>
@@ -37,41 +39,6 @@ namespace squeal
             best     = i;
           }
       return best;
-    }
-
-    /** Directions of the columns z_j / scale_j with scale_j > 0, real and
-     * imaginary parts, with singular values above @p limit and above 1e-4 of
-     * the largest: one enrichment does not contract by more. Frees @p Z. */
-    Block
-    compress(const RowSpace        &space,
-             ComplexBlock          &Z,
-             const Eigen::VectorXd &scales,
-             const double           limit)
-    {
-      Block        R(Z.rows(), 2 * Z.cols());
-      Eigen::Index n_columns = 0;
-      for (Eigen::Index j = 0; j < Z.cols(); ++j)
-        if (scales[j] > 0.)
-          {
-            R.col(n_columns++) = Z.col(j).real() / scales[j];
-            R.col(n_columns++) = Z.col(j).imag() / scales[j];
-          }
-      Z.resize(0, 0);
-      if (n_columns == 0)
-        return Block(R.rows(), 0);
-      const auto used = R.leftCols(n_columns);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(
-        inner_products(space, used, used));
-      const Eigen::VectorXd &values = gram.eigenvalues();
-      const double           smallest =
-        std::max(limit, 1e-4 * std::sqrt(values.maxCoeff()));
-      Eigen::Index first = 0;
-      while (first < values.size() && values[first] < smallest * smallest)
-        ++first;
-      const Eigen::Index n = values.size() - first;
-      return used * Eigen::MatrixXd(
-                      gram.eigenvectors().rightCols(n) *
-                      values.tail(n).cwiseSqrt().cwiseInverse().asDiagonal());
     }
 
     Block
