@@ -160,8 +160,8 @@ namespace squeal
   double highest_line(const double interval);
 
   /** The largest line, above @p lowest, Hz, of the force of @p pair that is
-   * judged in the steps that the record has one by one of the second half of the
-   * run; 0 where samples @p interval, s, apart tell it. It sees every motion,
+   * judged in the steps of the second half of the run that the record has one
+   * by one; 0 where samples @p interval, s, apart tell it. It sees every motion,
    * those above the cut-off and those that the linearised model does not have
    * among them. */
   double line_beyond_samples(const TransientRecord &record,
