@@ -110,6 +110,11 @@ function(squeal_setup_target target)
                              ${NLOPT_INCLUDE_DIR} ${HDF5_INCLUDE_DIRS})
   deal_ii_setup_target(${target})
   get_target_property(_type ${target} TYPE)
+  if(SQUEAL_MOLD)
+    # Behind deal.II's own choice of a linker: the last one counts.
+    set_property(TARGET ${target} APPEND_STRING PROPERTY LINK_FLAGS
+                                                         " -fuse-ld=mold")
+  endif()
   if(SQUEAL_SANITIZE AND _type STREQUAL "EXECUTABLE")
     target_sources(${target}
                    PRIVATE "${PROJECT_SOURCE_DIR}/cmake/keep_modules.cc")
