@@ -22,6 +22,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/mumps.cc
     source/base/named_numbers.cc
     source/base/number_text.cc
+    source/base/open_hdf5_files.cc
     source/base/packing.cc
     source/base/program_id.cc
     source/base/root_action.cc

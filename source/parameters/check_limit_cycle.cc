@@ -30,7 +30,7 @@ namespace squeal
       }
 
       /** What a limit cycle has nothing of, as it stands under constant loads,
-       * speeds and friction. */
+       * speeds and friction and has a period in place of samples. */
       void
       check_nothing_passes(const Parameters &p)
       {
@@ -47,6 +47,18 @@ namespace squeal
           refuse_entry("Transient",
                        "Friction impulse",
                        "must be 0: limit cycles start from a growing pair");
+        if (!t.hammer.body.empty())
+          refuse_entry("Transient/Hammer",
+                       "Body",
+                       "must be empty: limit cycles start from a growing pair");
+        if (t.animation_frames > 0)
+          refuse_entry("Transient",
+                       "Animation frames",
+                       "must be 0: they are the last samples of a transient");
+        if (t.compare_with_cea)
+          refuse_entry("Transient",
+                       "Compare with CEA",
+                       "must be false: it compares the growth of a transient");
         for (const ContactParameters &c : p.scene.contacts)
           if (c.state == State::stick)
             refuse_entry("Scene/Contact " + c.name,

@@ -3,6 +3,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/hdf5_handle.h>
 #include <squeal/base/number_text.h>
+#include <squeal/base/open_hdf5_files.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/results/hdf5_file.h>
@@ -121,7 +122,7 @@ namespace squeal
   Hdf5File::~Hdf5File()
   {
     if (id >= 0)
-      H5Fclose(id);
+      close_hdf5_file(id);
   }
 
 
@@ -129,12 +130,10 @@ namespace squeal
   void
   Hdf5File::close()
   {
-    if (H5Fflush(id, H5F_SCOPE_LOCAL) < 0 || H5Fclose(id) < 0)
-      {
-        id = -1;
-        fail("could not be written to its end; is the disk full?");
-      }
-    id = -1;
+    const hid_t file = id;
+    id               = -1;
+    if (close_hdf5_file(file) < 0)
+      fail("could not be written to its end; is the disk full?");
   }
 
 

@@ -2,11 +2,13 @@
 #include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/base/open_hdf5_files.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/version.h>
 #include <squeal/run/command_line.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
@@ -58,51 +60,70 @@ namespace squeal
 
 
 
+  namespace
+  {
+    int
+    code_of(const bool                   is_root,
+            const std::function<void()> &action,
+            const std::function<void()> &on_lone_error)
+    {
+      const auto fail = [is_root](const std::string &text, const int code) {
+        if (is_root)
+          std::cerr << "squeal: " << text << std::endl;
+        return code;
+      };
+      try
+        {
+          action();
+        }
+      catch (const InputError &e)
+        {
+          return fail(e.what(), 2);
+        }
+      catch (const ComputationError &e)
+        {
+          return fail(e.what(), 3);
+        }
+      catch (const CheckError &e)
+        {
+          return fail(e.what(), 4);
+        }
+      catch (const std::bad_alloc &)
+        {
+          std::cerr << "squeal: the memory ran out, "
+                    << rounded_text(peak_memory_mb() / 1000., 2)
+                    << " GB were in use: a coarser mesh or shorter data, more "
+                       "ranks or Eigenvalues/Linear solver = out of core need "
+                       "less"
+                    << std::endl;
+          if (on_lone_error)
+            on_lone_error();
+          return 3;
+        }
+      catch (const std::exception &e)
+        {
+          std::cerr << "squeal: internal error: " << e.what() << std::endl;
+          if (on_lone_error)
+            on_lone_error();
+          return 1;
+        }
+      return 0;
+    }
+  } // namespace
+
+
+
   int
   run_guarded(const bool                   is_root,
               const std::function<void()> &action,
               const std::function<void()> &on_lone_error)
   {
-    const auto fail = [is_root](const std::string &text, const int code) {
-      if (is_root)
-        std::cerr << "squeal: " << text << std::endl;
-      return code;
-    };
-    try
+    const int code = code_of(is_root, action, on_lone_error);
+    if (hdf5_cannot_end())
       {
-        action();
+        std::cout.flush();
+        std::_Exit(code);
       }
-    catch (const InputError &e)
-      {
-        return fail(e.what(), 2);
-      }
-    catch (const ComputationError &e)
-      {
-        return fail(e.what(), 3);
-      }
-    catch (const CheckError &e)
-      {
-        return fail(e.what(), 4);
-      }
-    catch (const std::bad_alloc &)
-      {
-        std::cerr << "squeal: the memory ran out, "
-                  << rounded_text(peak_memory_mb() / 1000., 2)
-                  << " GB were in use: a coarser mesh or shorter data, more "
-                     "ranks or Eigenvalues/Linear solver = out of core need "
-                     "less"
-                  << std::endl;
-        if (on_lone_error)
-          on_lone_error();
-        return 3;
-      }
-    catch (const std::exception &e)
-      {
-        std::cerr << "squeal: internal error: " << e.what() << std::endl;
-        if (on_lone_error)
-          on_lone_error();
-        return 1;
-      }
-    return 0;
+    return code;
   }
 } // namespace squeal

@@ -6,6 +6,7 @@
 #include <squeal/base/files.h>
 #include <squeal/base/hdf5_handle.h>
 #include <squeal/base/input_file.h>
+#include <squeal/base/open_hdf5_files.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/state_files.h>
 #include <squeal/sweep/reduced_model.h>
@@ -198,7 +199,7 @@ namespace squeal
                                       H5F_ACC_TRUNC,
                                       sealed_creation(),
                                       H5P_DEFAULT),
-                            H5Fclose);
+                            close_hdf5_file);
       require(root >= 0, file, "cannot be written");
       write_text(root, "version", std::to_string(format_version), file);
       write_text(root, "key", key, file);
@@ -221,6 +222,9 @@ namespace squeal
       write_group(root, "forms", model.forms, file);
       write_group(root, "functionals", model.functionals, file);
       write_group(root, "numbers", numbers, file);
+      require(H5Fflush(root, H5F_SCOPE_LOCAL) >= 0,
+              file,
+              "could not be written to its end; is the disk full?");
     }
     seal_file(target.temporary(), state_kind::basis);
     target.commit();

@@ -175,6 +175,28 @@ namespace
             !fs::exists("closed/transient.json"),
           "it leaves a checkpoint and no results");
   }
+
+  /** What HDF5 cannot write it would write again as MPI ends, and crash. */
+  void
+  checkpoint_that_does_not_fit()
+  {
+    const Outcome outcome =
+      run_program(coarse_transient({program},
+                                   folder,
+                                   "full",
+                                   {"Transient/End time = 1",
+                                    "Transient/Checkpoint interval = 0.01"}),
+                  []() {
+                    std::signal(SIGXFSZ, SIG_IGN);
+                    const struct rlimit limit = {20000, 20000};
+                    ::setrlimit(RLIMIT_FSIZE, &limit);
+                  });
+    check(
+      outcome.code == 2 &&
+        outcome.errors.find("checkpoint.h5'") != std::string::npos,
+      "a checkpoint that does not fit on the disk ends a run by one line: " +
+        std::to_string(outcome.code) + ", " + outcome.errors);
+  }
 } // namespace
 
 
@@ -197,4 +219,5 @@ main(int argc, char **argv)
   fs::remove_all("out");
   nohup();
   checkpoint();
+  checkpoint_that_does_not_fit();
 }

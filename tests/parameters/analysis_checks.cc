@@ -259,6 +259,12 @@ namespace
            {"'Scene/Contact pad_disc/Contact state' = stick", "full"});
     refuse("Transient/Friction impulse = 0.3",
            {"'Transient/Friction impulse'", "must be 0"});
+    refuse("Transient/Hammer/Body = pad",
+           {"'Transient/Hammer/Body'", "must be empty"});
+    refuse("Transient/Animation frames = 10",
+           {"'Transient/Animation frames'", "must be 0"});
+    refuse("Transient/Compare with CEA = true",
+           {"'Transient/Compare with CEA'", "must be false"});
     refuse("Transient/Start = ramp",
            {"'Transient/Start'", "must be steady sliding"});
     refuse("Transient/Final speed ratio = 0.5",
