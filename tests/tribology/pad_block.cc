@@ -269,7 +269,7 @@ namespace
     for (const double size : {10., 20., 40.})
       {
         const PadBlock b{
-          {-size, size, -size, size}, 2. * size, .3, .1 * size, .3 * size};
+          {-size, size, -size, size}, 2. * size, .3, .2 * size, .5 * size};
         const Patch             contact{-1., 1., -1., 1.};
         std::vector<BlockPoint> points;
         for (const double z : {1e-3, .48, 2.})
