@@ -103,6 +103,10 @@ namespace squeal
               !table.is_missing(r, "error_estimate_rel"))
             error = std::max(error, table.real(r, "error_estimate_rel"));
           pair.is_unstable = pair.sigma > error * std::abs(eigenvalue(pair));
+          const std::string by_mesh = "sigma_error_mesh_per_s";
+          pair.is_open              = table.has_column(by_mesh) &&
+                         !table.is_missing(r, by_mesh) &&
+                         std::abs(pair.sigma) < table.real(r, by_mesh);
           const long point =
             table.has_column("point") ? table.integer(r, "point") : 0;
           run.points[point].push_back(pair);
@@ -251,7 +255,14 @@ namespace squeal
       const std::string   label =
         rounded_text(named.frequency, 6) + " Hz " + named.name +
         (table.has_column("point") ? " at point " + std::to_string(point) : "");
-      if (is && !was)
+      const bool is_open =
+        (a != nullptr && a->is_open) || (b != nullptr && b->is_open);
+      if ((is || was) && is_open)
+        {
+          add_note("growth open by the mesh");
+          result.open_growth.push_back(label);
+        }
+      else if (is && !was)
         {
           add_note("NEW INSTABILITY");
           result.new_instabilities.push_back(label);
@@ -338,6 +349,8 @@ namespace squeal
       out << '\n';
       print_list("New instabilities", result.new_instabilities, out);
       print_list("Vanished instabilities", result.vanished_instabilities, out);
+      if (!result.open_growth.empty())
+        print_list("Growth open by the mesh", result.open_growth, out);
     }
   } // namespace
 

@@ -188,6 +188,8 @@ namespace squeal
         print_first("New instabilities", comparison.new_instabilities, out);
         print_first(
           "Vanished instabilities", comparison.vanished_instabilities, out);
+        if (!comparison.open_growth.empty())
+          print_first("Growth open by the mesh", comparison.open_growth, out);
       }
     out << "--all prints every pair.\n";
   }

@@ -27,7 +27,8 @@ namespace
     double      frequency;
     double      sigma;
     std::string name;
-    int         shape; /**< number of its random shape; 0: none */
+    int         shape;              /**< number of its random shape; 0: none */
+    double      error_by_mesh = 0.; /**< of sigma, 1/s */
   };
 
   /** A shape known by its number, with a phase and size that do not matter and
@@ -73,13 +74,20 @@ namespace
                                   {"sigma_per_s", Type::real, "1/s", ""},
                                   {"frequency_hz", Type::real, "Hz", ""},
                                   {"error_estimate_rel", Type::real, "", ""},
+                                  {"sigma_error_mesh_per_s", Type::real, "1/s", ""},
                                   {"name", Type::text, "", ""}});
     std::vector<long long> indices;
     std::vector<Signature> signatures;
     for (const Mode &mode : modes)
       {
         const long long index = indices.size() + 1;
-        table.add_row({0, index, mode.sigma, mode.frequency, 1e-9, mode.name});
+        table.add_row({0,
+                       index,
+                       mode.sigma,
+                       mode.frequency,
+                       1e-9,
+                       mode.error_by_mesh,
+                       mode.name});
         indices.push_back(index);
         if (mode.shape > 0)
           signatures.push_back(signature(mode.shape, phase));
@@ -172,6 +180,28 @@ namespace
             text.find("only in A") != std::string::npos &&
             text.find("only in B") != std::string::npos,
           "the notes say what happened");
+  }
+
+  /** What the mesh leaves open has neither come nor gone. */
+  void
+  test_open_growth()
+  {
+    write_run("closed",
+              {{1000., -5., "x 1", 1, 2.}, {2000., 8., "x 2", 2, 2.}},
+              0.,
+              "0.3");
+    write_run("open",
+              {{1000., 5., "x 1", 1, 50.}, {2000., -8., "x 2", 2, 50.}},
+              0.,
+              "0.3");
+    std::ostringstream out;
+    const auto result = compare_runs(folder + "closed", folder + "open", out);
+    check(result.new_instabilities.empty() &&
+            result.vanished_instabilities.empty() &&
+            result.open_growth.size() == 2 &&
+            out.str().find("Growth open by the mesh:") != std::string::npos,
+          "pairs whose growth is open by the mesh are neither new nor gone: " +
+            out.str());
   }
 
   /** Who writes a signature.csv, and in which order of the bodies. */
@@ -473,6 +503,7 @@ main()
   fs::remove_all(folder);
   test_assurance();
   test_by_shape();
+  test_open_growth();
   test_order_of_bodies();
   test_by_name();
   test_modes_only();

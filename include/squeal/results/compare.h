@@ -20,7 +20,8 @@ namespace squeal
     double      sigma     = 0.; /**< 1/s */
     std::string name;
     bool        is_unstable = false;
-    Signature   signature; /**< may be empty; of both runs in one order */
+    bool        is_open = false; /**< |sigma| within its error by the mesh */
+    Signature   signature;       /**< may be empty; of both runs in one order */
   };
 
   /**
@@ -40,6 +41,9 @@ namespace squeal
     Table                    table; /**< matched pairs, then those alone */
     std::vector<std::string> new_instabilities;
     std::vector<std::string> vanished_instabilities;
+    /** Pairs that grow in one run at least, where the mesh leaves the sign of
+     * sigma open in one at least: neither new nor vanished. */
+    std::vector<std::string> open_growth;
     bool                     by_shape = false; /**< matched by MAC */
     /** Why the signatures of both runs are not used, else empty. */
     std::string why_not_by_shape;

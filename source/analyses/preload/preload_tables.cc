@@ -118,12 +118,19 @@ namespace squeal
       const auto motion = [&](const PressedModel::Observer what) {
         return z[PressedModel::observer(number, what)];
       };
+      // Where open nodes leave the gap behind them to the motion of the face,
+      // it is no compression.
+      const auto compression = [&](const double of_face) {
+        return of_face < 0. && r.force[2] > 0. ? std::nan("") : of_face;
+      };
       // All round a shaft nothing approaches along one normal.
-      const double target   = looks_to_one_side(pair.geometry) && !is_worn
-                                ? motion(PressedModel::target_at_contact)
-                                : std::nan(""),
-                   approach = target - motion(PressedModel::far_face),
-                   of_load  = target - motion(PressedModel::loaded_face);
+      const double target = looks_to_one_side(pair.geometry) && !is_worn
+                              ? motion(PressedModel::target_at_contact)
+                              : std::nan(""),
+                   approach =
+                     compression(target - motion(PressedModel::far_face)),
+                   of_load =
+                     compression(target - motion(PressedModel::loaded_face));
       return {or_missing(r.centre[0]),
               or_missing(r.centre[1]),
               or_missing(r.leading_edge_factor),
