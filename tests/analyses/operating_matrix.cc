@@ -110,28 +110,30 @@ namespace
     check(matrix.n_rows() == 4, "two temperatures, two directions");
     Worst       difference;
     std::size_t row = 0;
-    for (const std::string mu : {"0.5", "-0.5"})
-      for (const std::string temperature : {"10", "70"})
-        {
-          std::string text =
-            scene(folder,
-                  "set Analysis = cea\nset Output directory = alone",
-                  mu,
-                  about_loudest) +
-            one_sided_brake +
-            "subsection Scene\n subsection Body lining_upper\n"
-            "  set Temperature = " +
-            temperature + "\n end\n";
-          write_text("alone.prm", text + "end\n");
-          check(run_program({program, "alone.prm"}).code == 0,
-                "one temperature runs");
-          const Table       alone   = read_csv("alone/eigenvalues.csv");
-          const std::size_t loudest = loudest_of(alone);
-          for (const std::string column : {"frequency_hz", "sigma_per_s"})
-            difference.add(std::abs(
-              matrix.real(row, column) / alone.real(loudest, column) - 1.));
-          ++row;
-        }
+    // the first and the last of its four conditions
+    for (const auto &[mu, temperature] :
+         std::vector<std::pair<std::string, std::string>>{{"0.5", "10"},
+                                                          {"-0.5", "70"}})
+      {
+        std::string text =
+          scene(folder,
+                "set Analysis = cea\nset Output directory = alone",
+                mu,
+                about_loudest) +
+          one_sided_brake +
+          "subsection Scene\n subsection Body lining_upper\n"
+          "  set Temperature = " +
+          temperature + "\n end\n";
+        write_text("alone.prm", text + "end\n");
+        check(run_program({program, "alone.prm"}).code == 0,
+              "one temperature runs");
+        const Table       alone   = read_csv("alone/eigenvalues.csv");
+        const std::size_t loudest = loudest_of(alone);
+        for (const std::string column : {"frequency_hz", "sigma_per_s"})
+          difference.add(std::abs(
+            matrix.real(row, column) / alone.real(loudest, column) - 1.));
+        row = 3;
+      }
     check(difference.largest() < 1e-9,
           "temperatures and directions as the eigenvalue analysis");
     check(
