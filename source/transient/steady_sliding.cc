@@ -242,10 +242,13 @@ namespace squeal
               const double  share  = std::min(reached + increment, end);
               SteadySliding next   = now;
               step.previous_motion = now.motion;
-              // The first touch is sought without friction.
+              // The first touch is sought without friction, which may be all
+              // that holds a body along the face.
               step.nodal_friction = Eigen::VectorXd::Zero(friction.size());
-              if (reached == 0. && !contact.solve(step, share, next))
-                throw_none(true, 0.);
+              const bool touches =
+                reached > 0. || contact.solve(step, share, next);
+              if (!touches)
+                next = now;
               step.nodal_friction = friction;
               if (contact.solve(step, share, next))
                 {
@@ -254,6 +257,11 @@ namespace squeal
                   continue;
                 }
               increment *= 0.5;
+              if (increment * n_steps < 1e-3 * last && !touches)
+                throw ComputationError(
+                  "the contact at rest has no solution: nothing presses the "
+                  "bodies together, or more pulls at one along the face than "
+                  "its friction holds");
               if (increment * n_steps < 1e-3 * last)
                 throw ComputationError(
                   "the contact at rest has no solution at " +

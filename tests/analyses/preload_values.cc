@@ -331,6 +331,82 @@ end
                       formulation + ": half is as the whole, " + name);
       }
   }
+
+  /** A block that stands on a floor, pressed by 100 N; nothing but friction
+   * holds it along the face, 30 N at most. */
+  const std::string standing_block = R"(set Analysis         = preload
+set Output directory = out
+set Overwrite        = true
+subsection Scene
+  set Bodies   = floor, block
+  set Supports = ground
+  set Loads    = press, pull
+  set Contacts = c
+  subsection Body floor
+    set Size          = 0.04, 0.06, 0.004
+    set Position      = 0, 0, -0.004
+    set Young modulus = 1e13
+  end
+  subsection Body block
+    set Size          = 0.02, 0.03, 0.004
+    set Position      = 0, 0, 0
+    set Young modulus = 1e13
+  end
+  subsection Support ground
+    set Body = floor
+    set Face = z_min
+  end
+  subsection Load press
+    set Body  = block
+    set Face  = z_max
+    set Force = 0, 0, -100
+  end
+  subsection Load pull
+    set Body  = block
+    set Face  = z_max
+    set Force = 0, 20, 0
+  end
+  subsection Contact c
+    set Source body          = block
+    set Source face          = z_min
+    set Target body          = floor
+    set Target face          = z_max
+    set Grid                 = 5, 7
+    set Normal stiffness     = 1e6
+    set Tangential stiffness = 4e5
+    set Contact state        = preload
+    set Friction coefficient = 0.3
+    set Friction direction   = given
+    set Sliding direction    = 0, 1, 0
+    set Sliding speed        = 0
+  end
+end
+subsection Discretization
+  set Degree         = 1
+  set Estimate error = false
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+)";
+
+  void
+  held_by_friction()
+  {
+    const auto json = result_of(standing_block, {});
+    check_close(json.at("normal_n").get<double>(), 100., 1e-8, "it is pressed");
+    check_close(std::abs(json.at("tangential_n").get<double>()),
+                20.,
+                1e-8,
+                "friction alone holds it along the face");
+    const Outcome outcome =
+      run(standing_block, {"Scene/Load pull/Force = 0, 31, 0"});
+    check(outcome.code == 3 &&
+            unbroken(outcome.errors).find("more pulls at one along the face") !=
+              std::string::npos,
+          "and more than it holds has no solution: " + outcome.errors);
+  }
 } // namespace
 
 int
@@ -343,4 +419,5 @@ main(int argc, char **argv)
   run_in();
   entries_without_effect();
   symmetry_plane();
+  held_by_friction();
 }
