@@ -102,8 +102,12 @@ namespace squeal
                    rounded_text(step.worst_estimate, 2));
           return_freed_memory();
         });
-      solution.history    = solver.history();
-      solution.basis_size = solver.basis().size();
+      solution.history         = solver.history();
+      solution.basis_size      = solver.basis().size();
+      solution.growth_left_out = solver.growth_left_out();
+      if (const std::string text = text_of_growth_left_out(solution);
+          !text.empty())
+        log.warning(text);
       return solution;
     }
 
@@ -234,6 +238,19 @@ namespace squeal
 
   namespace
   {
+    /** Of a growing motion that is not certified. */
+    std::string
+    text_of_growth(const std::complex<double> lambda)
+    {
+      // Rounding leaves a frequency where there is none.
+      return (std::abs(lambda.imag()) < 1e-9 * std::abs(lambda)
+                ? std::string("divergence: a motion grows without vibration")
+                : "a motion at " +
+                    rounded_text(lambda.imag() / (2. * M_PI), 5) +
+                    " Hz grows") +
+             ", by about " + rounded_text(lambda.real(), 3) + " 1/s";
+    }
+
     /** What to do to have a motion below in the tables. */
     std::string
     how_to_see(const CeaSolution &solution, const EigenParameters &p)
@@ -266,13 +283,20 @@ namespace squeal
                 ? "; pairs there that do not grow are not in the tables: " +
                     how_to_see(solution, p)
                 : "");
-    // Rounding leaves a frequency where there is none.
-    return (std::abs(lambda.imag()) < 1e-9 * std::abs(lambda)
-              ? std::string("divergence: a motion grows without vibration")
-              : "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
-                  " Hz grows") +
-           ", by about " + rounded_text(lambda.real(), 3) +
-           " 1/s, below the band: " + how_to_see(solution, p);
+    return text_of_growth(lambda) +
+           ", below the band: " + how_to_see(solution, p);
+  }
+
+  std::string
+  text_of_growth_left_out(const CeaSolution &solution)
+  {
+    return solution.growth_left_out == 0.
+             ? ""
+             : text_of_growth(solution.growth_left_out) +
+                 ", faster than the band vibrates; what grows so fast is not "
+                 "in the tables, since the basis does not certify it: raise "
+                 "'Eigenvalues/Highest frequency' or 'Eigenvalues/Maximum "
+                 "enrichments'";
   }
 
 
