@@ -154,8 +154,8 @@ namespace squeal
   Block
   LowRankMatrix::multiply_absolute(const Block &X) const
   {
-    return left->apply_transposed_absolute(
-      Eigen::MatrixXd(weights.asDiagonal() * right->apply_absolute(X)));
+    return left->apply_transposed_absolute(Eigen::MatrixXd(
+      weights.cwiseAbs().asDiagonal() * right->apply_absolute(X)));
   }
 
   bool

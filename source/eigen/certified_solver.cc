@@ -151,6 +151,24 @@ namespace squeal
     return growth_below;
   }
 
+  std::complex<double>
+  CertifiedSolver::growth_left_out() const
+  {
+    return growth_not_certified;
+  }
+
+  bool
+  CertifiedSolver::leave_out_growth(const ComplexPairs &pairs,
+                                    const double        highest)
+  {
+    const Complex before = growth_not_certified;
+    for (const Complex l : pairs.lambda)
+      if (grows_beyond_band(l, highest) &&
+          l.real() > growth_not_certified.real())
+        growth_not_certified = l;
+    return growth_not_certified != before;
+  }
+
   void
   CertifiedSolver::look_below_band(const DensePairs       &dense,
                                    const CertifiedOptions &options)
@@ -201,14 +219,12 @@ namespace squeal
   {
     std::vector<int> kept;
     for (Eigen::Index i = 0; i < dense.lambda.size(); ++i)
-      {
-        // Overdamped motions (|sigma| far beyond the band) pass through any
-        // frequency band as the basis grows; no mesh resolves them.
-        const double f = dense.lambda[i].imag() / (2. * M_PI);
-        if (f >= options.lowest_frequency && f <= options.highest_frequency &&
-            std::abs(dense.lambda[i]) <= 4. * M_PI * options.highest_frequency)
-          kept.push_back(i);
-      }
+      if (is_of_band(dense.lambda[i],
+                     options.lowest_frequency,
+                     options.highest_frequency) &&
+          (growth_not_certified == 0. ||
+           !grows_beyond_band(dense.lambda[i], options.highest_frequency)))
+        kept.push_back(i);
     const Eigen::Index n = kept.size();
     Candidates         result;
     ComplexPairs      &pairs = result.pairs;
@@ -471,7 +487,13 @@ namespace squeal
         if (done)
           dense = solve_reduced();
         if ((added == 0 && !done) || step >= options.maximum_enrichments)
-          throw_stalled(worst);
+          {
+            if (!leave_out_growth(pairs, options.highest_frequency))
+              throw_stalled(worst);
+            // The other pairs have rounds of their own.
+            step       = 0;
+            stagnation = {};
+          }
       }
   }
 } // namespace squeal

@@ -247,7 +247,27 @@ namespace squeal
   {
     /** Growth over |lambda| that is more than rounding. */
     constexpr double least_growth = 1e-4;
+    /** Over the highest circular frequency of a band: |lambda| of what decays
+     * and of what grows, up to which it is one of the band. */
+    constexpr double largest_decaying = 2., largest_growing = 1e4;
   } // namespace
+
+  bool
+  is_of_band(const Complex lambda, const double lowest, const double highest)
+  {
+    const double f = lambda.imag() / (2. * M_PI);
+    return f >= lowest && f <= highest &&
+           std::abs(lambda) <=
+             (lambda.real() > 0. ? largest_growing : largest_decaying) * 2. *
+               M_PI * highest;
+  }
+
+  bool
+  grows_beyond_band(const Complex lambda, const double highest)
+  {
+    return lambda.real() > 0. &&
+           std::abs(lambda) > largest_decaying * 2. * M_PI * highest;
+  }
 
   std::complex<double>
   fastest_growth_below(const Eigen::VectorXcd &lambda,

@@ -2,6 +2,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/eigen/direct_solver.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <parpack.h>
 
 #include <algorithm>
@@ -14,6 +16,10 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
+
+    /** Imaginary part over the distance from the shift that may be rounding:
+     * two real eigenvalues that nearly meet are good to its root. */
+    constexpr double as_good_as_real = 1e-6;
 
     double _Complex *
     raw(Complex *pointer)
@@ -109,7 +115,75 @@ namespace squeal
                 &info);
       values = d.head(nev);
     }
+
+
+
+    /** The eigenvalues of a small operator, at most @p most of them, the
+     * largest first, but for zeros, which stand for infinite lambda; @p apply
+     * takes and gives the rows of this rank, first those of one half of the
+     * vector, then those of the other. @p shift_size is |shift|. */
+    template <typename Operator>
+    void
+    dense_eigenvalues(const Operator    &apply,
+                      const RowSpace    &space,
+                      const unsigned int most,
+                      const double       shift_size,
+                      Eigen::VectorXcd  &values,
+                      Eigen::MatrixXcd  &vectors)
+    {
+      const Eigen::Index N = space.n_global(), n = space.n_owned(),
+                         first    = space.first_owned();
+      const auto own_rows_of_half = [&](auto &A, const Eigen::Index half) {
+        return A.middleRows(half * N + first, n);
+      };
+      Eigen::MatrixXd re = Eigen::MatrixXd::Zero(2 * N, 2 * N), im = re;
+      for (Eigen::Index j = 0; j < 2 * N; ++j)
+        {
+          Eigen::VectorXcd unit = Eigen::VectorXcd::Zero(2 * n);
+          if (const Eigen::Index row = j % N - first; row >= 0 && row < n)
+            unit[(j / N) * n + row] = 1.;
+          const Eigen::VectorXcd z = apply(unit);
+          for (const Eigen::Index half : {0, 1})
+            {
+              own_rows_of_half(re, half).col(j) = z.segment(half * n, n).real();
+              own_rows_of_half(im, half).col(j) = z.segment(half * n, n).imag();
+            }
+        }
+      space.sum(re);
+      space.sum(im);
+      const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(
+        re.cast<Complex>() + Complex(0., 1.) * im.cast<Complex>());
+      if (solver.info() != Eigen::Success)
+        throw ComputationError("the direct solver did not converge");
+      const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs();
+      // A defective zero becomes the root of rounding.
+      const double zero = 1e-7 * std::min(size.maxCoeff(), 1. / shift_size);
+      std::vector<Eigen::Index> kept;
+      for (Eigen::Index i = 0; i < 2 * N; ++i)
+        if (size[i] > zero)
+          kept.push_back(i);
+      std::stable_sort(
+        kept.begin(), kept.end(), [&](const auto a, const auto b) {
+          return size[a] > size[b];
+        });
+      kept.resize(std::min<std::size_t>(kept.size(), most));
+      values                     = solver.eigenvalues()(kept);
+      const Eigen::MatrixXcd all = solver.eigenvectors()(Eigen::all, kept);
+      vectors.resize(2 * n, kept.size());
+      vectors << own_rows_of_half(all, 0), own_rows_of_half(all, 1);
+    }
   } // namespace
+
+
+
+  double
+  reach_of(const Eigen::VectorXcd &lambda, const std::complex<double> shift)
+  {
+    double result = 0.;
+    for (const Complex l : lambda)
+      result = std::max(result, 1.001 * std::abs(l - shift));
+    return result;
+  }
 
 
 
@@ -151,24 +225,32 @@ namespace squeal
     const RowSpace    &space = *pencil.space();
     const Eigen::Index n     = space.n_owned();
     const unsigned int total = 2 * space.n_global();
-    const unsigned int nev   = std::min(n_pairs, total - 2);
-    const unsigned int ncv   = std::min(2 * nev + 20, total);
-    Eigen::VectorXcd   values;
-    Eigen::MatrixXcd   vectors;
-    arnoldi([this](const Eigen::VectorXcd &z) { return apply(z); },
-            static_cast<a_int>(2 * n),
-            static_cast<a_int>(nev),
-            static_cast<a_int>(ncv),
-            tolerance,
-            MPI_Comm_c2f(space.communicator()),
-            2 * space.first_owned(),
-            values,
-            vectors);
+    const auto step = [this](const Eigen::VectorXcd &z) { return apply(z); };
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd vectors;
+    if (n_pairs + 2 > total)
+      dense_eigenvalues(step, space, n_pairs, std::abs(shift), values, vectors);
+    else
+      arnoldi(step,
+              static_cast<a_int>(2 * n),
+              static_cast<a_int>(n_pairs),
+              static_cast<a_int>(std::min(2 * n_pairs + 20, total)),
+              tolerance,
+              MPI_Comm_c2f(space.communicator()),
+              2 * space.first_owned(),
+              values,
+              vectors);
 
+    const unsigned int        nev = values.size();
     std::vector<Eigen::Index> order(nev);
     std::iota(order.begin(), order.end(), 0);
     const auto lambda = [&](const Eigen::Index i) {
-      return shift + 1. / values[i];
+      const Complex away = 1. / values[i], l = shift + away;
+      // A band that starts at 0 must not lose what does not vibrate by the
+      // sign of rounding.
+      return std::abs(l.imag()) <= as_good_as_real * std::abs(away)
+               ? Complex(l.real(), 0.)
+               : l;
     };
     std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
       return std::make_pair(lambda(a).imag(), lambda(a).real()) <
@@ -195,5 +277,24 @@ namespace squeal
     pairs.condition      = Eigen::VectorXd::Constant(nev, 1.);
     pairs.pair_partner.assign(nev, -1);
     return pairs;
+  }
+
+  DirectPairs
+  DirectSolver::solve_within(const double       radius,
+                             const unsigned int n_pairs) const
+  {
+    for (unsigned int n = n_pairs;; n += 4 + n / 2)
+      {
+        DirectPairs result{solve(n), shift, 0.};
+        if (result.pairs.size() < n)
+          {
+            result.reach = std::numeric_limits<double>::infinity();
+            return result;
+          }
+        for (const Complex l : result.pairs.lambda)
+          result.reach = std::max(result.reach, std::abs(l - shift));
+        if (result.reach >= radius || n >= 8 * n_pairs)
+          return result;
+      }
   }
 } // namespace squeal

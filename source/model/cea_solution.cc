@@ -28,6 +28,43 @@ namespace squeal
       options.maximum_enrichments = p.maximum_enrichments;
       return options;
     }
+
+    /** Pairs by the direct solver of the band and some beyond it; where their
+     * number is not given, as far as to @p stated eigenvalues. */
+    DirectPairs
+    direct_pairs_of(const Model            &model,
+                    const ModeSolution     &modes,
+                    const Eigen::VectorXcd &stated = {})
+    {
+      const auto                &p = model.parameters().eigen;
+      const double               f = p.direct_shift_frequency >= 0.
+                                       ? p.direct_shift_frequency
+                                       : 0.5 * (p.lowest_frequency + p.highest_frequency);
+      const std::complex<double> shift(0., 2. * M_PI * f);
+      const DirectSolver         solver(*modes.pencil, shift);
+      if (p.number_of_pairs > 0)
+        return solver.solve_within(0., p.number_of_pairs);
+      // Within the distance to the farther edge of the band there may be as
+      // many modes on the other side of it.
+      unsigned int n = 4;
+      const double reach =
+        std::max(p.highest_frequency - f, f - p.lowest_frequency);
+      for (unsigned int i = 0; i < modes.modes.omega_squared.size(); ++i)
+        if (std::abs(modes.modes.frequency(i) - f) <= 1.02 * reach)
+          ++n;
+      return solver.solve_within(reach_of(stated, shift), n);
+    }
+
+    ComplexPairs
+    in_band(const ComplexPairs &all, const EigenParameters &p)
+    {
+      std::vector<int> kept;
+      for (unsigned int i = 0; i < all.size(); ++i)
+        if (all.frequency(i) >= p.lowest_frequency &&
+            all.frequency(i) <= p.highest_frequency)
+          kept.push_back(i);
+      return select_pairs(all, kept);
+    }
   } // namespace
 
 
@@ -35,30 +72,8 @@ namespace squeal
   ComplexPairs
   solve_direct(const Model &model, const ModeSolution &modes)
   {
-    const auto        &p = model.parameters().eigen;
-    const double       f = p.direct_shift_frequency >= 0.
-                             ? p.direct_shift_frequency
-                             : 0.5 * (p.lowest_frequency + p.highest_frequency);
-    const DirectSolver solver(*modes.pencil, {0., 2. * M_PI * f});
-    // Within the distance to the farther edge of the band there may be as many
-    // modes on the other side of it.
-    unsigned int n = p.number_of_pairs;
-    if (n == 0)
-      {
-        const double reach =
-          std::max(p.highest_frequency - f, f - p.lowest_frequency);
-        for (unsigned int i = 0; i < modes.modes.omega_squared.size(); ++i)
-          if (std::abs(modes.modes.frequency(i) - f) <= 1.02 * reach)
-            ++n;
-        n += 4;
-      }
-    const ComplexPairs all = solver.solve(n);
-    std::vector<int>   kept;
-    for (unsigned int i = 0; i < all.size(); ++i)
-      if (all.frequency(i) >= p.lowest_frequency &&
-          all.frequency(i) <= p.highest_frequency)
-        kept.push_back(i);
-    return select_pairs(all, kept);
+    return in_band(direct_pairs_of(model, modes).pairs,
+                   model.parameters().eigen);
   }
 
 
@@ -87,8 +102,12 @@ namespace squeal
                    rounded_text(step.worst_estimate, 2));
           return_freed_memory();
         });
-      solution.history    = solver.history();
-      solution.basis_size = solver.basis().size();
+      solution.history         = solver.history();
+      solution.basis_size      = solver.basis().size();
+      solution.growth_left_out = solver.growth_left_out();
+      if (const std::string text = text_of_growth_left_out(solution);
+          !text.empty())
+        log.warning(text);
       return solution;
     }
 
@@ -219,6 +238,19 @@ namespace squeal
 
   namespace
   {
+    /** Of a growing motion that is not certified. */
+    std::string
+    text_of_growth(const std::complex<double> lambda)
+    {
+      // Rounding leaves a frequency where there is none.
+      return (std::abs(lambda.imag()) < 1e-9 * std::abs(lambda)
+                ? std::string("divergence: a motion grows without vibration")
+                : "a motion at " +
+                    rounded_text(lambda.imag() / (2. * M_PI), 5) +
+                    " Hz grows") +
+             ", by about " + rounded_text(lambda.real(), 3) + " 1/s";
+    }
+
     /** What to do to have a motion below in the tables. */
     std::string
     how_to_see(const CeaSolution &solution, const EigenParameters &p)
@@ -251,13 +283,20 @@ namespace squeal
                 ? "; pairs there that do not grow are not in the tables: " +
                     how_to_see(solution, p)
                 : "");
-    // Rounding leaves a frequency where there is none.
-    return (std::abs(lambda.imag()) < 1e-9 * std::abs(lambda)
-              ? std::string("divergence: a motion grows without vibration")
-              : "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
-                  " Hz grows") +
-           ", by about " + rounded_text(lambda.real(), 3) +
-           " 1/s, below the band: " + how_to_see(solution, p);
+    return text_of_growth(lambda) +
+           ", below the band: " + how_to_see(solution, p);
+  }
+
+  std::string
+  text_of_growth_left_out(const CeaSolution &solution)
+  {
+    return solution.growth_left_out == 0.
+             ? ""
+             : text_of_growth(solution.growth_left_out) +
+                 ", faster than the band vibrates; what grows so fast is not "
+                 "in the tables, since the basis does not certify it: raise "
+                 "'Eigenvalues/Highest frequency' or 'Eigenvalues/Maximum "
+                 "enrichments'";
   }
 
 
@@ -281,9 +320,10 @@ namespace squeal
                       RunLog             &log,
                       Timers             &timers)
   {
-    Timers::Section    section(timers, "Solve: direct check");
-    const ComplexPairs direct = solve_direct(model, modes);
-    using Type                = Table::Type;
+    Timers::Section     section(timers, "Solve: direct check");
+    const DirectPairs   found = direct_pairs_of(model, modes, certified.lambda);
+    const ComplexPairs &direct = found.pairs;
+    using Type                 = Table::Type;
     Table  table({{"index", Type::integer, "", "number of the pair, from 1"},
                   {"frequency_hz", Type::real, "Hz", "certified", 7},
                   {"sigma_per_s", Type::real, "1/s", "certified", 6},
@@ -293,35 +333,40 @@ namespace squeal
                   {"error_estimate_rel", Type::real, "", "estimated", 2},
                   {"noise_floor_rel", Type::real, "", "rounding", 2},
                   {"condition", Type::real, "", "of the eigenvalue", 2}});
-    double worst      = 0.;
-    ComplexPairs copy = certified;
+    double worst           = 0.;
+    unsigned int n_reached = 0;
+    ComplexPairs copy      = certified;
     estimate_errors(copy, direct.lambda);
     for (unsigned int i = 0; i < certified.size(); ++i)
       {
-        int    best     = 0;
-        double distance = 1e300;
-        for (unsigned int k = 0; k < direct.size(); ++k)
-          if (const double d = std::abs(direct.lambda[k] - certified.lambda[i]);
-              d < distance)
-            {
-              distance = d;
-              best     = k;
-            }
-        worst = worst_of(worst, copy.error_estimate[i]);
-        table.add_row({i + 1,
-                       certified.frequency(i),
-                       certified.sigma(i),
-                       direct.frequency(best),
-                       direct.sigma(best),
-                       copy.error_estimate[i],
-                       or_missing(certified.error_estimate[i]),
-                       certified.noise_floor[i],
-                       unbounded(certified.condition[i])});
+        std::vector<Cell> row = {
+          i + 1, certified.frequency(i), certified.sigma(i)};
+        if (found.has_reached(certified.lambda[i]))
+          {
+            Eigen::Index best;
+            (direct.lambda.array() - certified.lambda[i]).abs().minCoeff(&best);
+            row.insert(row.end(),
+                       {direct.frequency(best),
+                        direct.sigma(best),
+                        copy.error_estimate[i]});
+            worst = worst_of(worst, copy.error_estimate[i]);
+            ++n_reached;
+          }
+        else
+          row.resize(6);
+        row.insert(row.end(),
+                   {or_missing(certified.error_estimate[i]),
+                    certified.noise_floor[i],
+                    unbounded(certified.condition[i])});
+        table.add_row(row);
       }
     log.info(
-      "  direct solver: " + std::to_string(direct.size()) +
+      "  direct solver: " +
+      std::to_string(in_band(direct, model.parameters().eigen).size()) +
       " pairs in the band (certified: " + std::to_string(certified.size()) +
-      "), largest relative difference " + rounded_text(worst, 2));
+      ", " + std::to_string(n_reached) +
+      " of them within its reach), largest relative difference " +
+      rounded_text(worst, 2));
     return table;
   }
 } // namespace squeal

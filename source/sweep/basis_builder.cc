@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/free_motion.h>
 #include <squeal/sweep/basis_builder.h>
 
@@ -57,6 +59,25 @@ namespace squeal
         }
       result.conservativeResize(Eigen::NoChange, n);
       return result;
+    }
+
+    /** Names the fastest motion that grows beyond the band, which may be what
+     * a basis does not come to terms with; empty where none does. */
+    std::string
+    text_of_growth_beyond(const std::vector<ComplexPairs> &all,
+                          const double                     highest)
+    {
+      Complex fastest = 0.;
+      for (const ComplexPairs &pairs : all)
+        for (const Complex l : pairs.lambda)
+          if (grows_beyond_band(l, highest) && l.real() > fastest.real())
+            fastest = l;
+      return fastest == 0.
+               ? ""
+               : "; a motion at " +
+                   rounded_text(fastest.imag() / (2. * M_PI), 5) +
+                   " Hz grows by about " + rounded_text(fastest.real(), 3) +
+                   " 1/s there, faster than the band vibrates";
     }
   } // namespace
 
@@ -457,7 +478,8 @@ namespace squeal
             text << "the basis of the sweep has " << reduced.size()
                  << " vectors and still an error of "
                  << rounds.back().worst.relative
-                 << ": raise Sweep/Maximum basis or narrow the ranges";
+                 << ": raise Sweep/Maximum basis or narrow the ranges"
+                 << text_of_growth_beyond(snapshots, options.band.highest);
             throw ComputationError(text.str());
           }
       }

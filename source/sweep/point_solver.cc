@@ -42,13 +42,8 @@ namespace squeal
       const DensePairs dense = dense_pairs(p, n);
       std::vector<int> kept;
       for (Eigen::Index i = 0; i < dense.lambda.size(); ++i)
-        {
-          // Overdamped motions far beyond the band pass through it.
-          const double f = dense.lambda[i].imag() / (2. * M_PI);
-          if (f >= band.lowest && f <= band.highest &&
-              std::abs(dense.lambda[i]) <= 4. * M_PI * band.highest)
-            kept.push_back(i);
-        }
+        if (is_of_band(dense.lambda[i], band.lowest, band.highest))
+          kept.push_back(i);
       const Eigen::Index k = kept.size();
       ComplexPairs       pairs;
       pairs.lambda.resize(k);

@@ -275,14 +275,23 @@ end
   void
   sounds()
   {
-    runs({"Transient/Disturbance = 1e-6",
-          "Transient/End time = 0.1",
-          "Transient/Time step = 2e-5",
-          "Transient/Sample interval = 2e-4",
-          "Scene/Contact c/Friction law = exponential",
-          "Scene/Contact c/Friction coefficient = 0.1",
-          "Scene/Contact c/Static friction coefficient = 0.3",
-          "Scene/Contact c/Decay speed = 0.05"});
+    const auto stick_slip = [](const std::string &interval,
+                               const std::string &highest,
+                               const std::string &along_y) {
+      return std::vector<std::string>{
+        "Transient/Disturbance = 1e-6",
+        "Transient/End time = 0.1",
+        "Transient/Time step = 2e-5",
+        "Transient/Sample interval = " + interval,
+        "Eigenvalues/Highest frequency = " + highest,
+        "Scene/Spring bed/Stiffnesses = 5e7, " + along_y + ", 0",
+        "Scene/Contact c/Friction law = exponential",
+        "Scene/Contact c/Friction coefficient = 0.1",
+        "Scene/Contact c/Static friction coefficient = 0.3",
+        "Scene/Contact c/Decay speed = 0.05",
+        "Output/Plots = true"};
+    };
+    runs(stick_slip("2e-4", "2000", "7.5e7"));
     const Table t      = read_csv("out/transient.csv"),
                 probes = read_csv("out/probes.csv");
     check(t.real(0, "rms_tangential_n") > 1. && t.real(0, "rms_normal_n") < .01,
@@ -307,6 +316,19 @@ end
           "the sound is that of the sliding: " +
             std::to_string(z / std::sqrt(x * y)));
     check(largest.largest() > 1e4, "and loud");
+    check(std::filesystem::exists("out/plots/spectrum.png"),
+          "there is a spectrum");
+
+    runs(stick_slip("4e-3", "100", "7.5e8"));
+    check(!std::filesystem::exists("out/pad.wav") &&
+            !std::filesystem::exists("out/plots/spectrum.png"),
+          "samples too far apart for the motion have no sound, no spectrum");
+    const std::string report = text_of("out/report.html");
+    check(has(report, "forces.png") && !has(report, "spectrum.png") &&
+            !has(report, "pad.wav"),
+          "nor does the report show them");
+    check(has(text_of("out/run.log"), "neither sound nor spectrum"),
+          "which is said");
   }
 } // namespace
 

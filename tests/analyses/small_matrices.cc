@@ -2,8 +2,9 @@
 
 // Imported matrices with eigenvalues in closed form. Three masses, one of which
 // a negative stiffness pushes away: that is no free motion, and its growth rate
-// is sqrt(-k/m). A chain of masses with an unknown without mass between any
-// two. Argument: the program.
+// is sqrt(-k/m), however fast that is beside the band; the direct solver finds
+// it, too, and a sweep. A chain of masses with an unknown without mass between
+// any two. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -35,23 +36,29 @@ namespace
     write_text(file, text.str());
   }
 
-  /** Eigenvalues of mass.mtx and stiffness.mtx below @p highest. */
+  /** Eigenvalues of mass.mtx and stiffness.mtx below @p highest, with further
+   * settings of the section of eigenvalues, and others behind it. */
   Table
-  solved(const std::string &program, const std::string &highest)
+  solved(const std::string &program,
+         const std::string &highest,
+         const std::string &more     = "",
+         const std::string &analysis = "cea",
+         const std::string &behind   = "")
   {
     write_text("matrices.prm",
-               "set Analysis = cea\nset Output directory = out\n"
-               "set Overwrite = true\n"
-               "subsection Output\n set Plots = false\n"
-               " set Report = false\nend\n"
-               "subsection Scene\n set Kind = matrices\n"
-               " set Matrix parts = m, k\n"
-               " subsection Matrix part m\n  set File = mass.mtx\n"
-               "  set Role = mass\n end\n"
-               " subsection Matrix part k\n  set File = stiffness.mtx\n"
-               "  set Role = stiffness\n end\nend\n"
-               "subsection Eigenvalues\n set Highest frequency = " +
-                 highest + "\nend\n");
+               "set Analysis = " + analysis +
+                 "\nset Output directory = out\n"
+                 "set Overwrite = true\n"
+                 "subsection Output\n set Plots = false\n"
+                 " set Report = false\nend\n"
+                 "subsection Scene\n set Kind = matrices\n"
+                 " set Matrix parts = m, k\n"
+                 " subsection Matrix part m\n  set File = mass.mtx\n"
+                 "  set Role = mass\n end\n"
+                 " subsection Matrix part k\n  set File = stiffness.mtx\n"
+                 "  set Role = stiffness\n end\nend\n"
+                 "subsection Eigenvalues\n set Highest frequency = " +
+                 highest + "\n" + more + "end\n" + behind);
     const Outcome o = run_program({program, "matrices.prm"});
     check(o.code == 0, "the matrices are solved: " + o.errors);
     return read_csv("out/eigenvalues.csv");
@@ -63,12 +70,76 @@ namespace
     write_matrix("mass.mtx", 3, {{{0, 0}, 2.}, {{1, 1}, 2.}, {{2, 2}, 2.}});
     write_matrix(
       "stiffness.mtx", 3, {{{0, 0}, -8e6}, {{1, 1}, 2e7}, {{2, 2}, 5e7}});
-    const Table table = solved(program, "1000");
-    Worst       sigma;
+    for (const std::string solver : {"certified", "direct"})
+      {
+        const Table table =
+          solved(program, "1000", " set Solver = " + solver + "\n");
+        check(table.n_rows() == 4, solver + ": two motions at 0 Hz");
+        Worst sigma, frequency;
+        for (std::size_t r = 0; r < table.n_rows(); ++r)
+          {
+            sigma.add(table.real(r, "sigma_per_s"));
+            if (std::abs(table.real(r, "sigma_per_s")) > 1.)
+              frequency.add(std::abs(table.real(r, "frequency_hz")));
+          }
+        check_close(
+          sigma.largest(), 2000., 1e-8, solver + ": it diverges by sqrt(-k/m)");
+        check_close(
+          sigma.smallest(), -2000., 1e-8, solver + ": and comes back as fast");
+        check_within(frequency, 0., solver + ": without any frequency");
+      }
+    // 2000 1/s is more than 4 pi times 100 Hz.
+    const Table fast = solved(program, "100");
+    check(fast.n_rows() == 1, "growth counts however fast it is");
+    check_close(fast.real(0, "sigma_per_s"), 2000., 1e-8, "beside the band");
+  }
+
+  /** Twelve masses, of which one diverges by sqrt(-k/m); all stiffness grows
+   * along the axis. Half of the others are in the band in the end. */
+  void
+  fast_divergence(const std::string &program)
+  {
+    constexpr unsigned int n = 12;
+    Entries                m, k;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        m[{i, i}] = 2.;
+        k[{i, i}] =
+          i == 0 ? -8e6 : 2. * std::pow(2. * M_PI * (20. + 15. * i), 2);
+      }
+    write_matrix("mass.mtx", n, m);
+    write_matrix("stiffness.mtx", n, k);
+    const Table table =
+      solved(program,
+             "100",
+             "",
+             "sweep",
+             "subsection Sweep\n set Axes = s\n set Direct checks = 6\n"
+             " subsection Axis s\n"
+             "  set Entries = Scene/Matrix part k/Factor\n"
+             "  set Scale = logarithmic\n  set From = 0.01\n  set To = 1\n"
+             "  set Number = 5\n end\nend\n");
+    unsigned int n_diverging = 0;
+    Worst        off;
     for (std::size_t r = 0; r < table.n_rows(); ++r)
-      sigma.add(table.real(r, "sigma_per_s"));
-    check_close(sigma.largest(), 2000., 1e-8, "it diverges with sqrt(-k/m)");
-    check_close(sigma.smallest(), -2000., 1e-8, "and comes back as fast");
+      if (table.real(r, "sigma_per_s") > 1.)
+        {
+          ++n_diverging;
+          off.add(std::abs(table.real(r, "sigma_per_s") /
+                             std::sqrt(4e6 * table.real(r, "s")) -
+                           1.));
+        }
+    check(n_diverging == 5, "it diverges all along the axis");
+    check_within(off, 1e-6, "by sqrt(-k/m)");
+    const Table checks = read_csv("out/direct_check.csv");
+    Worst       errors, decay;
+    for (std::size_t r = 0; r < checks.n_rows(); ++r)
+      {
+        errors.add(checks.real(r, "error_rel"));
+        decay.add(checks.real(r, "sigma_per_s"));
+      }
+    check(decay.smallest() < -500., "some decay faster than the band is wide");
+    check_within(errors, 1e-6, "and the direct solver agrees");
   }
 
   /** Between two masses there are two springs and an unknown without mass,
@@ -111,6 +182,7 @@ main(int argc, char *argv[])
 {
   check(argc == 2, "the program");
   negative_stiffness(argv[1]);
+  fast_divergence(argv[1]);
   for (const std::string highest : {"200", "500", "1000"})
     without_mass(argv[1], highest);
 }

@@ -99,9 +99,11 @@ namespace squeal
      * for each part that the moduli of a pair are away from its own. */
     void answer_with(std::shared_ptr<const ShiftedInverse> other);
 
-    /** To be called once. Pairs with frequency in the band (real eigenvalues
+    /** To be called once. The pairs that is_of_band() tells (real eigenvalues
      * where the band starts at 0). Throws ComputationError where the tolerance
-     * is not met within the allowed enrichments. */
+     * is not met within the allowed enrichments; where that is so of pairs that
+     * grow beyond the band, these are left out first (growth_left_out()), and
+     * the others are tried without them. */
     ComplexPairs solve(
       const CertifiedOptions                             &options,
       const std::function<void(const BasisEnrichment &)> &report = {});
@@ -114,6 +116,11 @@ namespace squeal
      * 1/s; real where it diverges. 0 where none grows by more than rounding,
      * 1e-4 of the upper edge of the band. It is not certified. */
     std::complex<double> growth_below_band() const;
+
+    /** After solve(): of the pairs that grow beyond the band
+     * (grows_beyond_band()) and are left out since no basis certifies them, the
+     * one of the largest real part, 1/s; 0 where none is left out. */
+    std::complex<double> growth_left_out() const;
 
   private:
     /** Pairs of the band with their coordinates in the basis. */
@@ -134,6 +141,9 @@ namespace squeal
     DensePairs solve_reduced();
     void       look_below_band(const DensePairs       &dense,
                                const CertifiedOptions &options);
+    /** Leaves out from now on what grows beyond the band, whose highest
+     * frequency is in Hz; false where there is nothing more to leave out. */
+    bool leave_out_growth(const ComplexPairs &pairs, const double highest);
     /** Of the parts for every pair. */
     std::vector<std::vector<TermCoefficients>> coefficients(
       const Eigen::VectorXcd &lambda) const;
@@ -158,7 +168,7 @@ namespace squeal
      * one scene hardly change it from one basis to the next. */
     Eigen::VectorXd              rounding_sizes;
     bool                         left_met     = false;
-    std::complex<double>         growth_below = 0.;
+    std::complex<double>         growth_below = 0., growth_not_certified = 0.;
     std::vector<BasisEnrichment> steps;
   };
 

@@ -50,6 +50,21 @@ namespace squeal
                                             const double            lowest,
                                             const double            highest);
 
+  /** Whether @p lambda, 1/s, is one of the band from @p lowest to @p highest,
+   * Hz: by its frequency and, where it decays, by |lambda| <= 4 pi highest.
+   * Overdamped motions far beyond pass through any band as a basis grows; no
+   * mesh resolves them. What grows counts however fast: up to 1e4 times the
+   * highest circular frequency, beyond which rounding makes growth of the
+   * infinite eigenvalues of directions without mass. */
+  bool is_of_band(const std::complex<double> lambda,
+                  const double               lowest,
+                  const double               highest);
+
+  /** Whether @p lambda, 1/s, grows and has |lambda| > 4 pi highest, with
+   * @p highest in Hz: not every basis resolves it. */
+  bool grows_beyond_band(const std::complex<double> lambda,
+                         const double               highest);
+
   /** How many eigenvalues of lambda^2 M + lambda C + K have Im lambda above
    * @p omega > 0. */
   Eigen::Index n_eigenvalues_above(const Eigen::MatrixXd  &M,

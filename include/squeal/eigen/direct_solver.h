@@ -9,11 +9,34 @@
 
 namespace squeal
 {
+  /** Pairs of a direct solver, and how far from its shift they are all that
+   * there are. */
+  struct DirectPairs
+  {
+    ComplexPairs         pairs;
+    std::complex<double> shift; /**< 1/s */
+    double               reach; /**< 1/s; infinite where nothing is left */
+
+    /** Whether an eigenvalue @p lambda, 1/s, would be among them. */
+    bool
+    has_reached(const std::complex<double> lambda) const
+    {
+      return std::abs(lambda - shift) <= reach;
+    }
+  };
+
+  /** The distance from @p shift to the farthest of @p lambda, 1/s, and a little
+   * more, so that rounding leaves none of them beyond it. */
+  double reach_of(const Eigen::VectorXcd    &lambda,
+                  const std::complex<double> shift);
+
   /**
    * The check of the certified solver: sparse shift-invert Arnoldi (PARPACK's
    * znaupd) on the linearised problem, with a complex LU of Q(shift) by MUMPS.
    * With z = (x, lambda x) one step solves
-   * Q(s) x_1 = -(M v + (C + s M) u), x_2 = u + s x_1.
+   * Q(s) x_1 = -(M v + (C + s M) u), x_2 = u + s x_1. Where all eigenvalues of
+   * a pencil or all but one are asked for, which Arnoldi does not give, the
+   * same step is solved as a dense matrix.
    */
   class DirectSolver
   {
@@ -24,11 +47,18 @@ namespace squeal
     /**
      * The @p n_pairs eigenvalues nearest to the shift with right vectors and
      * residuals (no left vectors, no error estimates: NaN). Eigenvalues of both
-     * half-planes may be among them. Throws ComputationError when ARPACK does
-     * not converge.
+     * half-planes may be among them. An imaginary part below 1e-6 times the
+     * distance from the shift may be rounding and is 0. Throws ComputationError
+     * when ARPACK does not converge.
      */
     ComplexPairs solve(const unsigned int n_pairs,
                        const double       tolerance = 1e-12) const;
+
+    /** The eigenvalues nearest to the shift, at first @p n_pairs of them, then
+     * more until they reach as far as @p radius, 1/s; up to some eight times as
+     * many. Throws as solve(). */
+    DirectPairs solve_within(const double       radius,
+                             const unsigned int n_pairs) const;
 
   private:
     Eigen::VectorXcd apply(const Eigen::VectorXcd &z) const;

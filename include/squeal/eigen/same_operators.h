@@ -7,7 +7,8 @@
 namespace squeal
 {
   /** Whether mass, damping and stiffness of two pencils do the same to a random
-   * vector, but for rounding: whatever they are made from. Collective. */
+   * vector, but for the rounding of each row: whatever they are made from.
+   * Collective. */
   bool same_operators(const Pencil &a, const Pencil &b);
 
   /** The same of their symmetric parts alone: the frictionless problem, whose

@@ -30,6 +30,8 @@ namespace squeal
      * grows fastest, 1/s; 0 where none grows. Not certified. */
     bool                 has_looked_below = false;
     std::complex<double> growth_below     = 0.;
+    /** CertifiedSolver::growth_left_out(), 1/s. */
+    std::complex<double> growth_left_out = 0.;
   };
 
   /** What is known of motions below the lowest frequency that was sought, among
@@ -43,6 +45,10 @@ namespace squeal
                             const EigenParameters &parameters,
                             const std::string     &where,
                             RunLog                &log);
+
+  /** That motions grow so fast that the basis does not certify them, and are
+   * left out; empty where there are none. */
+  std::string text_of_growth_left_out(const CeaSolution &solution);
 
   /** That nobody has looked, for analyses that see the band alone; empty where
    * it starts at 0. */

@@ -242,10 +242,10 @@ namespace squeal
      * may be missing. */
     HtmlReport::Verdict
     verdict_on(const UnstablePairs &unstable,
-               const bool           grows_below,
+               const bool           grows_elsewhere,
                const OpenSigns     &open)
     {
-      if (grows_below || unstable.number > open.n_growing)
+      if (grows_elsewhere || unstable.number > open.n_growing)
         return HtmlReport::Verdict::bad;
       return open.any() || !unstable.is_complete ? HtmlReport::Verdict::neutral
                                                  : HtmlReport::Verdict::good;
@@ -315,8 +315,9 @@ namespace squeal
 
     log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
     const UnstablePairs unstable = unstable_pairs(solution, quantities);
-    const std::string   below    = text_below_band(solution, p.eigen);
-    const bool          grows_below =
+    const std::string   below    = text_below_band(solution, p.eigen),
+                      left_out   = text_of_growth_left_out(solution);
+    const bool grows_below =
       solution.growth_below.real() > 0. && solution.lowest_frequency > 0.;
     warn_of_growth_below(solution, p.eigen, "", context.log);
     warn_of_residuals(p.eigen, solution, context.log);
@@ -346,6 +347,8 @@ namespace squeal
          std::to_string(open.n_growing + open.n_decaying) + " pairs"});
     if (!below.empty())
       context.record.figures.push_back({"below the band", below});
+    if (!left_out.empty())
+      context.record.figures.push_back({"left out", left_out});
     if (!moduli.empty())
       context.record.figures.push_back(
         {"moduli at the frequencies of the pairs", moduli});
@@ -353,8 +356,9 @@ namespace squeal
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
     report.set_verdict(
-      verdict_on(unstable, grows_below, open),
+      verdict_on(unstable, grows_below || !left_out.empty(), open),
       unstable.verdict() + (grows_below ? "; " + below : "") +
+        (left_out.empty() ? "" : "; " + left_out) +
         (open.any() ? "; " + open.text : "") +
         "; largest error of a pair: " + largest_error(model, pairs, table),
       context.record.figures);

@@ -4,6 +4,8 @@
 
 #include "stopping_change.h"
 
+#include <squeal/eigen/direct_solver.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +20,7 @@ namespace squeal
     /** What is added to the smallest change that stabilises, so that it does
      * not stand on the edge. */
     constexpr double margin_of_change = 1.1;
-    /** Of the highest frequency: what is 0 Hz in a direct solution, and a
-     * growth rate that may be rounding. */
+    /** Of the highest frequency: a growth rate that may be rounding. */
     constexpr double as_good_as_zero = 1e-6;
 
     void
@@ -143,20 +144,20 @@ namespace squeal
     Band reach = model.band();
     for (const auto &[f, share] : change.followed)
       reach = {std::min(reach.lowest, f), std::max(reach.highest, f)};
-    const ComplexPairs pairs = direct_pairs(
-      model,
-      place(change.number, 1. + change.share),
-      model.grid().scene(peak.point, change.number, 1. + change.share),
-      reach);
+    const ComplexPairs pairs =
+      direct_pairs(
+        model,
+        place(change.number, 1. + change.share),
+        model.grid().scene(peak.point, change.number, 1. + change.share),
+        reach)
+        .pairs;
     const double small = as_good_as_zero * model.band().highest;
     DirectAnswer result;
     for (unsigned int i = 0; i < pairs.size(); ++i)
       {
-        GrowingPair pair{pairs.frequency(i), pairs.sigma(i)};
-        if (pair.frequency < -small)
+        const GrowingPair pair{pairs.frequency(i), pairs.sigma(i)};
+        if (pair.frequency < 0.)
           continue;
-        if (pair.frequency < small)
-          pair.frequency = 0.;
         if (is_in_band(pair.frequency) ||
             nearest_followed(change.followed, pair.frequency, change.share) !=
               change.followed.end())

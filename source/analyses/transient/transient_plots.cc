@@ -288,7 +288,9 @@ namespace squeal
            : "Forces over time, sums over the pairs that slide");
     draw(
       "forces_last_periods", {forces_over_time(end, last_title)}, last_title);
-    draw("spectrum", {spectrum_chart(record, f)}, "Spectrum");
+    // Lines that samples have folded down are not there.
+    if (f.beyond_samples == 0.)
+      draw("spectrum", {spectrum_chart(record, f)}, "Spectrum");
     if (!f.branches.empty())
       draw("branches",
            {branch_chart(record, f)},

@@ -46,6 +46,8 @@ namespace squeal
                const TransientRecord   &record,
                const TransientFigures  &f)
   {
+    if (f.beyond_samples > 0.)
+      return;
     if (f.is_silent)
       context.log.info("  no force vibrates by more than the noise of the "
                        "solver: the sound is silence");

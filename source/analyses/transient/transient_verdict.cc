@@ -99,7 +99,8 @@ namespace squeal
            " Hz, and 'Transient/Sample interval' = " +
            rounded_text(interval, 3) + " s tells no line above " +
            rounded_text(highest_line(interval), 5) +
-           " Hz: lines, repetition and phase are left empty";
+           " Hz: lines, repetition and phase are left empty, and neither "
+           "sound nor spectrum is written";
   }
 
 

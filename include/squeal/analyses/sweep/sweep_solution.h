@@ -12,6 +12,8 @@
 
 namespace squeal
 {
+  struct DirectPairs;
+
   /** The sweep along the first axis at fixed values of the others. */
   struct SweepLine
   {
@@ -104,12 +106,14 @@ namespace squeal
 
   /** Pairs by the direct solver on the full matrices of @p scene, which differs
    * from that at @p point in numbers: all whose lambda is within 1.25 times
-   * half of @p band, Hz, of its centre, and some more, of other frequencies and
-   * of the lower half-plane, too. */
-  ComplexPairs direct_pairs(const SweepModel      &model,
-                            const SweepPoint      &point,
-                            const SceneParameters &scene,
-                            const Band            &band);
+   * half of @p band, Hz, of its centre, or as far as the farthest of the
+   * @p stated eigenvalues, 1/s, as DirectSolver::solve_within() can; and some
+   * more, of other frequencies and of the lower half-plane, too. */
+  DirectPairs direct_pairs(const SweepModel       &model,
+                           const SweepPoint       &point,
+                           const SceneParameters  &scene,
+                           const Band             &band,
+                           const Eigen::VectorXcd &stated = {});
 
   /** sensitivities.csv: derivatives of every unstable pair at its peak by the
    * numbers in Sweep/Sensitivities, the most influential first. */

@@ -117,8 +117,8 @@ namespace squeal
     /** Of the motion that grows fastest about steady sliding, or of the largest
      * line of the force in the last steps, Hz, where samples are too far apart
      * for it: what lines they have may be other ones folded down, and
-     * frequencies, harmonics, repetition and phase are left empty. 0: they are
-     * not. */
+     * frequencies, harmonics, repetition and phase are left empty, sound and
+     * spectrum are not written. 0: they are not. */
     double beyond_samples = 0.;
     /** It is that of the steps. */
     bool is_beyond_in_steps = false;

@@ -11,7 +11,8 @@ namespace squeal
    * its sliding where the normal force is steady
    * (JudgedPair::by_tangential of the loudest), prolonged to some seconds. Of a
    * run in which nothing vibrates by more than noise the files are silent, and
-   * the log says so. */
+   * the log says so. Nothing is written where the samples would sound of
+   * another frequency (TransientFigures::beyond_samples). */
   void write_sounds(RunContext              &context,
                     const PreparedTransient &prepared,
                     const TransientRecord   &record,
