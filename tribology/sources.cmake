@@ -86,6 +86,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/setup/declare_correlation.cc
     source/setup/declare_damage.cc
     source/setup/declare_history.cc
+    source/setup/feature_columns.cc
     source/setup/image_parameters.cc
     source/setup/tribology_parameters.cc
     source/setup/unused_entries.cc

@@ -192,6 +192,57 @@ namespace
     check_close(table.real(0, "coverage"), 1., 1e-9, "and both halves are one");
   }
 
+  /** Two images of 200 um that share 100 um of a cell: a crack, an exfoliation
+   * and a plateau count once, in the part that both show and beside it. */
+  void
+  check_part_of_overlap()
+  {
+    const auto seen_from = [](const cv::Point &corner, const int x) {
+      Segmentation s = drawn({x - corner.x, 20}, {x - corner.x, 140});
+      if (!cv::Rect(0, 0, width, height).contains({x - corner.x, 20}))
+        s.cracks.centre_line.setTo(0);
+      const cv::Rect area =
+        (cv::Rect(x + 10, 30, 40, 50) - corner) & cv::Rect(0, 0, width, height);
+      s.areas.exfoliation(area).setTo(255);
+      s.areas.plateau(area).setTo(255);
+      return s;
+    };
+    const auto at = [](const cv::Point &corner) {
+      return Placement{{1., 0., corner.x - 150., 0., 1., -80., 0., 0., 1.}, 0.};
+    };
+    for (const int x : {40, 130, 240})
+      for (const bool swapped : {false, true})
+        {
+          CellGrid grid({300., 160.}, 1, 1);
+          for (const int i : {0, 1})
+            {
+              const cv::Point corner((i == 1) != swapped ? 100 : 0, 0);
+              grid.add(seen_from(corner, x), at(corner), 0.);
+            }
+          Table table(grid.columns());
+          grid.append_rows(table, "pad");
+          const std::string name =
+            "a crack at " + std::to_string(x) + " um: its ";
+          check_close(
+            grid.seen_once().crack_length, 121., 0.01, name + "length");
+          check_close(grid.seen_once().share, 0.75, 1e-9, "and what is seen");
+          check_close(table.real(0, "crack_density_per_m"),
+                      1e6 * 121. / (300. * 160.),
+                      0.01,
+                      name + "density");
+          check_close(table.real(0, "crack_along_sliding"),
+                      -1.,
+                      1e-6,
+                      name + "direction");
+          for (const char *column :
+               {"exfoliation_fraction", "plateau_fraction"})
+            check_close(table.real(0, column),
+                        40. * 50. / (300. * 160.),
+                        1e-9,
+                        name + column);
+        }
+  }
+
   /** The headline of images that overlap is that of one of them. */
   void
   check_headline()
@@ -307,6 +358,7 @@ main()
   check_turned();
   check_stretched_pixels();
   check_overlap();
+  check_part_of_overlap();
   check_headline();
   check_lines_of_pixels();
   check_data_bars();

@@ -115,6 +115,30 @@ namespace
           "and count at the node next to their centre");
   }
 
+  /** Rows in one column in the middle of the face are as wide as the face. */
+  void
+  cells_in_one_column()
+  {
+    std::ofstream out("features.csv");
+    out << "image,x_m,y_m,feature\n";
+    for (unsigned int j = 0; j < 8; ++j)
+      out << "pad,0," << -4e-3 + 1e-3 * (j + .5) << "," << j << "\n";
+    out.close();
+    const auto pads  = read_pads(parameters());
+    const auto lines = warnings_of_coarse_features(pads, parameters());
+    check(lines.size() == 1 &&
+            lines[0].find("are 4.0 times as long") != std::string::npos,
+          "they are told: " + (lines.empty() ? "" : lines[0]));
+    const auto &values = pads[0].features.at("feature").values;
+    check(std::isfinite(values[2]) && std::isnan(values[1]),
+          "and count at the nodes next to their centres");
+    std::ofstream("features.csv") << "x_m,y_m,feature\n0.001,-0.003,1\n"
+                                     "0.001,-0.001,2\n0.001,0.001,3\n";
+    check(warnings_of_coarse_features(read_pads(parameters()), parameters())
+            .empty(),
+          "points beside the middle are points");
+  }
+
   /** Rows that are no lattice, and rows at nodes. */
   void
   points()
@@ -144,5 +168,6 @@ main()
   write_damage();
   cells_beside_nodes();
   coarse_cells();
+  cells_in_one_column();
   points();
 }

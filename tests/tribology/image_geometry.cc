@@ -9,6 +9,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <array>
 #include <cmath>
 
 #include "check.h"
@@ -155,9 +156,14 @@ namespace
     auto mirrored = frames_of(grey, size, corners, {1., 1.});
     cv::flip(mirrored[3].grey, mirrored[3].grey, 1);
     const Mosaic one = join_frames(mirrored);
-    check(one.n_tried == 3 && one.n_refined == 2 && one.warnings.size() == 1 &&
-            one.warnings[0].find("a3 and a1 do not show the same") == 0,
-          "one mirrored frame of four is named");
+    check(one.n_tried == 6 && one.n_refined == 3 && one.warnings.size() == 3,
+          "one mirrored frame of four fits none of the others: " +
+            std::to_string(one.n_refined) + " of " +
+            std::to_string(one.n_tried));
+    for (const std::string &warning : one.warnings)
+      check(warning.find("a3 and a") == 0, "and is named: " + warning);
+    check(one.warnings[1].find("a3 and a1 do not show the same") == 0,
+          "on its largest overlap, too");
     for (Micrograph &m : mirrored)
       cv::flip(m.grey, m.grey, 1);
     check_throws<InputError>([&]() { join_frames(mirrored); },
@@ -173,7 +179,7 @@ namespace
     auto dark = frames_of(grey, size, corners, {1., 1.});
     dark[1].grey *= 0.7;
     const Mosaic uneven = join_frames(dark);
-    check(uneven.warnings.size() == 2 &&
+    check(uneven.warnings.size() == 3 &&
             uneven.warnings[0].find("a1 is 0.70 times as bright as a0") == 0,
           "a darker frame is named");
   }
@@ -197,6 +203,71 @@ namespace
             "frame " + std::to_string(k) + " of the row");
     check_close(
       mosaic.correction, 0.03 * 133. * 6., 0.03, "the last moves most");
+  }
+
+
+
+  /** Frames of a row are aligned and judged by all their seams, in whatever
+   * order they are named. */
+  void
+  check_order_of_frames(const cv::Mat &grey)
+  {
+    std::vector<cv::Point> row, named;
+    for (int k = 0; k < 5; ++k)
+      row.emplace_back(133 * k, 0);
+    // As f1, f10, f11, f2, f3: the third and the fourth overlap only frames
+    // that are named after them.
+    for (const int k : {0, 3, 4, 1, 2})
+      named.push_back(row[k]);
+    const Mosaic mosaic =
+      join_frames(frames_of(grey, {200, 700}, named, {1.03, 1.}));
+    check(mosaic.n_tried == 4 && mosaic.n_refined == 4 &&
+            mosaic.warnings.empty(),
+          "four seams of five frames");
+    for (int k = 1; k < 5; ++k)
+      check(cv::norm(mosaic.shifts[k] - mosaic.shifts[0] -
+                     cv::Point2d(named[k])) < 0.5,
+            "frame " + std::to_string(k) + " as named");
+    for (const auto &order : {std::array{0, 1, 2}, std::array{0, 2, 1}})
+      {
+        std::vector<cv::Point> corners;
+        for (const int k : order)
+          corners.push_back(row[k]);
+        auto frames = frames_of(grey, {200, 700}, corners, {1., 1.});
+        for (Micrograph &m : frames)
+          if (m.metadata.stage->x == 2. * row[2].x)
+            cv::flip(m.grey, m.grey, 0);
+        const Mosaic one = join_frames(frames);
+        check(one.warnings.size() == 1 && one.n_tried == 2 &&
+                one.warnings[0].find("do not show the same") !=
+                  std::string::npos,
+              "a seam that does not match has its warning");
+      }
+  }
+
+
+
+  /** Three frames about a corner: the seam that places no frame is held against
+   * the two that do. */
+  void
+  check_seam_that_places_none(const cv::Mat &grey)
+  {
+    const std::vector<cv::Point> corners = {{0, 0}, {300, 0}, {100, 300}};
+    const cv::Size               size(400, 400);
+    auto         frames = frames_of(grey, size, corners, {1., 1.});
+    const Mosaic right  = join_frames(frames);
+    check(right.n_tried == 3 && right.n_refined == 3 && right.warnings.empty(),
+          "three seams fit");
+    // What the second one shows near the third lies elsewhere.
+    grey(cv::Rect(304, 303, 396, 97))
+      .copyTo(frames[1].grey(cv::Rect(0, 300, 396, 97)));
+    const Mosaic moved = join_frames(frames);
+    check(moved.n_tried == 3 && moved.n_refined == 2 &&
+            moved.warnings.size() == 1 &&
+            moved.warnings[0].find("a2 and a1 ") == 0 &&
+            moved.warnings[0].find("pixels beside") != std::string::npos,
+          "one seam does not: " +
+            (moved.warnings.empty() ? "" : moved.warnings[0]));
   }
 
 
@@ -248,7 +319,8 @@ namespace
         frames.push_back(m);
       }
     const Mosaic mosaic = join_frames(frames);
-    check(mosaic.n_refined == 3, "three frames are aligned");
+    check(mosaic.n_tried == 6 && mosaic.n_refined == 6,
+          "the frames are aligned on every overlap");
     for (int i = 1; i < 4; ++i)
       check(cv::norm(mosaic.shifts[i] - mosaic.shifts[0] -
                      cv::Point2d(corners[i] - corners[0])) < 0.1,
@@ -262,6 +334,8 @@ namespace
                              "a frame without stage position is refused");
     check_mismatch(grey);
     check_drift(grey);
+    check_order_of_frames(grey);
+    check_seam_that_places_none(grey);
   }
 
 

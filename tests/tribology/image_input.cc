@@ -236,35 +236,6 @@ namespace
     check_specimen({}, made);
   }
 
-  /** A bar of 200 pixels, 6 high, in a data bar: bright on dark or dark on
-   * bright, as long as the box holds its ends. */
-  void
-  check_scale_bars()
-  {
-    for (const bool bright : {true, false})
-      {
-        cv::Mat grey(512, 640, CV_32F, cv::Scalar(100.));
-        grey.rowRange(480, 512).setTo(bright ? 10. : 250.);
-        grey(cv::Rect(100, 500, 200, 6)).setTo(bright ? 250. : 10.);
-        const std::string claim =
-          std::string(bright ? "bright bar on dark" : "dark bar on bright");
-        check_close(
-          scale_bar_pixels(grey, {80, 490, 240, 20}, "a"), 200., 1e-12, claim);
-        for (const cv::Rect &box : {cv::Rect(150, 490, 100, 20),
-                                    cv::Rect(150, 490, 240, 20),
-                                    cv::Rect(60, 490, 240, 20)})
-          check_throws<InputError>([&]() { scale_bar_pixels(grey, box, "a"); },
-                                   "border",
-                                   claim + " that the box cuts");
-        check_throws<InputError>(
-          [&]() {
-            scale_bar_pixels(grey, {400, 490, 200, 20}, "a");
-          },
-          "no bar",
-          "no bar where there is none");
-      }
-  }
-
   /** What two statements of one run would contradict is refused. */
   void
   check_registration_by_points(const std::string &program)
@@ -410,7 +381,6 @@ main(int argc, char **argv)
   check_missed_images();
   check_messages();
   check_damaged_pixels();
-  check_scale_bars();
   check_element_maps();
   if (argc > 1)
     {

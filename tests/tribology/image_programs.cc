@@ -104,7 +104,7 @@ namespace
     const auto a = record_of("whole"), b = record_of("mosaic");
     check(b.at("synthetic").get<bool>(),
           "a mosaic of made images is synthetic");
-    check(b.at("mosaic").at("pairs_refined") == 3, "three pairs are aligned");
+    check(b.at("mosaic").at("pairs_refined") == 6, "all pairs are aligned");
     check_close(crack_length(b), crack_length(a), 0.05, "length of cracks");
     const auto &cracks = a.at("images").at(0).at("cracks");
     for (const auto &[value, deviation] :

@@ -191,6 +191,28 @@ namespace
 
 
 
+  /** The decoder gives no transparency of a grey TIFF. */
+  void
+  check_transparent_tiff(const cv::Mat &image)
+  {
+    cv::Mat alpha(image.size(), CV_8U, cv::Scalar(255));
+    alpha.colRange(140, alpha.cols).setTo(0);
+    for (const double factor : {1., 257.})
+      {
+        TiffPage page{factor > 1. ? of_16_bit(image, factor) : image};
+        page.alpha = factor > 1. ? of_16_bit(alpha, factor) : alpha;
+        write_text("alpha.tif", tiff_file({page}));
+        check_throws<InputError>([]() { read_pixels("alpha.tif"); },
+                                 "save it as PNG",
+                                 "a grey TIFF that is transparent in part");
+      }
+    write_text("alpha.tif", tiff_file({{image}}));
+    check(same(read_grey("alpha.tif"), read_grey("bits.png")),
+          "and none without transparency");
+  }
+
+
+
   void
   check_stacks(const cv::Mat &image)
   {
@@ -338,6 +360,7 @@ main(int argc, char **argv)
   check_white_and_black(image);
   check_turned(image);
   check_transparent_grey(image);
+  check_transparent_tiff(image);
   check_stacks(image);
   check_pixels_that_are_no_squares();
   check_brackets_in_names(image);

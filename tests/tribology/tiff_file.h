@@ -21,6 +21,7 @@ namespace squeal
       unsigned int orientation = 0; /**< 0: no tag */
       unsigned int text_tag    = 0; /**< 0: no text */
       std::string  text        = {};
+      cv::Mat      alpha       = {}; /**< as values; empty: none */
     };
 
     inline std::string
@@ -40,13 +41,18 @@ namespace squeal
       std::size_t link = 4;
       for (const TiffPage &page : pages)
         {
-          const cv::Mat    &m  = page.values;
-          const int         n  = m.depth() == CV_16U ? 2 : 1;
-          const std::size_t at = file.size();
+          const cv::Mat       &m       = page.values;
+          const int            n       = m.depth() == CV_16U ? 2 : 1;
+          const std::size_t    at      = file.size();
+          std::vector<cv::Mat> samples = {m};
+          if (!page.alpha.empty())
+            samples.push_back(page.alpha);
+          const int n_samples = int(samples.size());
           for (int y = 0; y < m.rows; ++y)
             for (int x = 0; x < m.cols; ++x)
-              file += little_endian(
-                n == 2 ? m.at<ushort>(y, x) : m.at<uchar>(y, x), n);
+              for (const cv::Mat &s : samples)
+                file += little_endian(
+                  n == 2 ? s.at<ushort>(y, x) : s.at<uchar>(y, x), n);
           const std::size_t at_text = file.size();
           file += page.text;
           file += std::string(file.size() % 2, ' ');
@@ -59,15 +65,17 @@ namespace squeal
             };
           entry(256, 3, 1, m.cols);
           entry(257, 3, 1, m.rows);
-          entry(258, 3, 1, 8 * n);
+          entry(258, 3, n_samples, n_samples == 2 ? 8 * n * 0x10001 : 8 * n);
           entry(259, 3, 1, 1);
           entry(262, 3, 1, page.photometric);
           entry(273, 4, 1, at);
           if (page.orientation > 0)
             entry(274, 3, 1, page.orientation);
-          entry(277, 3, 1, 1);
+          entry(277, 3, 1, n_samples);
           entry(278, 3, 1, m.rows);
-          entry(279, 4, 1, m.total() * n);
+          entry(279, 4, 1, m.total() * n * n_samples);
+          if (n_samples == 2)
+            entry(338, 3, 1, 2);
           if (page.text_tag > 0)
             entry(page.text_tag, 2, page.text.size(), at_text);
           file.replace(link, 4, little_endian(std::uint32_t(file.size()), 4));

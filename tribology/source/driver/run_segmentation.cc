@@ -207,11 +207,9 @@ namespace squeal::tribology
         };
         const cv::Size whole = m.grey.size(), frame = m.frame.size();
         if (!has_shape_of(whole) && !has_shape_of(frame))
-          throw InputError(path + " has " + std::to_string(values.cols) +
-                           " x " + std::to_string(values.rows) +
+          throw InputError(path + " has " + size_text(values.size()) +
                            " pixels, the view of " + m.path + " " +
-                           std::to_string(whole.width) + " x " +
-                           std::to_string(whole.height) +
+                           size_text(whole) +
                            ": an element map of that view has its shape");
         const bool with_bar = has_shape_of(whole);
         cv::resize(

@@ -33,7 +33,6 @@ namespace squeal::tribology
     , n_x(n_x)
     , n_y(n_y)
     , cells(std::size_t(n_x) * n_y)
-    , views(n_y * parts_of_a_cell, n_x * parts_of_a_cell, 0.f)
   {
   }
 
@@ -49,104 +48,104 @@ namespace squeal::tribology
 
 
 
+  CellGrid::View::View(const cv::Size   &size,
+                       const SeenPixels &seen,
+                       const Placement  &placement)
+    : to_pixel{placement.to_pad.inv(), 0.}
+    , size(size)
+    , seen(seen)
+  {
+    const double w = size.width, h = size.height;
+    low = high = placement({0., 0.});
+    for (const cv::Point2d &corner :
+         {cv::Point2d(w, 0.), cv::Point2d(w, h), cv::Point2d(0., h)})
+      {
+        const cv::Point2d p = placement(corner);
+        low                 = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high                = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+  }
+
+
+
+  bool
+  CellGrid::View::may_show_of(const View &other) const
+  {
+    return low.x < other.high.x && other.low.x < high.x &&
+           low.y < other.high.y && other.low.y < high.y;
+  }
+
+
+
+  bool
+  CellGrid::View::shows(const cv::Point2d &place) const
+  {
+    const cv::Point2d p = to_pixel(place);
+    return p.x >= 0. && p.x < size.width && p.y >= 0. && p.y < size.height &&
+           is_shown(seen, {int(p.x), int(p.y)});
+  }
+
+
+
+  void
+  CellGrid::add_crack(Cell             &cell,
+                      const PixelOnPad &pixel,
+                      const CrackMap   &cracks,
+                      const cv::Point  &at,
+                      const double      pixel_length) const
+  {
+    // Along the crack by that direction, across it by what is left of the area.
+    const cv::Point2d step   = pixel.step(cracks.direction.at<float>(at));
+    const double      along  = cv::norm(step);
+    const double      length = pixel_length * along;
+    const double      angle  = 2. * (std::atan2(step.y, step.x) - sliding);
+    cell.crack_length += length;
+    cell.crack_width +=
+      length * pixel.area() / along * cracks.width.at<float>(at);
+    cell.cosine += length * std::cos(angle);
+    cell.sine += length * std::sin(angle);
+  }
+
+
+
   void
   CellGrid::add(const Segmentation &s,
                 const Placement    &placement,
                 const double        direction,
                 const bool          image_is_synthetic)
   {
-    sliding                = direction;
-    is_synthetic           = is_synthetic || image_is_synthetic;
-    const cv::Mat &line    = s.cracks.centre_line;
-    const cv::Mat  lengths = pixel_lengths(line);
-    note_view(line.size(), s.seen, placement);
+    sliding                          = direction;
+    is_synthetic                     = is_synthetic || image_is_synthetic;
+    const cv::Mat            &line   = s.cracks.centre_line;
+    const cv::Mat             length = pixel_lengths(line);
+    const View                view(line.size(), s.seen, placement);
+    std::vector<const View *> earlier;
+    for (const View &other : views)
+      if (other.may_show_of(view))
+        earlier.push_back(&other);
     for (int y = 0; y < line.rows; ++y)
       for (int x = 0; x < line.cols; ++x)
         {
-          const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
+          const cv::Point2d centre(x + 0.5, y + 0.5), place = placement(centre);
+          const int         i = index(place);
           if (i < 0 || !is_shown(s.seen, {x, y}))
             continue;
-          Cell            &cell = cells[i];
-          const PixelOnPad pixel(placement, cv::Point2d(x + 0.5, y + 0.5));
+          const PixelOnPad pixel(placement, centre);
           const double     area = pixel.area();
+          area_of_images += area;
+          if (std::any_of(
+                earlier.begin(), earlier.end(), [&place](const View *other) {
+                  return other->shows(place);
+                }))
+            continue;
+          Cell &cell = cells[i];
           cell.area += area;
           cell.exfoliation += s.areas.exfoliation.at<uchar>(y, x) ? area : 0.;
           cell.plateau += s.areas.plateau.at<uchar>(y, x) ? area : 0.;
-          if (line.at<uchar>(y, x) == 0)
-            continue;
-          // Along the crack by that direction, across it by what is left of
-          // the area.
-          const cv::Point2d step =
-            pixel.step(s.cracks.direction.at<float>(y, x));
-          const double along  = cv::norm(step);
-          const double length = lengths.at<float>(y, x) * along;
-          const double angle  = 2. * (std::atan2(step.y, step.x) - sliding);
-          cell.crack_length += length;
-          cell.crack_width +=
-            length * area / along * s.cracks.width.at<float>(y, x);
-          cell.cosine += length * std::cos(angle);
-          cell.sine += length * std::sin(angle);
+          if (line.at<uchar>(y, x) != 0)
+            add_crack(cell, pixel, s.cracks, {x, y}, length.at<float>(y, x));
         }
-  }
-
-
-
-  void
-  CellGrid::note_view(const cv::Size   &size_of_image,
-                      const SeenPixels &seen,
-                      const Placement  &placement)
-  {
-    const double             w = size_of_image.width, h = size_of_image.height;
-    std::vector<cv::Point2d> corners;
-    for (const cv::Point2d &c : {cv::Point2d(0., 0.),
-                                 cv::Point2d(w, 0.),
-                                 cv::Point2d(w, h),
-                                 cv::Point2d(0., h)})
-      {
-        const cv::Point2d p = placement(c);
-        corners.emplace_back((p.x / size.width + 0.5) * views.cols,
-                             (p.y / size.height + 0.5) * views.rows);
-      }
-    const Placement back{placement.to_pad.inv(), 0.};
-    const auto      pixel_of = [&](const cv::Point2d &part) {
-      const cv::Point2d p = back({(part.x / views.cols - 0.5) * size.width,
-                                  (part.y / views.rows - 0.5) * size.height});
-      return cv::Point(std::clamp(int(p.x), 0, size_of_image.width - 1),
-                       std::clamp(int(p.y), 0, size_of_image.height - 1));
-    };
-    // Parts whose middles lie in the view, row by row.
-    for (int y = 0; y < views.rows; ++y)
-      {
-        double left = 1e300, right = -1e300;
-        for (int k = 0; k < 4; ++k)
-          {
-            const cv::Point2d from = corners[k], to = corners[(k + 1) % 4];
-            if ((from.y > y + 0.5) == (to.y > y + 0.5))
-              continue;
-            const double x =
-              from.x + (y + 0.5 - from.y) / (to.y - from.y) * (to.x - from.x);
-            left  = std::min(left, x);
-            right = std::max(right, x);
-          }
-        const double first = std::clamp(left - 0.5, 0., double(views.cols));
-        for (int x = int(std::ceil(first)); x < views.cols && x + 0.5 < right;
-             ++x)
-          if (seen.empty() || is_shown(seen, pixel_of({x + 0.5, y + 0.5})))
-            views(y, x) += 1.f;
-      }
-  }
-
-
-
-  double
-  CellGrid::share_seen_once(const int i, const int j) const
-  {
-    const cv::Mat part = views(cv::Rect(i * parts_of_a_cell,
-                                        j * parts_of_a_cell,
-                                        parts_of_a_cell,
-                                        parts_of_a_cell));
-    const double  sum  = cv::sum(part)[0];
-    return sum > 0. ? cv::countNonZero(part) / sum : 1.;
+    views.push_back(view);
   }
 
 
@@ -155,17 +154,12 @@ namespace squeal::tribology
   CellGrid::seen_once() const
   {
     SeenOnce once;
-    double   area = 0.;
-    for (int j = 0; j < n_y; ++j)
-      for (int i = 0; i < n_x; ++i)
-        {
-          const Cell  &c     = cells[std::size_t(j) * n_x + i];
-          const double share = share_seen_once(i, j);
-          area += c.area;
-          once.area += share * c.area;
-          once.crack_length += share * c.crack_length;
-        }
-    once.share = area > 0. ? once.area / area : 1.;
+    for (const Cell &c : cells)
+      {
+        once.area += c.area;
+        once.crack_length += c.crack_length;
+      }
+    once.share = area_of_images > 0. ? once.area / area_of_images : 1.;
     return once;
   }
 
@@ -248,8 +242,7 @@ namespace squeal::tribology
             int(k),
             1e-6 * size.width * ((i + 0.5) / n_x - 0.5),
             1e-6 * size.height * ((j + 0.5) / n_y - 0.5),
-            std::min(1.,
-                     share_seen_once(i, j) * c.area * n_x * n_y / size.area()),
+            std::min(1., c.area * n_x * n_y / size.area()),
             seen ? squeal::Cell(1e6 * c.crack_length / c.area) : nothing,
             has ? squeal::Cell(1e-6 * c.crack_width / c.crack_length) : nothing,
             has ? squeal::Cell(90. / CV_PI * std::atan2(c.sine, c.cosine))

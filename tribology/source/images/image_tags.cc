@@ -38,9 +38,10 @@ namespace squeal::tribology
     tags_of_tiff(const TiffDirectory &first)
     {
       ImageTags tags;
-      tags.orientation    = orientation_in(first);
-      tags.white_is_zero  = first.number(photometric_tag) == 0U;
-      tags.may_have_alpha = first.number(extra_samples_tag).has_value();
+      tags.orientation       = orientation_in(first);
+      tags.white_is_zero     = first.number(photometric_tag) == 0U;
+      tags.has_extra_samples = first.number(extra_samples_tag).has_value();
+      tags.may_have_alpha    = tags.has_extra_samples;
       // Microscopes put a thumbnail behind the image, with or without a mark.
       const auto is_copy = [&](const TiffDirectory &page) {
         const auto size_of = [](const TiffDirectory &d) {

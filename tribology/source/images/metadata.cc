@@ -145,6 +145,18 @@ namespace squeal::tribology
 
 
 
+    /** Nothing where these numbers are no size of a picture. */
+    std::optional<cv::Size>
+    size_of(const double columns, const double rows)
+    {
+      constexpr double most = 1e6;
+      if (!(columns >= 1. && columns <= most && rows >= 1. && rows <= most))
+        return std::nullopt;
+      return cv::Size(int(columns), int(rows));
+    }
+
+
+
     /** FEI: pixels have a width and a height, which scans can make unequal;
      * angles are in radians. */
     ImageMetadata
@@ -159,6 +171,10 @@ namespace squeal::tribology
           m.aspect     = *height / *m.pixel_size;
           m.pixel_size = std::sqrt(*height * *m.pixel_size);
         }
+      const auto columns = number_and_unit(value_of(text, "ResolutionX"));
+      const auto rows    = number_and_unit(value_of(text, "ResolutionY"));
+      if (columns && rows)
+        m.size = size_of(columns->first, rows->first);
       constexpr double radian = 180. / CV_PI;
       m.stage_rotation        = angle_of(text, "StageR", radian);
       m.scan_rotation         = angle_of(text, "ScanRotation", radian);
@@ -186,8 +202,8 @@ namespace squeal::tribology
 
 
 
-    /** JEOL: the bar in pixels, the length that it stands for, the stage in
-     * mm, the turn of the scan in degrees. */
+    /** JEOL: the bar in pixels, the length that it stands for, the size of the
+     * picture in pixels, the stage in mm, the turn of the scan in degrees. */
     ImageMetadata
     from_jeol(const std::string &text)
     {
@@ -217,6 +233,12 @@ namespace squeal::tribology
               double angle;
               if (words >> angle && std::isfinite(angle))
                 m.scan_rotation = std::remainder(angle, 360.);
+            }
+          else if (key == "$CM_FULL_SIZE")
+            {
+              double columns, rows;
+              if (words >> columns >> rows)
+                m.size = size_of(columns, rows);
             }
           else if (key == "$CM_STAGE_POS")
             {

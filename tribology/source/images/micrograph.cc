@@ -71,6 +71,14 @@ namespace squeal::tribology
 
 
 
+  std::string
+  size_text(const cv::Size &size)
+  {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+  }
+
+
+
   cv::Mat
   read_grey(const std::string &path, const double largest)
   {
@@ -176,24 +184,104 @@ namespace squeal::tribology
     struct Run
     {
       int first = 0, length = 0;
+
+      int
+      end() const
+      {
+        return first + length;
+      }
     };
 
+    /** From left to right. */
+    std::vector<Run>
+    runs_of(const cv::Mat &mask, const int y)
+    {
+      std::vector<Run> runs;
+      for (int x = 0; x < mask.cols; ++x)
+        if (mask.at<unsigned char>(y, x) != 0)
+          {
+            if (runs.empty() || runs.back().end() < x)
+              runs.push_back({x, 0});
+            ++runs.back().length;
+          }
+      return runs;
+    }
+
+
+
     Run
-    longest_run(const cv::Mat &mask)
+    longest_of(const std::vector<Run> &runs)
     {
       Run longest;
-      for (int y = 0; y < mask.rows; ++y)
-        {
-          Run run;
-          for (int x = 0; x < mask.cols; ++x)
-            {
-              if (mask.at<unsigned char>(y, x) == 0)
-                run = {x + 1, 0};
-              else if (++run.length > longest.length)
-                longest = run;
-            }
-        }
+      for (const Run &run : runs)
+        if (run.length > longest.length)
+          longest = run;
       return longest;
+    }
+
+
+
+    int
+    row_of_longest_run(const cv::Mat &mask)
+    {
+      int row = 0, length = 0;
+      for (int y = 0; y < mask.rows; ++y)
+        if (const Run run = longest_of(runs_of(mask, y)); run.length > length)
+          {
+            row    = y;
+            length = run.length;
+          }
+      return row;
+    }
+
+
+
+    // Of the longest run: strokes of letters beside a bar are shorter than the
+    // first, letters between its halves than the second, and the halves are
+    // alike to the third.
+    constexpr double least_piece = 0.25, most_letter = 0.5, like_halves = 0.8;
+
+    /** Whether the row @p y of runs is a bar in two halves with its label
+     * between them, which stands above the row and below it. */
+    bool
+    has_label_inside(const cv::Mat          &mask,
+                     const int               y,
+                     const std::vector<Run> &runs)
+    {
+      const Run &left = runs.front(), &right = runs.back();
+      const int  longer  = std::max(left.length, right.length),
+                shorter  = std::min(left.length, right.length);
+      const auto is_long = [&](const Run &run) {
+        return run.length > most_letter * longer;
+      };
+      if (shorter < like_halves * longer ||
+          std::count_if(runs.begin(), runs.end(), is_long) != 2)
+        return false;
+      const cv::Mat between = mask.colRange(left.end(), right.first);
+      return cv::countNonZero(between.rowRange(0, y)) > 0 &&
+             cv::countNonZero(between.rowRange(y + 1, mask.rows)) > 0;
+    }
+
+
+
+    /** The bar in the row @p y of its box: the longest run, or from the first to the
+     * last pixel of a bar whose label stands between its halves. Throws
+     * InputError where several runs may be the bar or parts of it. */
+    Run
+    bar_in(const cv::Mat &mask, const int y, const std::string &path)
+    {
+      const std::vector<Run> runs    = runs_of(mask, y);
+      const Run              longest = longest_of(runs);
+      if (std::count_if(runs.begin(), runs.end(), [&](const Run &run) {
+            return run.length >= least_piece * longest.length;
+          }) < 2)
+        return longest;
+      if (!has_label_inside(mask, y, runs))
+        throw InputError(path + ": the box of 'Scale bar' has several bars "
+                                "beside one another, and nothing tells which "
+                                "of them make up the length: draw the box "
+                                "around one bar, or set 'Pixel size'");
+      return {runs.front().first, runs.back().end() - runs.front().first};
     }
   } // namespace
 
@@ -211,10 +299,11 @@ namespace squeal::tribology
     cv::minMaxLoc(part, &low, &high);
     const cv::Mat bright = part > 0.5 * (low + high);
     const cv::Mat bar    = most_of_border(bright) ? cv::Mat(~bright) : bright;
-    const Run     run    = longest_run(bar);
-    if (run.length < 10 || high - low < 30.)
+    const int     y      = row_of_longest_run(bar);
+    if (longest_of(runs_of(bar, y)).length < 10 || high - low < 30.)
       throw InputError(path + ": there is no bar in the box of 'Scale bar'");
-    if (run.first == 0 || run.first + run.length == part.cols)
+    const Run run = bar_in(bar, y, path);
+    if (run.first == 0 || run.end() == part.cols)
       throw InputError(path + ": the bar reaches the left or the right border "
                               "of the box of 'Scale bar': draw the box wider "
                               "than the bar, with its background around it");
@@ -265,6 +354,56 @@ namespace squeal::tribology
           " of 255, where few grey levels are left to tell cracks by: export "
           "it with its full range");
     }
+
+
+
+    /** Edge of a pixel over that of the picture of which the metadata tell the
+     * size: 1 where it has as many columns. Nothing where the picture, with its
+     * data bar or without, is no smaller or larger copy of that one. */
+    std::optional<double>
+    scale_against_metadata(const Micrograph &m)
+    {
+      if (!m.metadata.size)
+        return 1.;
+      const bool     is_turned = m.orientation > 4;
+      const cv::Size stated    = *m.metadata.size;
+      const int      columns   = is_turned ? m.grey.rows : m.grey.cols;
+      if (columns == stated.width)
+        return 1.;
+      const double scale = double(stated.width) / columns;
+      const auto   fits  = [&](const int rows) {
+        const double wanted = stated.height / scale;
+        return std::abs(rows - wanted) <= 1. + wanted / columns;
+      };
+      if (!fits(is_turned ? m.grey.cols : m.grey.rows) && !fits(m.frame.height))
+        return std::nullopt;
+      return scale;
+    }
+
+
+
+    /** Makes the pixel size of the metadata that of the pixels at hand, or
+     * none where nothing tells it. Returns what is to be told of that. */
+    std::string
+    fit_metadata_to_size(Micrograph &m)
+    {
+      const auto scale = scale_against_metadata(m);
+      if (!m.metadata.pixel_size || scale == 1.)
+        return "";
+      const std::string sizes =
+        "its metadata are of " + size_text(*m.metadata.size) +
+        " pixels, the image has " + size_text(m.grey.size());
+      if (!scale)
+        {
+          m.metadata.pixel_size.reset();
+          return sizes + " and is no smaller or larger copy of that";
+        }
+      *m.metadata.pixel_size *= *scale;
+      return sizes +
+             ": it is taken for a copy of another size, with pixels of " +
+             rounded_text(*m.metadata.pixel_size, 4) +
+             " um; set 'Pixel size' if it was cut out";
+    }
   } // namespace
 
 
@@ -282,6 +421,7 @@ namespace squeal::tribology
     m.stem     = std::filesystem::path(path).stem().string();
     m.metadata = read_metadata(path);
     read_pixels_of(m, data_bar, largest, least_bits);
+    const std::string other_size = fit_metadata_to_size(m);
     if (pixel_size > 0.)
       {
         m.pixel_size   = pixel_size;
@@ -296,10 +436,13 @@ namespace squeal::tribology
       {
         m.pixel_size   = *m.metadata.pixel_size;
         m.scale_source = m.metadata.source;
+        if (!other_size.empty())
+          m.warnings.push_back(other_size);
       }
     else
-      throw InputError(path + " has no scale: set 'Pixel size', or 'Scale bar' "
-                              "with its box and length");
+      throw InputError(
+        path + (other_size.empty() ? " has no scale" : ": " + other_size) +
+        ": set 'Pixel size', or 'Scale bar' with its box and length");
     if (!(m.pixel_size > 0.) || !std::isfinite(m.pixel_size))
       throw InputError(path + ": the pixel size of its metadata is not "
                               "positive: set 'Pixel size'");

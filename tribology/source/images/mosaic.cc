@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace squeal::tribology
 {
@@ -19,6 +21,10 @@ namespace squeal::tribology
     /** Blocks of so many pixels leave nothing of the noise of a detector, and
      * their means spread by so many grey levels where anything is shown. */
     constexpr double block_edge = 8., least_spread = 3.;
+
+    /** Frames that lie as far from where their overlap shows the same draw a
+     * crack double, px. */
+    constexpr double largest_misfit = 2.;
 
     /** Frames of one exposure agree to this factor where they overlap. */
     constexpr double brightness_agreement = 1.1;
@@ -100,13 +106,18 @@ namespace squeal::tribology
 
   namespace
   {
-    /** A frame and the earlier one that it is aligned to. */
+    /** A frame and an earlier one. */
     struct Overlap
     {
       std::size_t frame, other;
       cv::Point2d start;              /**< px, by the stage */
-      bool        is_judged  = false; /**< wide enough, and with a texture */
-      bool        is_refined = false;
+      cv::Point2d shift      = start; /**< as they fit, px */
+      double      area       = 0.;    /**< px, by the stage */
+      bool        is_wide    = false; /**< enough to align them */
+      bool        is_judged  = false; /**< wide, and with a texture */
+      bool        is_refined = false; /**< shows the same in both */
+      bool        is_off     = false; /**< but not where others place them */
+      bool        is_link    = false; /**< one of those that place frames */
 
       bool
       is_beside() const
@@ -117,7 +128,7 @@ namespace squeal::tribology
 
 
 
-    /** Places frames one by one and judges their overlaps. */
+    /** Aligns frames by pairs, places all of them and judges every overlap. */
     class Joiner
     {
     public:
@@ -133,8 +144,17 @@ namespace squeal::tribology
         read_stage();
         mosaic.shifts = stage;
         for (std::size_t i = 1; i < frames.size(); ++i)
-          if (const std::size_t other = neighbour_of(i); other != i)
-            align({i, other, stage[i] - stage[other]});
+          for (std::size_t j = 0; j < i; ++j)
+            overlaps.push_back(aligned({i, j, stage[i] - stage[j]}));
+        place();
+        int n_narrow = 0;
+        for (Overlap &o : overlaps)
+          {
+            if (!o.is_link)
+              check_where_placed(o);
+            n_narrow += o.is_link && !o.is_wide;
+            report(o);
+          }
         refuse_mismatch();
         if (n_narrow > 0)
           mosaic.warnings.push_back(
@@ -160,69 +180,144 @@ namespace squeal::tribology
           }
       }
 
-      /** The earlier frame that shares the largest area by the stage; @p i
-       * where there is none. */
-      std::size_t
-      neighbour_of(const std::size_t i) const
-      {
-        double      most  = 0.;
-        std::size_t other = i;
-        for (std::size_t j = 0; j < i; ++j)
-          {
-            const cv::Rect2d r =
-              cv::Rect2d(stage[i], cv::Size2d(frames[i].frame.size())) &
-              cv::Rect2d(stage[j], cv::Size2d(frames[j].frame.size()));
-            if (r.area() > most)
-              {
-                most  = r.area();
-                other = j;
-              }
-          }
-        return other;
-      }
-
       cv::Mat
       picture(const std::size_t i) const
       {
         return frames[i].grey(frames[i].frame);
       }
 
-      /** From the difference of two places of the stage: a start from the
-       * corrected place of the neighbour would add up all corrections before
-       * it. */
-      void
-      align(Overlap o)
+      bool
+      is_wide_at(const Overlap &o, const cv::Point2d &shift) const
       {
-        const cv::Mat     fixed = picture(o.other), moving = picture(o.frame);
-        const cv::Rect    part    = shared_part(fixed, moving, o.start);
-        const auto        refined = refine_shift(fixed, moving, o.start);
-        const cv::Point2d shift   = refined.value_or(o.start);
-        mosaic.shifts[o.frame]    = mosaic.shifts[o.other] + shift;
-        mosaic.correction         = std::max(
-          mosaic.correction, cv::norm(mosaic.shifts[o.frame] - stage[o.frame]));
-        if (!is_wide_enough(part))
-          {
-            ++n_narrow;
-            return;
-          }
+        return is_wide_enough(
+          shared_part(picture(o.other), picture(o.frame), shift));
+      }
+
+      bool
+      show_anything(const Overlap &o, const cv::Point2d &shift) const
+      {
+        const cv::Mat fixed = picture(o.other), moving = picture(o.frame);
+        return shows_anything(fixed(shared_part(fixed, moving, shift))) &&
+               shows_anything(moving(shared_part(moving, fixed, -shift)));
+      }
+
+      /** From the difference of two places of the stage: a start from corrected
+       * places would add up all corrections before it. */
+      Overlap
+      aligned(Overlap o) const
+      {
+        const auto place_of = [&](const std::size_t i) {
+          return cv::Rect2d(stage[i], cv::Size2d(frames[i].frame.size()));
+        };
+        o.area    = (place_of(o.frame) & place_of(o.other)).area();
+        o.is_wide = is_wide_at(o, o.start);
+        if (!o.is_wide)
+          return o;
+        const auto refined =
+          refine_shift(picture(o.other), picture(o.frame), o.start);
+        o.shift      = refined.value_or(o.start);
         o.is_refined = refined.has_value();
-        o.is_judged =
-          o.is_refined ||
-          (shows_anything(fixed(part)) &&
-           shows_anything(moving(shared_part(moving, fixed, -o.start))));
+        o.is_judged  = o.is_refined || show_anything(o, o.start);
+        return o;
+      }
+
+      /** By a tree over all overlaps, those that show anything and large ones
+       * first, whatever the order of the frames is. A match goes before no
+       * larger overlap without: small ones match by chance. */
+      void
+      place()
+      {
+        std::vector<Overlap *> order;
+        for (Overlap &o : overlaps)
+          if (o.area > 0.)
+            order.push_back(&o);
+        std::stable_sort(
+          order.begin(), order.end(), [](const Overlap *a, const Overlap *b) {
+            return std::pair(a->is_judged, a->area) >
+                   std::pair(b->is_judged, b->area);
+          });
+        // The first frame of those that hang together stays where it is.
+        std::vector<std::size_t> group(frames.size());
+        std::iota(group.begin(), group.end(), std::size_t(0));
+        for (Overlap *o : order)
+          {
+            const std::size_t a = group[o->other], b = group[o->frame];
+            if (a == b)
+              continue;
+            o->is_link            = true;
+            const cv::Point2d gap = o->shift - shift_between(*o);
+            for (std::size_t k = 0; k < frames.size(); ++k)
+              if (group[k] == std::max(a, b))
+                {
+                  mosaic.shifts[k] += a < b ? gap : -gap;
+                  group[k] = std::min(a, b);
+                }
+          }
+        for (std::size_t i = 0; i < frames.size(); ++i)
+          mosaic.correction =
+            std::max(mosaic.correction, cv::norm(mosaic.shifts[i] - stage[i]));
+      }
+
+      /** As frames are placed. */
+      cv::Point2d
+      shift_between(const Overlap &o) const
+      {
+        return mosaic.shifts[o.frame] - mosaic.shifts[o.other];
+      }
+
+      /** Whether frames that others place show the same there. */
+      void
+      check_where_placed(Overlap &o) const
+      {
+        const cv::Point2d placed = shift_between(o);
+        const auto        fits   = [&]() {
+          return o.is_refined && cv::norm(o.shift - placed) <= largest_misfit;
+        };
+        o.is_wide = is_wide_at(o, placed);
+        if (!o.is_wide)
+          o.is_judged = o.is_refined = false;
+        if (!o.is_wide || fits())
+          return;
+        if (const auto again =
+              refine_shift(picture(o.other), picture(o.frame), placed))
+          {
+            o.shift      = *again;
+            o.is_refined = true;
+          }
+        o.is_judged = o.is_refined || show_anything(o, placed);
+        o.is_off    = o.is_refined && !fits();
+      }
+
+      /** Counts an overlap and warns of what is odd about it. */
+      void
+      report(const Overlap &o)
+      {
+        if (!o.is_wide)
+          return;
         ++mosaic.n_tried;
-        mosaic.n_refined += o.is_refined;
-        overlaps.push_back(o);
-        if (o.is_refined)
-          compare_brightness(o, shift);
-        else
+        mosaic.n_refined += o.is_refined && !o.is_off;
+        const std::string both =
+          frames[o.frame].path + " and " + frames[o.other].path;
+        if (o.is_off)
           mosaic.warnings.push_back(
-            frames[o.frame].path + " and " + frames[o.other].path +
+            both + " show the same where they overlap, but " +
+            rounded_text(cv::norm(o.shift - shift_between(o)), 2) +
+            " pixels beside where other overlaps place them: cracks there are "
+            "drawn double");
+        else if (o.is_refined)
+          compare_brightness(o, shift_between(o));
+        else if (o.is_link)
+          mosaic.warnings.push_back(
+            both +
             (o.is_judged ? " do not show the same where they overlap by their "
                            "stage positions"
                          : " show nothing to align them by where they "
                            "overlap") +
-            ": the first lies by the stage position alone");
+            ": they lie to one another by their stage positions alone");
+        else if (o.is_judged)
+          mosaic.warnings.push_back(
+            both + " do not show the same where they overlap as other overlaps "
+                   "place them: cracks there may count twice");
       }
 
       void
@@ -243,21 +338,42 @@ namespace squeal::tribology
             "give both with one exposure and one range");
       }
 
+      /** Whether frames are neighbours by a corner, which no axis of the stage
+       * places. */
+      bool
+      is_by_corner(const Overlap &o) const
+      {
+        const cv::Size size = frames[o.frame].frame.size();
+        const double   x    = std::abs(o.start.x) / size.width,
+                     y      = std::abs(o.start.y) / size.height;
+        return std::min(x, y) > 0.5 * std::max(x, y);
+      }
+
       /** Hardly any match: the stage does not run as the images do. */
       void
       refuse_mismatch() const
       {
+        std::vector<const Overlap *> judged, beside;
+        for (const Overlap &o : overlaps)
+          if (o.is_judged)
+            {
+              judged.push_back(&o);
+              if (!is_by_corner(o))
+                beside.push_back(&o);
+            }
+        if (!beside.empty())
+          judged = beside;
         int n_judged[2] = {0, 0}, n_failed[2] = {0, 0}, n_reversed[2] = {0, 0};
         std::string first;
-        for (const Overlap &o : overlaps)
+        for (const Overlap *o : judged)
           {
-            const int axis = o.is_beside() ? 0 : 1;
-            n_judged[axis] += o.is_judged;
-            if (!o.is_judged || o.is_refined)
+            const int axis = o->is_beside() ? 0 : 1;
+            ++n_judged[axis];
+            if (o->is_refined)
               continue;
             ++n_failed[axis];
             if (first.empty())
-              first = frames[o.frame].path + " and " + frames[o.other].path;
+              first = frames[o->frame].path + " and " + frames[o->other].path;
           }
         const int n_all  = n_judged[0] + n_judged[1],
                   failed = n_failed[0] + n_failed[1];
@@ -267,9 +383,9 @@ namespace squeal::tribology
           mismatch |= n_failed[axis] > 1 && 2 * n_failed[axis] > n_judged[axis];
         if (!mismatch)
           return;
-        for (const Overlap &o : overlaps)
-          if (o.is_judged && !o.is_refined)
-            n_reversed[o.is_beside() ? 0 : 1] += matches_reversed(o);
+        for (const Overlap *o : judged)
+          if (!o->is_refined)
+            n_reversed[o->is_beside() ? 0 : 1] += matches_reversed(*o);
         std::string advice;
         for (int axis = 0; axis < 2; ++axis)
           if (2 * n_reversed[axis] > n_failed[axis])
@@ -303,9 +419,8 @@ namespace squeal::tribology
 
       const std::vector<Micrograph> &frames;
       Mosaic                        &mosaic;
-      std::vector<cv::Point2d>       stage; /**< px, upper left corners */
-      std::vector<Overlap>           overlaps;
-      int                            n_narrow = 0;
+      std::vector<cv::Point2d>       stage;    /**< px, upper left corners */
+      std::vector<Overlap>           overlaps; /**< of all pairs */
     };
 
 

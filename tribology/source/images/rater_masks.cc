@@ -56,14 +56,6 @@ namespace squeal::tribology
 
 
     std::string
-    size_text(const cv::Size &size)
-    {
-      return std::to_string(size.width) + " x " + std::to_string(size.height);
-    }
-
-
-
-    std::string
     list_of(const std::set<int> &values)
     {
       std::string text;

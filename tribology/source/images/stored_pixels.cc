@@ -96,9 +96,15 @@ namespace squeal::tribology
     void
     read_alpha(const std::string &data,
                const std::string &path,
+               const ImageTags   &tags,
                StoredPixels      &pixels)
     {
       const cv::Mat whole = decode(data, path, cv::IMREAD_UNCHANGED);
+      // The decoder leaves out what stands beside the grey values of a TIFF.
+      if (whole.channels() != 4 && tags.has_extra_samples)
+        throw InputError(path + " is a TIFF with transparency or other samples "
+                                "beside its grey values, which are not read: "
+                                "save it as PNG, or without them");
       if (whole.channels() != 4)
         return;
       cv::Mat alpha;
@@ -161,7 +167,7 @@ namespace squeal::tribology
     if (tags.transparent_grey)
       leave_grey(*tags.transparent_grey, pixels);
     else if (tags.may_have_alpha)
-      read_alpha(data, path, pixels);
+      read_alpha(data, path, tags, pixels);
     return pixels;
   }
 

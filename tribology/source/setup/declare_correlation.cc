@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/schema.h>
-#include <squeal/tribology/setup/damage_parameters.h>
+#include <squeal/tribology/setup/feature_columns.h>
 #include <squeal/tribology/setup/unused_entries.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 namespace squeal::tribology
 {
@@ -17,9 +18,34 @@ namespace squeal::tribology
   {
     const char *const correlation_section = "Correlation";
 
-    /** Whether two files are one, or alike to the last byte. */
+    /** Whether no feature of a table varies, as on a pad without any crack. */
     bool
-    are_one_table(const std::string &a, const std::string &b)
+    are_features_constant(const std::string           &file,
+                          const CorrelationParameters &c)
+    {
+      const Table table = read_csv(file);
+      for (const std::string &name : feature_columns(table, c))
+        {
+          if (!table.has_column(name))
+            return false;
+          std::set<std::string> values;
+          for (std::size_t row = 0; row < table.n_rows(); ++row)
+            if (!table.is_missing(row, name))
+              values.insert(table.text(row, name));
+          if (values.size() > 1)
+            return false;
+        }
+      return true;
+    }
+
+
+
+    /** Whether two files are one, or alike to the last byte where what is
+     * measured varies: two pads without cracks look alike. */
+    bool
+    are_one_table(const std::string           &a,
+                  const std::string           &b,
+                  const CorrelationParameters &c)
     {
       namespace fs = std::filesystem;
       std::error_code none;
@@ -31,18 +57,20 @@ namespace squeal::tribology
         return false;
       using Bytes = std::istreambuf_iterator<char>;
       std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
-      return std::equal(Bytes(first), Bytes(), Bytes(second));
+      return std::equal(Bytes(first), Bytes(), Bytes(second)) &&
+             !are_features_constant(a, c);
     }
 
 
 
     /** A pad is one sample, however often its table is named. */
     void
-    require_other_pads(const std::vector<std::string> &tables)
+    require_other_pads(const CorrelationParameters &c)
     {
+      const std::vector<std::string> &tables = c.feature_tables;
       for (std::size_t i = 0; i < tables.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-          if (are_one_table(tables[i], tables[j]))
+          if (are_one_table(tables[i], tables[j], c))
             prm::refuse_entry(
               correlation_section,
               "Feature tables",
@@ -207,7 +235,7 @@ namespace squeal::tribology
       prm::refuse_entry(section,
                         "Feature tables",
                         "has not one table for each of 'Damage tables'");
-    require_other_pads(c.feature_tables);
+    require_other_pads(c);
     refuse_entries_of_test(c);
     for (const std::string &name : c.covariates)
       for (const auto *list : {&c.indices, &c.features})

@@ -14,6 +14,9 @@ namespace squeal::tribology
     /** Parts of an edge that are rounding. */
     constexpr double sliver = 1e-6;
 
+    /** Places of the same column, which may be rounded: of the whole length. */
+    constexpr double same_place = 1e-4;
+
     bool
     lies_in(const Patch &c, const std::array<double, 2> &at)
     {
@@ -82,8 +85,7 @@ namespace squeal::tribology
       for (const auto &place : places)
         at.push_back(place[axis]);
       std::sort(at.begin(), at.end());
-      // steps that are less than this are the same column, rounded
-      const double same = 1e-4 * (at.back() - at.front());
+      const double same = same_place * (at.back() - at.front());
       for (std::size_t i = 1; i < at.size(); ++i)
         if (at[i] - at[i - 1] > same)
           gaps.push_back(at[i] - at[i - 1]);
@@ -101,6 +103,32 @@ namespace squeal::tribology
           steps += whole;
         }
       return (at.back() - at.front()) / steps;
+    }
+
+
+
+    /** Steps of the lattice of the rows along x and y, see even_step(). Rows in
+     * one column or one row in the middle of the face are as long across it as
+     * the face is: images in cells of 1 x n or n x 1. */
+    std::array<double, 2>
+    lattice_steps(const ContactGrid &grid, const RowPlaces &places)
+    {
+      const Patch                &face  = grid.face();
+      const std::array<double, 2> lows  = {{face.x_min, face.y_min}},
+                                  highs = {{face.x_max, face.y_max}};
+      std::array<double, 2> steps       = {
+              {even_step(places, 0), even_step(places, 1)}};
+      for (const int axis : {0, 1})
+        {
+          const double length = highs[axis] - lows[axis],
+                       middle = .5 * (lows[axis] + highs[axis]);
+          if (std::isfinite(steps[1 - axis]) &&
+              std::all_of(places.begin(), places.end(), [&](const auto &at) {
+                return std::abs(at[axis] - middle) <= same_place * length;
+              }))
+            steps[axis] = length;
+        }
+      return steps;
     }
 
 
@@ -153,8 +181,7 @@ namespace squeal::tribology
     FeatureRows result;
     if (places.empty())
       return result;
-    const std::array<double, 2> steps = {
-      {even_step(places, 0), even_step(places, 1)}};
+    const std::array<double, 2> steps = lattice_steps(grid, places);
     if (std::isfinite(steps[0]) && std::isfinite(steps[1]) &&
         !are_nodes(grid, places))
       {

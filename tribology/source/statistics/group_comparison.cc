@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
+#include <squeal/tribology/setup/feature_columns.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
@@ -19,7 +20,7 @@ namespace squeal::tribology
     {
       double sum = 0., weight = 0.;
       for (std::size_t k = 0; k < map.values.size(); ++k)
-        if (std::isfinite(map.values[k]))
+        if (std::isfinite(map.values[k]) && weights.values[k] > 0.)
           {
             sum += weights.values[k] * map.values[k];
             weight += weights.values[k];
@@ -130,7 +131,11 @@ namespace squeal::tribology
     mean_on(const PadMaps &pad, const std::string &feature)
     {
       const auto it = pad.features.find(feature);
-      return it == pad.features.end() ? NAN : known_mean(it->second, pad.seen);
+      if (it == pad.features.end())
+        return NAN;
+      const bool is_by_length =
+        is_mean_along_cracks(feature) && pad.crack_length.size() > 0;
+      return known_mean(it->second, is_by_length ? pad.crack_length : pad.seen);
     }
 
 

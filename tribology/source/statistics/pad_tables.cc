@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/damage/damage_table.h>
+#include <squeal/tribology/setup/feature_columns.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/feature_place.h>
 #include <squeal/tribology/statistics/feature_rows.h>
@@ -24,61 +25,10 @@ namespace squeal::tribology
       {"x_m", Table::Type::real, "m", ""},
       {"y_m", Table::Type::real, "m", ""}};
 
-    /** Columns of places and names, which are no features. */
-    bool
-    is_place(const std::string &name)
-    {
-      for (const char *other : {"node",
-                                "cell",
-                                "x_m",
-                                "y_m",
-                                "area_m2",
-                                "sliding_x",
-                                "sliding_y",
-                                "coverage",
-                                "images",
-                                "pad",
-                                "synthetic"})
-        if (name == other)
-          return true;
-      return false;
-    }
-
-
-
     bool
     is_among(const std::vector<std::string> &names, const std::string &name)
     {
       return std::find(names.begin(), names.end(), name) != names.end();
-    }
-
-
-
-    /** An angle of lines jumps from 90 to -90 degrees: it has no mean and no
-     * correlation as a number. */
-    constexpr const char *angle_of_lines = "crack_angle_deg";
-
-    /** What stands for it; like it, it is against the sliding direction. */
-    constexpr const char *along_sliding = "crack_along_sliding";
-
-    std::vector<std::string>
-    feature_columns(const Table &table, const CorrelationParameters &p)
-    {
-      if (is_among(p.features, angle_of_lines) ||
-          is_among(p.covariates, angle_of_lines))
-        throw InputError(std::string("'") + angle_of_lines +
-                         "' jumps from 90 to -90 degrees where lines turn "
-                         "across the sliding: take '" +
-                         along_sliding + "'");
-      if (!p.features.empty())
-        return p.features;
-      std::vector<std::string> names;
-      for (const Table::Column &column : table.columns())
-        if (column.type != Table::Type::text && !is_place(column.name) &&
-            column.name != angle_of_lines &&
-            !is_among(p.covariates, column.name))
-          names.push_back(column.name);
-      return names;
     }
 
 
@@ -184,19 +134,27 @@ namespace squeal::tribology
       bool is_place_assumed = false; /**< see FeaturePlace */
     };
 
+    constexpr const char *crack_density = "crack_density_per_m";
+
     /** A feature on the cells: the mean of the rows of a cell, by the area of
-     * it that each of them has seen. */
+     * it that each of them has seen, or by the length of the cracks there of
+     * what is a mean along them. */
     GridMap
     feature_map(const ContactGrid &grid,
                 const Table       &table,
                 const SeenRows    &seen,
                 const std::string &name)
     {
+      const bool is_by_length =
+        is_mean_along_cracks(name) && table.has_column(crack_density);
       std::vector<double> sums(grid.n_nodes(), 0.), weights(grid.n_nodes(), 0.);
       for (const FeatureRows::Share &share : seen.lie.shares)
         {
-          const double value  = table.real(seen.rows[share.row], name),
-                       weight = share.part * seen.coverages[share.row];
+          const std::size_t row   = seen.rows[share.row];
+          const double      value = table.real(row, name),
+                       weight =
+                         share.part * seen.coverages[share.row] *
+                         (is_by_length ? table.real(row, crack_density) : 1.);
           if (std::isfinite(value) && weight > 0.)
             {
               sums[share.node] += weight * value;
@@ -346,8 +304,16 @@ namespace squeal::tribology
       const auto map_of_feature = [&](const std::string &name) {
         return feature_map(*pad.grid, features, rows, name);
       };
+      const std::vector<std::string> names = feature_columns(features, p);
+      if (std::any_of(names.begin(), names.end(), is_mean_along_cracks) &&
+          features.has_column(crack_density))
+        {
+          pad.crack_length = map_of_feature(crack_density);
+          for (std::size_t k = 0; k < pad.crack_length.size(); ++k)
+            pad.crack_length.values[k] *= pad.seen.values[k];
+        }
       pad.is_synthetic = is_any_synthetic(features, rows.rows);
-      for (const std::string &name : feature_columns(features, p))
+      for (const std::string &name : names)
         {
           features.column_index(name);
           pad.features[name] = map_of_feature(name);
@@ -368,8 +334,8 @@ namespace squeal::tribology
                                 ? on_grid(*pad.grid, damage.reals(name))
                                 : map_of_feature(name)});
         }
-      if (pad.features.count(along_sliding) > 0 ||
-          is_among(p.covariates, along_sliding))
+      if (pad.features.count(along_sliding_column) > 0 ||
+          is_among(p.covariates, along_sliding_column))
         require_same_sliding(sliding, damage_file, features, feature_file);
       pad.causes = shared_causes(
         pad.coverage, p.shared_causes, sliding.leading_edge, measured);

@@ -11,7 +11,8 @@
 
 namespace squeal::tribology
 {
-  /** Features of the images gathered on cells of the pad or of one image. */
+  /** Features of the images gathered on cells of the pad or of one image. What
+   * several images show is taken from the first of them alone. */
   class CellGrid
   {
   public:
@@ -39,7 +40,7 @@ namespace squeal::tribology
     struct SeenOnce
     {
       double area         = 0.; /**< um^2 */
-      double crack_length = 0.; /**< um, of each cell its mean density */
+      double crack_length = 0.; /**< um */
       double share        = 1.; /**< area over the sum of the images' areas */
     };
     SeenOnce seen_once() const;
@@ -61,25 +62,38 @@ namespace squeal::tribology
       std::string         name;
       std::vector<double> sum, weight;
     };
-    int index(const cv::Point2d &p) const;
-    /** Notes which parts of the cells an image shows. */
-    void note_view(const cv::Size   &size_of_image,
-                   const SeenPixels &seen,
-                   const Placement  &placement);
-    /** What images show of a cell over what they show of it one by one: less
-     * than 1 where they overlap. */
-    double share_seen_once(int i, int j) const;
+    /** What an image shows of the pad. */
+    struct View
+    {
+      View(const cv::Size   &size,
+           const SeenPixels &seen,
+           const Placement  &placement);
 
-    /** Overlaps are seen on a grid of so many parts in each direction. */
-    static constexpr int parts_of_a_cell = 32;
+      bool may_show_of(const View &other) const;
+      bool shows(const cv::Point2d &place) const;
+
+      Placement   to_pixel; /**< of the pad, um */
+      cv::Size    size;
+      SeenPixels  seen;
+      cv::Point2d low, high; /**< of the box around it, um */
+    };
+    int index(const cv::Point2d &p) const;
+    /** Adds the crack of pixel @p at, on whose line it has @p pixel_length
+     * pixels. */
+    void add_crack(Cell             &cell,
+                   const PixelOnPad &pixel,
+                   const CrackMap   &cracks,
+                   const cv::Point  &at,
+                   double            pixel_length) const;
 
     cv::Size2d             size;
     int                    n_x, n_y;
     std::vector<Cell>      cells;
     std::vector<Covariate> covariates;
-    cv::Mat1f              views; /**< number of images that show each part */
-    double                 sliding      = 0.;
-    bool                   is_synthetic = false;
+    std::vector<View>      views;
+    double                 area_of_images = 0.; /**< um^2, on the pad */
+    double                 sliding        = 0.;
+    bool                   is_synthetic   = false;
   };
 } // namespace squeal::tribology
 

@@ -15,6 +15,7 @@ namespace squeal::tribology
     int  n_images       = 1; /**< pages of a TIFF that are no smaller copies */
     bool white_is_zero  = false; /**< tag 262 of TIFF */
     bool may_have_alpha = false; /**< an alpha channel or transparent colours */
+    bool has_extra_samples = false; /**< tag 338 of TIFF: alpha or others */
     /** The grey value of a grey PNG that is transparent: 0 to 255, or to 65535
      * in one of 16 bits. */
     std::optional<int> transparent_grey;

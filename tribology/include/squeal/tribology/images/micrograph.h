@@ -16,9 +16,10 @@ namespace squeal::tribology
   /** What a microscope writes beside the pixels. */
   struct ImageMetadata
   {
-    std::optional<double>      pixel_size; /**< um, root of the area */
-    std::optional<cv::Point2d> stage;      /**< um, of the image centre */
-    std::string                source;     /**< "FEI tags", ... or empty */
+    std::optional<double>   pixel_size; /**< um, root of the area */
+    std::optional<cv::Size> size; /**< px, of the picture with these pixels */
+    std::optional<cv::Point2d> stage;  /**< um, of the image centre */
+    std::string                source; /**< "FEI tags", ... or empty */
     bool                       is_synthetic = false;
     double                     aspect = 1.; /**< height of a pixel over its
                                                width */
@@ -59,6 +60,9 @@ namespace squeal::tribology
    */
   ImageMetadata read_metadata(const std::string &path);
 
+  /** Columns and rows: "640 x 480". */
+  std::string size_text(const cv::Size &size);
+
   /** Grey values of a file, see read_pixels(), scaled to 0..255, CV_32F. Of 16
    * bit the bits that the picture uses are the range: a camera of 12 bits has
    * its white at 4095. */
@@ -77,15 +81,19 @@ namespace squeal::tribology
 
   /** Pixels of the longest horizontal run in the box that differs from the
    * background at the border of the box: a bright bar on dark or a dark one on
-   * bright. Throws InputError when there is no bar, or when it reaches the left
-   * or the right border, where nobody can tell how long it is. */
+   * bright. Of a bar in two halves with its label between them it is the
+   * length from end to end. Throws InputError when there is no bar, when there
+   * are several beside one another, or when it reaches the left or the right
+   * border, where nobody can tell how long it is. */
   double scale_bar_pixels(const cv::Mat     &grey,
                           const cv::Rect    &box,
                           const std::string &path);
 
   /**
    * Reads an image with its scale: @p pixel_size (um) if it is not 0, else the
-   * scale bar if one is given, else the metadata. @p data_bar: rows at the
+   * scale bar if one is given, else the metadata. Where these state another
+   * size in pixels, the image is a copy of that size if its rows say so, with a
+   * warning, and has no scale if they do not. @p data_bar: rows at the
    * bottom that are no picture, -1 for rows_above_data_bar(). @p least_bits:
    * files of 16 bit have the range of so many at least, so that images of one
    * exposure keep one brightness. Throws InputError when there is no scale or

@@ -29,7 +29,8 @@ namespace squeal::tribology
    * Pixels of a PNG, TIFF, JPEG or BMP file. Throws InputError naming the file
    * when it is missing, no regular file, empty, truncated, damaged, no image,
    * larger than require_room() allows, of fewer than 32 x 32 pixels, a stack of
-   * several images, or turned by a tag and transparent in part.
+   * several images, a grey TIFF with transparency, or turned by a tag and
+   * transparent in part.
    */
   StoredPixels read_pixels(const std::string &path,
                            double             largest = usual_largest_image);

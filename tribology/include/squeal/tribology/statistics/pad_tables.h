@@ -20,7 +20,10 @@ namespace squeal::tribology
     std::map<std::string, GridMap> features; /**< NaN where not looked at */
     GridMap                        seen;     /**< area of features, m^2 */
     GridMap                        coverage; /**< part of each cell seen */
-    SharedCauses                   causes;   /**< taken out of both */
+    /** Of the cracks in each cell, m, NaN where not looked at; empty where the
+     * table tells no density of cracks or no feature is a mean along them. */
+    GridMap      crack_length;
+    SharedCauses causes; /**< taken out of both */
     /** Spacing of the features' cells over that of the nodes; NaN where the
      * features lie at nodes or on no even lattice. */
     double coarseness = NAN;
@@ -38,7 +41,8 @@ namespace squeal::tribology
   /**
    * Reads a damage table and a table of features for each pad. Rows of features
    * are shared among the nodal cells by area, see share_rows(); several rows in
-   * a cell count with the area of it that each of them has seen. Of a table
+   * a cell count with the area of it that each of them has seen, widths and
+   * directions of cracks with the length of the cracks there. Of a table
    * with a column "image" only the rows "pad" count, and there must be some.
    * The damage table must cover a rectangular grid. Columns that are covariates
    * are shared causes, and neither indices nor features. The leading edge is
@@ -106,13 +110,14 @@ namespace squeal::tribology
   };
 
   /**
-   * Two-sided permutation test of the means of pads, exact up to a million
-   * choices of pads and from 200 000 random ones beyond (a p-value of 0.05 is
-   * then good to 0.0005), adjusted by Holm for the number of features. A pad is
-   * one sample: where the smallest adjusted p-value that the numbers of pads
-   * allow is above the level, the verdict is undecided and says so. Features
-   * are those of all pads, each compared on the pads that have it. Empty if a
-   * group has no pad.
+   * Two-sided permutation test of the means of pads, by the area that was seen
+   * or, of widths and directions of cracks, by their length, exact up to a
+   * million choices of pads and from 200 000 random ones beyond (a p-value of
+   * 0.05 is then good to 0.0005), adjusted by Holm for the number of features.
+   * A pad is one sample: where the smallest adjusted p-value that the numbers
+   * of pads allow is above the level, the verdict is undecided and says so.
+   * Features are those of all pads, each compared on the pads that have it.
+   * Empty if a group has no pad.
    */
   std::vector<GroupResult> compare_groups(
     const std::vector<PadMaps>  &pads,

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The size of pixels by scale bars, and by metadata of a picture of another
+// size.
+#include "../analyses/program.h"
+
+#include <squeal/base/exceptions.h>
+#include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/micrograph.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "tiff_file.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+using namespace squeal::tribology;
+
+namespace
+{
+  /** A bar of 200 pixels, 6 high, in a data bar: bright on dark or dark on
+   * bright, as long as the box holds its ends. */
+  void
+  check_scale_bars()
+  {
+    for (const bool bright : {true, false})
+      {
+        cv::Mat grey(512, 640, CV_32F, cv::Scalar(100.));
+        grey.rowRange(480, 512).setTo(bright ? 10. : 250.);
+        grey(cv::Rect(100, 500, 200, 6)).setTo(bright ? 250. : 10.);
+        const std::string claim =
+          std::string(bright ? "bright bar on dark" : "dark bar on bright");
+        check_close(
+          scale_bar_pixels(grey, {80, 490, 240, 20}, "a"), 200., 1e-12, claim);
+        for (const cv::Rect &box : {cv::Rect(150, 490, 100, 20),
+                                    cv::Rect(150, 490, 240, 20),
+                                    cv::Rect(60, 490, 240, 20)})
+          check_throws<InputError>([&]() { scale_bar_pixels(grey, box, "a"); },
+                                   "border",
+                                   claim + " that the box cuts");
+        check_throws<InputError>(
+          [&]() {
+            scale_bar_pixels(grey, {400, 490, 200, 20}, "a");
+          },
+          "no bar",
+          "no bar where there is none");
+      }
+  }
+
+  /** A bar of 200 pixels from tick to tick whose label stands between its
+   * halves; several bars beside one another are none. */
+  void
+  check_labelled_scale_bars()
+  {
+    const cv::Rect box(80, 484, 260, 26);
+    const auto     bar = [](const int left, const int right) {
+      cv::Mat grey(512, 640, CV_32F, cv::Scalar(100.));
+      grey.rowRange(480, 512).setTo(10.);
+      grey(cv::Rect(100, 496, left, 2)).setTo(250.);
+      grey(cv::Rect(300 - right, 496, right, 2)).setTo(250.);
+      for (const int tick : {100, 299})
+        grey(cv::Rect(tick, 490, 1, 14)).setTo(250.);
+      return grey;
+    };
+    for (const int right : {61, 66})
+      {
+        cv::Mat grey = bar(61, right);
+        check_throws<InputError>([&]() { scale_bar_pixels(grey, box, "a"); },
+                                 "several bars",
+                                 "two bars without a label between them");
+        cv::putText(grey, "100 um", {170, 501}, 0, 0.4, 250.);
+        check_close(scale_bar_pixels(grey, box, "a"),
+                    200.,
+                    1e-12,
+                    "a bar with its label inside");
+      }
+    for (const int right : {25, 40})
+      {
+        cv::Mat grey = bar(61, right);
+        cv::putText(grey, "100 um", {170, 501}, 0, 0.4, 250.);
+        check_throws<InputError>([&]() { scale_bar_pixels(grey, box, "a"); },
+                                 "several bars",
+                                 "bars of two lengths");
+      }
+    cv::Mat below = bar(100, 100);
+    cv::putText(below, "100 um", {170, 509}, 0, 0.3, 250.);
+    check_close(scale_bar_pixels(below, box, "a"),
+                200.,
+                1e-12,
+                "a whole bar over its label");
+  }
+
+
+
+  /** An image that is half as large as its metadata say has pixels of twice
+   * the size, one with fewer rows alone or cut out has none. */
+  void
+  check_size_in_metadata()
+  {
+    for (const bool is_jeol : {true, false})
+      {
+        const std::string name    = is_jeol ? "sized.png" : "sized.tif";
+        const auto        read_of = [&](const cv::Size &size) {
+          const cv::Mat values(size, CV_8U, cv::Scalar(90));
+          write_text("sized.txt",
+                     "$CM_FULL_SIZE 640 480\r\n$$SM_MICRON_BAR 100\r\n"
+                            "$$SM_MICRON_MARKER 100um\r\n");
+          if (is_jeol)
+            write_png(name, values);
+          else
+            write_text(name,
+                       tiff_file({{values,
+                                   1,
+                                   0,
+                                   34682,
+                                   "[Image]\r\nResolutionX=640\r\n"
+                                          "ResolutionY=480\r\n[Scan]\r\n"
+                                          "PixelWidth=1e-6\r\n"}}));
+          return read_micrograph(name, 0.);
+        };
+        for (const cv::Size &size :
+             {cv::Size(640, 480), cv::Size(640, 512), cv::Size(640, 400)})
+          {
+            const Micrograph m = read_of(size);
+            check_close(m.pixel_size, 1., 1e-12, name + ": as it was taken");
+            check(m.warnings.empty(), "without a warning");
+          }
+        for (const cv::Size &size : {cv::Size(320, 240), cv::Size(213, 160)})
+          {
+            const Micrograph m = read_of(size);
+            check_close(m.pixel_size,
+                        640. / size.width,
+                        1e-12,
+                        name + ": pixels of a reduced image");
+            check(*m.metadata.pixel_size == m.pixel_size &&
+                    m.warnings.size() == 1 &&
+                    m.warnings[0].find("640 x 480") != std::string::npos,
+                  "which is told");
+          }
+        check_throws<InputError>(
+          [&]() {
+            read_of({500, 450});
+          },
+          "no smaller or larger copy",
+          name + ": a part of an image is refused");
+        check_close(read_micrograph(name, 2.).pixel_size,
+                    2.,
+                    1e-12,
+                    "unless its pixel size is given");
+      }
+  }
+} // namespace
+
+
+
+int
+main()
+{
+  check_scale_bars();
+  check_labelled_scale_bars();
+  check_size_in_metadata();
+  return 0;
+}
