@@ -19,7 +19,8 @@ namespace squeal
      * not stand on the edge. */
     constexpr double margin_of_change = 1.1;
     /** Of the highest frequency: what is 0 Hz in a direct solution, and a
-     * growth rate that may be rounding. */
+     * growth rate that may be rounding, as undamped pairs have one of either
+     * sign. */
     constexpr double as_good_as_zero = 1e-6;
 
     void
@@ -131,7 +132,7 @@ namespace squeal
             nearest_followed(followed, pair.frequency, share) == followed.end())
           continue;
         take_worse(worst, pair);
-        if (pair.sigma > 0.)
+        if (pair.sigma > rounding())
           result.push_back(pair);
       }
     return result;
@@ -148,8 +149,9 @@ namespace squeal
       place(change.number, 1. + change.share),
       model.grid().scene(peak.point, change.number, 1. + change.share),
       reach);
-    const double small = as_good_as_zero * model.band().highest;
+    const double small = rounding();
     DirectAnswer result;
+    result.rounding = small;
     for (unsigned int i = 0; i < pairs.size(); ++i)
       {
         GrowingPair pair{pairs.frequency(i), pairs.sigma(i)};
@@ -172,6 +174,12 @@ namespace squeal
   {
     return frequency >= model.band().lowest &&
            frequency <= model.band().highest;
+  }
+
+  double
+  ChangedScene::rounding() const
+  {
+    return as_good_as_zero * model.band().highest;
   }
 
   SweepPoint
