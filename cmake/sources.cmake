@@ -196,6 +196,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/basis_builder.cc
     source/sweep/basis_cells.cc
     source/sweep/branch_tracker.cc
+    source/sweep/contact_cells.cc
     source/sweep/continued_pencils.cc
     source/sweep/edge_of_band.cc
     source/sweep/exceptional_point.cc

@@ -92,12 +92,22 @@ namespace squeal
     /** True where forces at the contact enter the matrices: by damping across
      * the sliding or by a friction coefficient that depends on the speed. */
     bool
+    forces_matter(const SceneParameters &scene)
+    {
+      return std::any_of(scene.contacts.begin(),
+                         scene.contacts.end(),
+                         [](const ContactParameters &contact) {
+                           return contact.state == State::preload &&
+                                  has_slip_rate_terms(contact);
+                         });
+    }
+
+    bool
     forces_matter(const SweepGrid &grid)
     {
       for (std::size_t i = 0; i < grid.n_points(); ++i)
-        for (const auto &contact : grid.scene(grid.point(i)).contacts)
-          if (contact.state == State::preload && has_slip_rate_terms(contact))
-            return true;
+        if (forces_matter(grid.scene(grid.point(i))))
+          return true;
       return false;
     }
 
@@ -192,5 +202,48 @@ namespace squeal
       std::to_string(n_nodes) + " points closed");
     grid.set_states(state_of_point);
     return different;
+  }
+
+
+
+  std::vector<ContactStates>
+  contact_of_number(const std::vector<ContactStates> &of_pairs,
+                    const unsigned int                number)
+  {
+    std::vector<ContactStates> result;
+    for (const ContactStates &states : of_pairs)
+      result.push_back(states.empty() ? ContactStates()
+                                      : ContactStates{states.at(number)});
+    return result;
+  }
+
+
+
+  ChangedContact::ChangedContact(const Parameters &p, Timers &t)
+    : parameters(p)
+    , timers(t)
+    , model(p, t, {}, Model::Contacts::open)
+  {
+  }
+
+  bool
+  ChangedContact::is_that(const SceneParameters            &scene,
+                          const std::vector<ContactStates> &held) const
+  {
+    Parameters changed    = parameters;
+    changed.scene         = scene;
+    const Parameters here = without_damping(changed);
+    try
+      {
+        const auto own =
+          preload_states(pressed_for_states(here, model, timers), here, timers);
+        return joined_status(own) == joined_status(held) &&
+               (!forces_matter(scene) || same_forces(held, own));
+      }
+    catch (const ComputationError &)
+      {
+        // Nothing slides steadily with these numbers: a contact of its own.
+        return false;
+      }
   }
 } // namespace squeal

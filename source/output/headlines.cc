@@ -90,12 +90,19 @@ namespace squeal
   {
     if (t.n_rows() == 0)
       return "no samples were drawn";
-    const double doubt = t.real(0, "undecided");
+    const double doubt = t.real(0, "undecided"),
+                 held  = t.has_column("undecided_contact")
+                           ? t.real(0, "undecided_contact")
+                           : 0.;
     return "squeals in " + percent(t.real(0, "probability")) + " % of " +
            t.display(0, t.column_index("samples")) +
            " samples (95 %: " + percent(t.real(0, "lower_95")) + " to " +
-           percent(t.real(0, "upper_95")) + " %); the sigma of " +
-           percent(doubt) + " % of them is below its own error";
+           percent(t.real(0, "upper_95")) + " %); " +
+           (held > 0. ? percent(held) +
+                          " % of them lie between points of different contact "
+                          "states and are undecided"
+                      : "the sigma of " + percent(doubt) +
+                          " % of them is below its own error");
   }
 
 

@@ -323,6 +323,31 @@ namespace squeal
 
 
       void
+      check_suggestions(const Parameters &parameters)
+      {
+        if (parameters.sweep.suggestions == 0)
+          return;
+        if (parameters.sweep.sensitivities.empty())
+          refuse_entry("Sweep",
+                       "Suggestions",
+                       "needs the numbers that may be changed: list them in "
+                       "Sensitivities");
+        for (const ContactParameters &c : parameters.scene.contacts)
+          if (parameters.analysis == Parameters::Analysis::sweep &&
+              c.state == ContactParameters::State::preload)
+            refuse_entry("Sweep",
+                         "Suggestions",
+                         "do not follow contact points that a change opens or "
+                         "closes, as in pair " +
+                           in_quotes(c.name) +
+                           " with 'Contact state = preload': set it to 0 and "
+                           "make the number to be changed an axis, each point "
+                           "of which has its own contact state");
+      }
+
+
+
+      void
       check_axis(const Parameters          &parameters,
                  const GenericSchema       &schema,
                  const SweepAxisParameters &a)
@@ -444,11 +469,7 @@ namespace squeal
           require_effect_of_normal_force(
             parameters, "Sweep", "Sensitivities", path);
         }
-      if (s.suggestions > 0 && s.sensitivities.empty())
-        refuse_entry("Sweep",
-                     "Suggestions",
-                     "needs the numbers that may be changed: list them in "
-                     "Sensitivities");
+      check_suggestions(parameters);
     }
   } // namespace prm
 } // namespace squeal

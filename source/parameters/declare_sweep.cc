@@ -136,14 +136,15 @@ namespace squeal
                  s.sensitivities,
                  Allowed::list(Allowed::text()),
                  "Numbers of the scene whose influence on every unstable pair "
-                 "is reported; empty: none.");
+                 "is reported, with the contact as it is there; empty: none.");
       schema.add("Suggestions",
                  s.suggestions,
                  Allowed::integer(0, 1000),
                  "Unstable ranges, those of the largest sigma first, for which "
                  "the smallest change of one of the Sensitivities that leaves "
                  "no pair unstable is sought and checked by a direct "
-                 "solution; 0: none.");
+                 "solution; 0: none, as it must be with 'Contact state = "
+                 "preload'.");
       schema.add("Largest change",
                  s.largest_change,
                  Allowed::positive(0.99),

@@ -50,7 +50,10 @@ namespace squeal
                     const std::vector<double> &values)
   {
     const auto classes = classes_of(x, values);
-    if (classes.empty())
+    if (classes.empty() ||
+        !std::all_of(values.begin(), values.end(), [](const double v) {
+          return std::isfinite(v);
+        }))
       return std::nan("");
     const double n    = values.size();
     double       mean = 0., variance = 0., between = 0.;

@@ -91,13 +91,21 @@ namespace squeal
 
 
 
-  LineStability::LineStability(const BranchTracker::Solver &s,
-                               const TrackingOptions       &o,
-                               const double                 t)
+  LineStability::LineStability(const BranchTracker::Solver       &s,
+                               const TrackingOptions             &o,
+                               const double                       t,
+                               const std::function<bool(double)> &is_known)
     : solver(s)
     , options(o)
     , tolerance(t)
+    , known(is_known)
   {
+  }
+
+  bool
+  LineStability::knows(const double x) const
+  {
+    return !known || known(x);
   }
 
   double
@@ -171,6 +179,14 @@ namespace squeal
 
 
 
+  bool
+  LineStability::may_peak_between(const TrackedPoint &a,
+                                  const TrackedPoint &b) const
+  {
+    // A range without any known point has its peak somewhere all the same.
+    return !knows(a.coordinate) || knows(0.5 * (a.coordinate + b.coordinate));
+  }
+
   void
   LineStability::locate_peak(const std::vector<TrackedPoint> &line,
                              const std::size_t                at,
@@ -181,11 +197,14 @@ namespace squeal
     range.peak_sigma         = top.pairs.sigma(pair);
     range.peak_at            = top.coordinate;
     range.peak_frequency     = top.pairs.frequency(pair);
-    double low = at > 0 ? line[at - 1].coordinate : top.coordinate;
-    double high =
-      at + 1 < line.size() ? line[at + 1].coordinate : top.coordinate;
-    low  = std::max(low, range.lower);
-    high = std::min(high, range.upper);
+    double low               = at > 0 && may_peak_between(top, line[at - 1])
+                                 ? line[at - 1].coordinate
+                                 : top.coordinate;
+    double high = at + 1 < line.size() && may_peak_between(top, line[at + 1])
+                    ? line[at + 1].coordinate
+                    : top.coordinate;
+    low         = std::max(low, range.lower);
+    high        = std::min(high, range.upper);
     // Golden section.
     const double g = 0.5 * (3. - std::sqrt(5.));
     while (high - low > 100. * tolerance)
@@ -229,13 +248,17 @@ namespace squeal
             UnstableRange range;
             range.branch     = branch;
             std::size_t last = p, top = p;
+            range.is_certain = knows(line[p].coordinate);
             while (last + 1 < line.size() && sigma(last + 1) > 0.)
               ++last;
             for (std::size_t q = p; q <= last; ++q)
               {
-                if (sigma(q) > sigma(top))
+                const bool is_certain = knows(line[q].coordinate);
+                if (is_certain == range.is_certain ? sigma(q) > sigma(top)
+                                                   : is_certain)
                   top = q;
-                const int i = line[q].pair_of(branch);
+                range.is_certain = range.is_certain || is_certain;
+                const int i      = line[q].pair_of(branch);
                 range.sigma_error =
                   worst_of(range.sigma_error,
                            line[q].pairs.error_estimate[i] *

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Changes that stop a flutter of two degrees of freedom: what leaves the band
-// goes on squealing, and what diverges outside the band does not squeal in it.
+// goes on squealing, what diverges outside the band does not squeal in it, and
+// what is undamped does not squeal by rounding.
 // Argument: the program.
 
 #include <squeal/results/table.h>
@@ -87,6 +88,22 @@ end
     check(table.real(0, "largest_sigma_per_s") < 0., "as by the basis");
   }
 
+  /** Without damping all stable pairs have a sigma of rounding, of either
+   * sign. */
+  void
+  without_damping(const std::string &program)
+  {
+    const Table table = suggestions(
+      program,
+      band("0.1", "0.5") + sweep("Scene/Contact belt/Friction coefficient"),
+      "undamped");
+    // From mu = 1 to 3/4, and a tenth more of the change.
+    check_close(
+      table.real(0, "change_percent"), -27.5, 0.1, "the flutter ends");
+    check(table.text(0, "verdict") == "stable",
+          "by the direct solution, too: " + table.text(0, "verdict"));
+  }
+
   /** A second mass with the opposite friction, mu = -3, and the stiffness
    * [[2, 5], [1, 2]] of determinant -1 diverges at sqrt(sqrt(5) - 2) 1/s, less
    * what the dashpots take. */
@@ -150,4 +167,5 @@ main(int argc, char **argv)
   check(argc == 2, "one argument");
   out_of_the_band(argv[1]);
   beside_the_band(argv[1]);
+  without_damping(argv[1]);
 }

@@ -78,6 +78,15 @@ namespace
              "Sweep/Axis e_pad/Entries = Scene/Contact pad_disc/Normal force"},
             "has no effect",
             "a normal force that the loads decide");
+    const std::vector<std::string> suggest = {
+      "Sweep/Suggestions = 1",
+      "Sweep/Sensitivities = Scene/Body pad/Young modulus"};
+    read_parameters(file, suggest).check();
+    refused({suggest[0],
+             suggest[1],
+             "Scene/Contact pad_disc/Contact state = preload"},
+            "Suggestions",
+            "changes that open points of the contact");
     refused(
       {"Sweep/Axis e_pad/From = -1e9"}, "Axis e_pad", "a negative stiffness");
     refused({"Sweep/Axis e_pad/From = 1e11"},

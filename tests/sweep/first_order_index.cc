@@ -86,6 +86,19 @@ namespace
   }
 
   void
+  not_finite()
+  {
+    const Samples s = draw(1000, 2);
+    for (const double value : {HUGE_VAL, -HUGE_VAL, std::nan("")})
+      {
+        std::vector<double> values = combined(s, 1., 1.);
+        values[500]                = value;
+        check(std::isnan(first_order_index(s.x, values)),
+              "a value that is not finite leaves no variance to share");
+      }
+  }
+
+  void
   every_sample_is_in_one_class()
   {
     for (const unsigned int n : {10, 23, 99, 1000, 1001})
@@ -111,5 +124,6 @@ main()
 {
   linear_functions();
   few_samples();
+  not_finite();
   every_sample_is_in_one_class();
 }

@@ -3,6 +3,7 @@
 #define squeal_model_contact_states_h
 
 #include <squeal/contact/contact_geometry.h>
+#include <squeal/model/model.h>
 #include <squeal/run/run_context.h>
 #include <squeal/sweep/sweep_grid.h>
 
@@ -20,6 +21,33 @@ namespace squeal
   std::vector<ContactStates> contact_states_of(const Parameters &parameters,
                                                SweepGrid        &grid,
                                                RunContext       &context);
+
+  /** Of the states of every pair that with @p number, as a list of one; none of
+   * pairs without states of their own. */
+  std::vector<ContactStates> contact_of_number(
+    const std::vector<ContactStates> &of_pairs,
+    const unsigned int                number);
+
+  /** Steady sliding of a scene whose numbers are changed. */
+  class ChangedContact
+  {
+  public:
+    /** References are kept. */
+    ChangedContact(const Parameters &parameters, Timers &timers);
+
+    /** Whether steady sliding of @p scene, which differs from that of the
+     * parameters in numbers, has the contact @p held, one state a pair, none
+     * of pairs whose state is not `preload`: the same status of all points
+     * and, where forces enter the matrices, the same forces. False where there
+     * is no steady sliding. Collective. */
+    bool is_that(const SceneParameters            &scene,
+                 const std::vector<ContactStates> &held) const;
+
+  private:
+    const Parameters &parameters;
+    Timers           &timers;
+    const Model       model; /**< its contacts are open */
+  };
 } // namespace squeal
 
 #endif

@@ -24,7 +24,7 @@ namespace squeal
    * models, 1993), from the means of classes of x, less what classes of so few
    * samples show of pure chance: of n samples without a link, k classes explain
    * (k - 1) / (n - 1) on the mean. Between 0 and 1; 0 where the values do not
-   * vary, NaN for fewer than ten samples.
+   * vary, NaN for fewer than ten samples or a value that is not finite.
    */
   double first_order_index(const std::vector<double> &x,
                            const std::vector<double> &values);

@@ -5,6 +5,7 @@
 #include <squeal/sweep/exceptional_point.h>
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 namespace squeal
@@ -27,6 +28,9 @@ namespace squeal
     double lower_slope = 0., upper_slope = 0.;
     /** Largest estimated |dlambda| of the branch at the ends, 1/s. */
     double sigma_error = 0.;
+    /** Whether it holds a point of the line whose problem is known; if not,
+     * more points may show that there is no such range. */
+    bool is_certain = true;
 
     /** Whether sigma = 0 at `lower` and at `upper`. */
     bool
@@ -58,13 +62,20 @@ namespace squeal
   /**
    * What a tracked line says of stability. Edges are bracketed to @p tolerance
    * of the coordinate, peaks located to a hundred times that.
+   *
+   * @p is_known tells of a coordinate whether the problem is known there, not
+   * only that of a neighbour, as it is with a contact state that is held
+   * between points; it is the same all over between neighbouring points, and
+   * true everywhere if empty. Peaks are sought where it is true; a range that
+   * holds no such point has its peak anywhere and is not certain.
    */
   class LineStability
   {
   public:
-    LineStability(const BranchTracker::Solver &solver,
-                  const TrackingOptions       &options,
-                  const double                 tolerance);
+    LineStability(const BranchTracker::Solver       &solver,
+                  const TrackingOptions             &options,
+                  const double                       tolerance,
+                  const std::function<bool(double)> &is_known = {});
 
     std::vector<UnstableRange> ranges(
       const std::vector<TrackedPoint> &line) const;
@@ -93,13 +104,18 @@ namespace squeal
                 const TrackedPoint &b,
                 const int           branch,
                 double             &slope) const;
-    void   locate_peak(const std::vector<TrackedPoint> &line,
-                       const std::size_t                at,
-                       UnstableRange                   &range) const;
+    bool   knows(const double x) const;
+    /** Whether a peak next to @p a may lie between it and its neighbour @p b.
+     */
+    bool may_peak_between(const TrackedPoint &a, const TrackedPoint &b) const;
+    void locate_peak(const std::vector<TrackedPoint> &line,
+                     const std::size_t                at,
+                     UnstableRange                   &range) const;
 
-    const BranchTracker::Solver solver;
-    const TrackingOptions       options;
-    const double                tolerance;
+    const BranchTracker::Solver       solver;
+    const TrackingOptions             options;
+    const double                      tolerance;
+    const std::function<bool(double)> known;
   };
 } // namespace squeal
 

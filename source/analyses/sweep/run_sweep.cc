@@ -158,6 +158,10 @@ namespace squeal
           sources.emplace_back("reduction", source.second);
       if (sources.empty())
         return "no edge";
+      for (const char *column : {"lower_error_contact", "upper_error_contact"})
+        if (const double error = error_of_column("", ranges, column).second;
+            error > 0.)
+          sources.emplace_back("contact state between points", error);
       sources.push_back(
         error_of_column("mesh", ranges, "edge_error_discretisation"));
       return headline_error(sources, unit);
@@ -318,6 +322,28 @@ namespace squeal
             "are matched by frequency; more points or a narrower band of "
             "Eigenvalues help");
     }
+
+    /** Counts ranges that no point of the grid bears out. */
+    void
+    warn_of_doubtful_ranges(const SweepModel    &model,
+                            const SweepSolution &solution,
+                            RunContext          &context)
+    {
+      std::size_t n = 0;
+      for (const SweepLine &line : solution.lines)
+        n +=
+          std::count_if(line.ranges.begin(),
+                        line.ranges.end(),
+                        [](const UnstableRange &r) { return !r.is_certain; });
+      if (n > 0)
+        context.log.warning(
+          (n == 1 ? "1 unstable range lies"
+                  : std::to_string(n) + " unstable ranges lie") +
+          std::string(" between neighbouring points of ") +
+          model.grid().axis(0).name +
+          " whose contact states differ, where that of the nearest point is "
+          "held: more points tell whether anything squeals there");
+    }
   } // namespace
 
 
@@ -346,6 +372,7 @@ namespace squeal
         check_column_names(model, scene);
         const SweepSolution solution = solve_sweep(model, context);
         warn_of_doubtful_branches(model, solution, context);
+        warn_of_doubtful_ranges(model, solution, context);
         add(model, solution, totals);
         has_shapes            = model.model().namer().n_coordinates() > 0;
         context.record.n_dofs = std::max<std::size_t>(

@@ -20,7 +20,8 @@ namespace squeal
     /** What is added to the smallest change that stabilises, so that it does
      * not stand on the edge. */
     constexpr double margin_of_change = 1.1;
-    /** Of the highest frequency: a growth rate that may be rounding. */
+    /** Of the highest frequency: a growth rate that may be rounding, as
+     * undamped pairs have one of either sign. */
     constexpr double as_good_as_zero = 1e-6;
 
     void
@@ -132,7 +133,7 @@ namespace squeal
             nearest_followed(followed, pair.frequency, share) == followed.end())
           continue;
         take_worse(worst, pair);
-        if (pair.sigma > 0.)
+        if (pair.sigma > rounding())
           result.push_back(pair);
       }
     return result;
@@ -151,8 +152,9 @@ namespace squeal
         model.grid().scene(peak.point, change.number, 1. + change.share),
         reach)
         .pairs;
-    const double small = as_good_as_zero * model.band().highest;
+    const double small = rounding();
     DirectAnswer result;
+    result.rounding = small;
     for (unsigned int i = 0; i < pairs.size(); ++i)
       {
         const GrowingPair pair{pairs.frequency(i), pairs.sigma(i)};
@@ -173,6 +175,12 @@ namespace squeal
   {
     return frequency >= model.band().lowest &&
            frequency <= model.band().highest;
+  }
+
+  double
+  ChangedScene::rounding() const
+  {
+    return as_good_as_zero * model.band().highest;
   }
 
   SweepPoint

@@ -52,11 +52,12 @@ namespace squeal
   {
     WorstPair worst;   /**< of the band and of the pairs that are followed */
     WorstPair outside; /**< what else grows among the pairs found */
+    double    rounding = 0.; /**< a growth rate that may be nothing else, 1/s */
 
     bool
     is_stable() const
     {
-      return !worst || worst->sigma < 0.;
+      return !worst || worst->sigma <= rounding;
     }
   };
 
@@ -80,6 +81,7 @@ namespace squeal
 
   private:
     bool         is_in_band(const double frequency) const;
+    double       rounding() const; /**< as that of the answer */
     SweepPoint   place(const unsigned int number, const double factor) const;
     ComplexPairs solve(const unsigned int number, const double factor) const;
 

@@ -109,6 +109,13 @@ namespace squeal
           i += 2;
       }
 
+    if (grid.n_states() > 1 && added.n_solved > 0)
+      context.log.warning(
+        "the lines that boundary.csv has between the values of " +
+        grid.axis(1).name +
+        " hold the contact states at the nearest value: more values tell the "
+        "edges between");
+
     Table table(
       {{grid.axis(1).name, Type::real, "", grid.axis(1).entries[0], 6},
        {"frequency_hz", Type::real, "Hz", "at the peak of sigma", 6},

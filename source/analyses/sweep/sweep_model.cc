@@ -50,6 +50,11 @@ namespace squeal
       build(context, vectors);
   }
 
+  const Parameters &
+  SweepModel::run_parameters() const
+  {
+    return parameters;
+  }
   const SceneParameters &
   SweepModel::scene() const
   {
@@ -108,19 +113,22 @@ namespace squeal
     return !contact_states.empty();
   }
 
+  std::vector<ContactStates>
+  SweepModel::contact_at(const SweepPoint &point) const
+  {
+    return contact_of_number(contact_states, sweep_grid.state_number(point));
+  }
+
   unsigned int
   SweepModel::n_closed(const SweepPoint &point) const
   {
     // Pairs without states of their own are closed everywhere.
     unsigned int n = 0;
-    for (const ContactStates &of_pair : contact_states)
-      if (!of_pair.empty())
-        {
-          const auto &status =
-            of_pair.at(sweep_grid.state_number(point)).status;
-          n += status.size() -
-               std::count(status.begin(), status.end(), ContactStatus::open);
-        }
+    for (const ContactStates &of_pair : contact_at(point))
+      for (const ContactState &state : of_pair)
+        n += state.status.size() - std::count(state.status.begin(),
+                                              state.status.end(),
+                                              ContactStatus::open);
     return n;
   }
 

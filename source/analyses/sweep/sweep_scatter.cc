@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/parameters/entry_traits.h>
+#include <squeal/sweep/contact_cells.h>
 #include <squeal/sweep/first_order_index.h>
 
 #include <deal.II/base/mpi.h>
@@ -29,6 +30,19 @@ namespace squeal
       double sigma     = 0.; /**< the largest, 1/s */
       double frequency = 0.; /**< of that pair, Hz */
       double error     = 0.; /**< estimated, of sigma */
+      /** Whether all points of the grid round it have one contact state. */
+      bool is_known = true;
+
+      bool
+      squeals() const
+      {
+        return sigma > 0.;
+      }
+      bool
+      has_pair() const
+      {
+        return std::isfinite(sigma);
+      }
     };
 
     std::vector<SweepPoint>
@@ -109,8 +123,10 @@ namespace squeal
       dealii::Utilities::MPI::sum(values, MPI_COMM_WORLD, values);
       std::vector<Sample> samples;
       for (std::size_t i = 0; i < points.size(); ++i)
-        samples.push_back(
-          {values[3 * i], values[3 * i + 1], values[3 * i + 2]});
+        samples.push_back({values[3 * i],
+                           values[3 * i + 1],
+                           values[3 * i + 2],
+                           has_known_contact(model.grid(), points[i])});
       return samples;
     }
 
@@ -131,7 +147,7 @@ namespace squeal
     {
       std::vector<double> unstable;
       for (const auto &s : samples)
-        if (s.sigma > 0.)
+        if (s.squeals())
           unstable.push_back(s.frequency);
       std::sort(unstable.begin(), unstable.end());
       std::vector<std::pair<double, double>> groups;
@@ -175,6 +191,127 @@ namespace squeal
       chart.series.push_back(series);
       return chart;
     }
+
+    /** Counts of an event among the samples. */
+    struct Count
+    {
+      double squeal = 0.; /**< by the contact state that is held */
+      /** At least and at most, whatever the contact state that is not known. */
+      double surely = 0., perhaps = 0.;
+      double undecided = 0., held = 0.;
+      double sigma = 0.; /**< the largest, 1/s */
+    };
+
+    Count
+    count_between(const std::vector<Sample> &samples,
+                  const double               low,
+                  const double               high)
+    {
+      Count count;
+      for (const Sample &s : samples)
+        {
+          const bool is_here = s.frequency >= low && s.frequency <= high,
+                     squeals = is_here && s.squeals();
+          count.squeal += squeals;
+          count.surely += squeals && s.is_known;
+          count.perhaps += squeals || !s.is_known;
+          count.held += !s.is_known;
+          count.undecided +=
+            !s.is_known || (is_here && std::abs(s.sigma) <= s.error);
+          if (is_here)
+            count.sigma = std::max(count.sigma, s.sigma);
+        }
+      return count;
+    }
+
+    Table
+    probability_table(const SweepModel          &model,
+                      const std::vector<Sample> &samples)
+    {
+      Table table(
+        {{"event", Type::text, "", "what happens"},
+         {"lowest_frequency_hz", Type::real, "Hz", "of the pairs", 5},
+         {"highest_frequency_hz", Type::real, "Hz", "of the pairs", 5},
+         {"samples", Type::integer, "", "drawn"},
+         {"probability", Type::real, "", "share of the samples", 5},
+         {"lower_95", Type::real, "", "of the sampling, Wilson", 5},
+         {"upper_95", Type::real, "", "of the sampling, Wilson", 5},
+         {"undecided",
+          Type::real,
+          "",
+          "share of samples whose sigma is below its estimated error",
+          3},
+         {"largest_sigma_per_s", Type::real, "1/s", "among them", 5}});
+      if (model.has_contact_states())
+        table.add_column({"undecided_contact",
+                          Type::real,
+                          "",
+                          "share of samples between points of different "
+                          "contact states, undecided and in the interval",
+                          3});
+      const double n = samples.size();
+      const auto   add_row =
+        [&](const std::string &event, const double low, const double high) {
+          const Count       c = count_between(samples, low, high);
+          std::vector<Cell> row{event,
+                                low,
+                                high,
+                                samples.size(),
+                                c.squeal / n,
+                                interval(c.surely / n, n).first,
+                                interval(c.perhaps / n, n).second,
+                                c.undecided / n,
+                                c.sigma};
+          if (model.has_contact_states())
+            row.emplace_back(c.held / n);
+          table.add_row(row);
+        };
+      add_row("any squeal", model.band().lowest, model.band().highest);
+      for (const auto &[low, high] : frequency_groups(samples))
+        add_row("loudest pair in this range", low, high);
+      return table;
+    }
+
+    void
+    warn_of_samples(const std::vector<Sample> &samples, RunContext &context)
+    {
+      const std::string of = " of " + std::to_string(samples.size());
+      const auto        n_held =
+                   std::count_if(samples.begin(),
+                                 samples.end(),
+                                 [](const Sample &s) { return !s.is_known; }),
+                 n_without =
+                   std::count_if(samples.begin(),
+                                 samples.end(),
+                                 [](const Sample &s) { return !s.has_pair(); });
+      if (n_held > 0)
+        context.log.warning(
+          std::to_string(n_held) + of +
+          " samples lie between points of the sweep whose contact states "
+          "differ, where that of the nearest point is held: they are "
+          "undecided, and the interval of the probability counts them both "
+          "ways; give the axes more points (Number)");
+      if (n_without > 0)
+        context.log.warning(
+          std::to_string(n_without) + of +
+          " samples have no pair in the band of Eigenvalues: they do not "
+          "squeal, and index_sigma is that of the others");
+    }
+
+    /** Of the largest sigma, of the samples that have one. */
+    double
+    index_of_sigma(const std::vector<double> &x,
+                   const std::vector<Sample> &samples)
+    {
+      std::vector<double> own, sigma;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        if (samples[i].has_pair())
+          {
+            own.push_back(x[i]);
+            sigma.push_back(samples[i].sigma);
+          }
+      return first_order_index(own, sigma);
+    }
   } // namespace
 
 
@@ -187,54 +324,13 @@ namespace squeal
     const auto      &p       = context.parameters.sweep;
     const auto       points  = draw(grid, p);
     const auto       samples = solve_samples(model, points, context);
-    const double     n       = samples.size();
+    warn_of_samples(samples, context);
 
     ScatterTables result;
-    result.probabilities =
-      Table({{"event", Type::text, "", "what happens"},
-             {"lowest_frequency_hz", Type::real, "Hz", "of the pairs", 5},
-             {"highest_frequency_hz", Type::real, "Hz", "of the pairs", 5},
-             {"samples", Type::integer, "", "drawn"},
-             {"probability", Type::real, "", "share of the samples", 5},
-             {"lower_95", Type::real, "", "of the sampling, Wilson", 5},
-             {"upper_95", Type::real, "", "of the sampling, Wilson", 5},
-             {"undecided",
-              Type::real,
-              "",
-              "share of samples whose sigma is below its estimated error",
-              3},
-             {"largest_sigma_per_s", Type::real, "1/s", "among them", 5}});
-    const auto add_row =
-      [&](const std::string &event, const double low, const double high) {
-        double count = 0., doubt = 0., sigma = 0.;
-        for (const auto &s : samples)
-          if (s.frequency >= low && s.frequency <= high)
-            {
-              count += s.sigma > 0.;
-              doubt += std::abs(s.sigma) <= s.error;
-              sigma = std::max(sigma, s.sigma);
-            }
-        const auto bounds = interval(count / n, n);
-        result.probabilities.add_row({event,
-                                      low,
-                                      high,
-                                      samples.size(),
-                                      count / n,
-                                      bounds.first,
-                                      bounds.second,
-                                      doubt / n,
-                                      sigma});
-      };
-    add_row("any squeal", model.band().lowest, model.band().highest);
-    for (const auto &[low, high] : frequency_groups(samples))
-      add_row("loudest pair in this range", low, high);
-
-    std::vector<double> unstable, sigma;
+    result.probabilities = probability_table(model, samples);
+    std::vector<double> unstable;
     for (const auto &s : samples)
-      {
-        unstable.push_back(s.sigma > 0. ? 1. : 0.);
-        sigma.push_back(s.sigma);
-      }
+      unstable.push_back(s.squeals() ? 1. : 0.);
     struct Driver
     {
       unsigned int axis;
@@ -245,7 +341,7 @@ namespace squeal
       {
         const auto x = coordinates(points, a);
         drivers.push_back(
-          {a, first_order_index(x, unstable), first_order_index(x, sigma)});
+          {a, first_order_index(x, unstable), index_of_sigma(x, samples)});
         if (!classes_of(x, unstable).empty())
           result.charts.push_back(
             probability_chart(model.scene(), grid, a, points, unstable));
@@ -264,7 +360,11 @@ namespace squeal
         "",
         "share of the variance of 'squeals or not' that it explains alone",
         3},
-       {"index_sigma", Type::real, "", "the same of the largest sigma", 3}});
+       {"index_sigma",
+        Type::real,
+        "",
+        "the same of the largest sigma, of samples with a pair in the band",
+        3}});
     for (std::size_t i = 0; i < drivers.size(); ++i)
       result.drivers.add_row({i + 1,
                               grid.axis(drivers[i].axis).name,

@@ -2,6 +2,7 @@
 #include <squeal/analyses/sweep/sweep_scene_check.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/model/contact_states.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/parameters/text.h>
 
@@ -71,11 +72,8 @@ namespace squeal
                        Timers                           &timers)
   {
     const SweepPoint           point = point_to_check(parameters, grid);
-    std::vector<ContactStates> here;
-    for (const ContactStates &of_pair : states)
-      here.push_back(of_pair.empty()
-                       ? ContactStates()
-                       : ContactStates{of_pair.at(grid.state_number(point))});
+    std::vector<ContactStates> here =
+      contact_of_number(states, grid.state_number(point));
     // Without the checks of the file: the axes need not suit this scene.
     Parameters p = parameters;
     p.scene      = grid.scene(point);

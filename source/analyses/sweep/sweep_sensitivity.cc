@@ -3,6 +3,7 @@
 // What to change to stop a squeal.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/model/contact_states.h>
 #include <squeal/sweep/sensitivity.h>
 
 #include <algorithm>
@@ -13,6 +14,38 @@ namespace squeal
   namespace
   {
     using Type = Table::Type;
+
+    /** What a derivative is the slope of over this share to either side. */
+    constexpr double one_per_cent = 0.01;
+
+    /** Whether steady sliding at a peak, with a number one per cent larger or
+     * smaller, has another contact than the derivatives hold. */
+    bool
+    changes_contact(const ChangedContact &contact,
+                    const SweepModel     &model,
+                    const PeakPair       &peak,
+                    const unsigned int    number)
+    {
+      const auto held = model.contact_at(peak.point);
+      for (const double factor : {1. - one_per_cent, 1. + one_per_cent})
+        if (!contact.is_that(model.grid().scene(peak.point, number, factor),
+                             held))
+          return true;
+      return false;
+    }
+
+    void
+    warn_of_contact(const unsigned int n,
+                    const Table       &table,
+                    RunContext        &context)
+    {
+      if (n > 0)
+        context.log.warning(
+          std::to_string(n) + " of the " + std::to_string(table.n_rows()) +
+          " derivatives in sensitivities.csv hold a contact state that one per "
+          "cent of the number changes (contact_changes = 1): growth rates jump "
+          "where it does; an axis of the number shows them");
+    }
   } // namespace
 
 
@@ -114,6 +147,17 @@ namespace squeal
             "change that would bring sigma to 0 if it went on like this",
             3}})
       table.add_column(column);
+    std::optional<ChangedContact> contact;
+    if (model.has_contact_states())
+      {
+        contact.emplace(model.run_parameters(), context.timers);
+        table.add_column({"contact_changes",
+                          Type::integer,
+                          "",
+                          "1: one per cent of the number changes the contact "
+                          "state, which the derivative holds"});
+      }
+    unsigned int n_changes = 0;
     for (const auto &line : solution.lines)
       for (const auto &range : line.ranges)
         {
@@ -138,9 +182,17 @@ namespace squeal
                  f.sigma,
                  f.frequency,
                  f.sigma == 0. ? Cell() : Cell(-peak->sigma() / f.sigma)});
+              if (contact)
+                {
+                  const bool changes =
+                    changes_contact(*contact, model, *peak, f.number);
+                  row.emplace_back(changes ? 1 : 0);
+                  n_changes += changes;
+                }
               table.add_row(row);
             }
         }
+    warn_of_contact(n_changes, table, context);
     return table;
   }
 } // namespace squeal

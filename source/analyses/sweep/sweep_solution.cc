@@ -2,6 +2,7 @@
 #include <squeal/analyses/sweep/sweep_solution.h>
 #include <squeal/base/packing.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/sweep/contact_cells.h>
 #include <squeal/sweep/continued_pencils.h>
 
 #include <deal.II/base/mpi.h>
@@ -355,7 +356,12 @@ namespace squeal
         line.points = tracker.track(coordinates);
       }
       Timers::Section     section(context.timers, "Solve: edges and peaks");
-      const LineStability stability(solver, options, tolerance);
+      const LineStability stability(
+        solver, options, tolerance, [&](const double x) {
+          SweepPoint point = line.start;
+          point[0]         = x;
+          return has_known_contact(grid, point);
+        });
       line.branch_names = branch_names(model, line);
       line.ranges       = stability.ranges(line.points);
       if (p.exceptional_points)

@@ -6,6 +6,7 @@
 #include <squeal/base/dense_products.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/pair_table.h>
+#include <squeal/sweep/contact_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -315,12 +316,20 @@ namespace squeal
             2}})
       table.add_column(column);
     if (model.has_contact_states())
-      for (const char *edge : {"lower", "upper"})
-        table.add_column({std::string(edge) + "_at_contact_change",
-                          Type::integer,
-                          "",
-                          "1: the edge is where the contact state changes, "
-                          "between two points"});
+      for (const std::string edge : {"lower", "upper"})
+        {
+          table.add_column({edge + "_at_contact_change",
+                            Type::integer,
+                            "",
+                            "1: the edge is where the contact state changes, "
+                            "between two points"});
+          table.add_column({edge + "_error_contact",
+                            Type::real,
+                            "",
+                            "of the coordinate, where the contact state "
+                            "changes between two points",
+                            2});
+        }
     for (const std::string side : {"below", "above"})
       table.add_column({"leaves_band_" + side,
                         Type::integer,
@@ -351,11 +360,15 @@ namespace squeal
                       error(r.upper_slope),
                       or_missing(line.mesh_errors_of_edges[i])});
           if (model.has_contact_states())
-            for (const double x : {r.lower, r.upper})
+            for (const auto &[x, is_edge] :
+                 {std::make_pair(r.lower, r.has_lower_edge()),
+                  {r.upper, r.has_upper_edge()}})
               {
                 SweepPoint edge = line.start;
                 edge[0]         = x;
                 row.emplace_back(model.is_at_contact_change(edge) ? 1 : 0);
+                row.push_back(is_edge ? Cell(error_by_held_contact(grid, edge))
+                                      : Cell());
               }
           row.emplace_back(r.leaves_band_below ? 1 : 0);
           row.emplace_back(r.leaves_band_above ? 1 : 0);

@@ -33,6 +33,7 @@ namespace squeal
                Block             *vectors = nullptr);
 
     const Model            &model() const;
+    const Parameters       &run_parameters() const;
     const SceneParameters  &scene() const;
     const SweepGrid        &grid() const;
     const ParametricSystem &system() const;
@@ -48,6 +49,9 @@ namespace squeal
 
     /** Whether each point of the grid has its own contact state. */
     bool has_contact_states() const;
+    /** The contact state that is held there, one list of one state a pair,
+     * empty for pairs without states of their own. */
+    std::vector<ContactStates> contact_at(const SweepPoint &point) const;
     /** Contact points that are closed there; with contact states only. */
     unsigned int n_closed(const SweepPoint &point) const;
     /** Whether the contact state changes there along the first axis, to 1e-4
