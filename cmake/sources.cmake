@@ -157,6 +157,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/mortar.cc
     source/contact/mortar_faces.cc
     source/contact/mortar_integrals.cc
+    source/contact/pressure_moments.cc
     source/contact/segments.cc
     source/contact/spring_stiffness.cc
     source/contact/summed_pairs.cc

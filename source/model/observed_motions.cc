@@ -67,7 +67,8 @@ namespace squeal
 
     /** The load that presses a pair on: of those on the source and on what it
      * is joined to, else of all, the one whose resultant against the normal @p
-     * n is largest. Null without loads. */
+     * n is largest. Null where none has one, as where a moment swings a shoe
+     * against its drum. */
     const LoadParameters *
     pressing_load(const Discretization       &d,
                   const ContactPair          &pair,
@@ -75,23 +76,22 @@ namespace squeal
     {
       const auto &scene  = d.scene();
       const auto  joined = joined_bodies(scene, pair.parameters.source_body);
-      const LoadParameters *best = nullptr;
-      double                most = 0.;
       for (const bool only_joined : {true, false})
-        for (const auto &load : scene.loads)
-          {
-            if (best && !only_joined && joined.count(best->body) > 0)
-              continue;
-            if (only_joined && joined.count(load.body) == 0)
-              continue;
-            const double force = -(n * resultant_of(d, load));
-            if (!best || force > most)
-              {
-                best = &load;
-                most = force;
-              }
-          }
-      return best;
+        {
+          const LoadParameters *best = nullptr;
+          double                most = 0.;
+          for (const auto &load : scene.loads)
+            if (!only_joined || joined.count(load.body) > 0)
+              if (const double force = pressing_part(resultant_of(d, load), n);
+                  force > most)
+                {
+                  best = &load;
+                  most = force;
+                }
+          if (best)
+            return best;
+        }
+      return nullptr;
     }
 
     /** Mean motion of the face of @p load along the normal @p n of a pair: what
@@ -221,8 +221,22 @@ namespace squeal
       if (const LoadParameters *load = pressing_load(d, pair, normal))
         l.col(PressedModel::loaded_face) =
           motion_along(d, evaluator, *load, normal);
+      else
+        l.col(PressedModel::loaded_face)
+          .setConstant(std::numeric_limits<double>::quiet_NaN());
     }
   } // namespace
+
+
+
+  double
+  pressing_part(const dealii::Tensor<1, 3> &force,
+                const dealii::Tensor<1, 3> &normal)
+  {
+    constexpr double least_share = 1e-6;
+    const double     part        = -(force * normal);
+    return part > least_share * force.norm() ? part : 0.;
+  }
 
 
 

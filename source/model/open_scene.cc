@@ -146,22 +146,24 @@ namespace squeal
 
     /** Mean motion along @p normal of what carries the load whose resultant
      * presses most against it: of its nodes, each with its share of that
-     * resultant. */
+     * resultant. NaN where no load presses. */
     Block
     pressing_motion(const ImportedModel        &model,
                     const dealii::Tensor<1, 3> &normal)
     {
-      Block  motion = Block::Zero(model.n_dofs, 1);
-      double most   = 0.;
+      Block motion = Block::Constant(
+        model.n_dofs, 1, std::numeric_limits<double>::quiet_NaN());
+      double most = 0.;
       for (const std::vector<double> &load : model.loads)
         {
           dealii::Tensor<1, 3> force;
           for (unsigned int i = 0; i < model.n_dofs; ++i)
             if (const unsigned int c = component(model, i); c >= 1 && c <= 3)
               force[c - 1] += load[i];
-          if (-(force * normal) <= most)
+          const double pressing = pressing_part(force, normal);
+          if (pressing <= most)
             continue;
-          most = -(force * normal);
+          most = pressing;
           std::map<long, double> shares;
           for (unsigned int i = 0; i < model.n_dofs; ++i)
             if (const unsigned int c = component(model, i); c >= 1 && c <= 3)

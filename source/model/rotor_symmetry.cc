@@ -383,17 +383,19 @@ namespace squeal
 
   namespace
   {
-    /** Whether the target of a contact turns: a block on which friction has a
-     * direction that is fixed in space slides straight, but bodies of other
-     * shapes may be discs seen at the pad only. */
+    /** Whether the target of a contact turns: that of a pair at rest, an anchor
+     * or an abutment, does not; a block on which friction has a direction that
+     * is fixed in space slides straight, but bodies of other shapes may be
+     * discs seen at the pad only. */
     bool
     target_turns(const SceneParameters &scene, const ContactParameters &contact)
     {
       const auto &body = scene.bodies[body_index(scene, contact.target_body)];
-      return body.shape != BodyParameters::Shape::block ||
-             contact.friction_direction ==
-               ContactParameters::FrictionDirection::slip ||
-             body.rotation_speed != 0.;
+      return body.rotation_speed != 0. ||
+             (contact.sliding_speed != 0. &&
+              (body.shape != BodyParameters::Shape::block ||
+               contact.friction_direction ==
+                 ContactParameters::FrictionDirection::slip));
     }
   } // namespace
 

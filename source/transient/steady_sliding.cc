@@ -220,6 +220,40 @@ namespace squeal
       return step;
     }
 
+    /** A step of the load in which friction comes on in shares, from the
+     * solution without it, where it has none from the forces before: the
+     * equations that hold in the end are the same. False where that has none
+     * either. */
+    bool
+    solve_by_shares(StaticContact         &contact,
+                    const Eigen::VectorXd &friction,
+                    ContactStep            step,
+                    const double           load_share,
+                    SteadySliding         &state)
+    {
+      constexpr double least_share = 1e-3;
+      SteadySliding    now         = state;
+      step.nodal_friction          = Eigen::VectorXd::Zero(friction.size());
+      if (!contact.solve(step, load_share, now))
+        return false;
+      double reached = 0., increment = .1;
+      while (reached < 1.)
+        {
+          const double  share = std::min(reached + increment, 1.);
+          SteadySliding next  = now;
+          step.nodal_friction = share * friction;
+          if (contact.solve(step, load_share, next))
+            {
+              now     = next;
+              reached = share;
+            }
+          else if ((increment *= .5) < least_share)
+            return false;
+        }
+      state = now;
+      return true;
+    }
+
     /** Everything at rest: states at the ends of @p n_steps equal parts of the
      * load up to the share @p last. */
     std::vector<SteadySliding>
@@ -231,6 +265,7 @@ namespace squeal
     {
       std::vector<SteadySliding> states;
       SteadySliding              now = contact.untouched();
+      bool by_shares = false; // where the smallest part of a load does not do
       for (unsigned int k = 1; k <= n_steps; ++k)
         {
           // What sticks depends on the way there, so that the load is halved
@@ -250,22 +285,29 @@ namespace squeal
               if (!touches)
                 next = now;
               step.nodal_friction = friction;
-              if (contact.solve(step, share, next))
+              if (by_shares
+                    ? solve_by_shares(contact, friction, step, share, now)
+                    : contact.solve(step, share, next))
                 {
-                  now     = next;
+                  if (!by_shares)
+                    now = next;
                   reached = share;
                   continue;
                 }
               increment *= 0.5;
-              if (increment * n_steps < 1e-3 * last && !touches)
+              if (increment * n_steps >= 1e-3 * last)
+                continue;
+              if (!touches)
                 throw ComputationError(
                   "the contact at rest has no solution: nothing presses the "
                   "bodies together, or more pulls at one along the face than "
                   "its friction holds");
-              if (increment * n_steps < 1e-3 * last)
+              if (by_shares)
                 throw ComputationError(
                   "the contact at rest has no solution at " +
                   rounded_text(100. * share, 4) + " % of the load");
+              by_shares = true;
+              increment = end - reached;
             }
           states.push_back(now);
         }

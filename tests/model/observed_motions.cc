@@ -176,6 +176,41 @@ namespace
           "what has no far face has no motion of one");
   }
 
+  Eigen::VectorXd
+  loaded_face(const std::vector<LoadParameters> &loads)
+  {
+    SceneParameters s;
+    s.bodies = {
+      make_block("pad", {{0., 0., 0.}}, {{.01, .01, .01}}, {{2, 2, 1}})};
+    s.loads = loads;
+    const Discretization d(s, {}, 2, MPI_COMM_SELF);
+    return observed_motions(
+             d,
+             nodes_of("pad", point_at({0., 0., 0.}, Vector({0., 0., 1.}))),
+             assemble_bodies(d))
+      .col(PressedModel::loaded_face);
+  }
+
+  /** Loads that hold a block against its target by nothing but a moment, along
+   * the face, or not at all. */
+  void
+  loads_that_do_not_press()
+  {
+    LoadParameters load;
+    load.name = "load";
+    load.body = "pad";
+    load.face = "y_min";
+    check(loaded_face({}).array().isNaN().all(), "no load");
+    load.moment = {{1., 0., 0.}};
+    check(loaded_face({load}).array().isNaN().all(), "a moment");
+    load.force = {{0., 100., 1e-13}};
+    check(loaded_face({load}).array().isNaN().all(), "along the face");
+    load.force = {{0., 0., 100.}};
+    check(loaded_face({load}).array().isNaN().all(), "off the face");
+    load.force = {{0., 100., -1.}};
+    check(loaded_face({load}).norm() > 0., "one that presses a little");
+  }
+
   /** Loads on the top of a block, and one on its side that does not press. */
   void
   loads()
@@ -231,4 +266,5 @@ main(int argc, char **argv)
   ring();
   shoe();
   loads();
+  loads_that_do_not_press();
 }

@@ -45,6 +45,8 @@ namespace
     scene.bodies.back().outer_radius = .01;
     scene.bodies.back().position[1]  = .085;
     check_said(scene, "360.00", "a cylinder beside the axis");
+    scene.contacts[0].sliding_speed = 0.;
+    check_said(scene, "", "the target of a pair at rest");
     scene                           = coarse_brake(.3);
     scene.bodies[0].rotation_centre = Vector3{{.01, 0., 0.}};
     check_said(scene, "360.00", "a disc that runs out");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/contact/contact_resultant.h>
+#include <squeal/contact/pressure_moments.h>
 #include <squeal/contact/summed_pairs.h>
 #include <squeal/output/contact_output.h>
 #include <squeal/results/json_file.h>
@@ -284,6 +285,36 @@ namespace squeal
     for (std::size_t i = 0; i < steps.n_rows(); ++i)
       json["load_steps"].push_back(row(i));
     squeal::write_json(path, json);
+  }
+
+
+
+  double
+  friction_along_sliding(const ContactPair &pair, const Eigen::VectorXd &forces)
+  {
+    const ContactGeometry &g = pair.geometry;
+    return is_flat(g) ? resultant_force(g, forces)[1]
+                      : (sum_rows(g) * forces)[1];
+  }
+
+  double
+  moment_about_axis(const ContactGeometry &g,
+                    const Eigen::VectorXd &forces,
+                    const BodyParameters  &target)
+  {
+    dealii::Tensor<1, 3> axis, centre, moment;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        axis[c]   = target.rotation_axis[c];
+        centre[c] = target.centre_of_rotation()[c];
+      }
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      moment +=
+        dealii::cross_product_3d(dealii::Tensor<1, 3>(g.points[j]) - centre,
+                                 forces[3 * j] * g.frames[j].normal +
+                                   forces[3 * j + 1] * g.frames[j].sliding +
+                                   forces[3 * j + 2] * g.frames[j].transverse);
+    return moment * axis / axis.norm();
   }
 
 

@@ -5,6 +5,8 @@
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/analyses/preload/stiffness_entry_check.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/contact/pressure_moments.h>
+#include <squeal/contact/summed_pairs.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/contact_output.h>
@@ -216,10 +218,53 @@ namespace squeal
 
 
 
+    /** Friction of the pairs that slide together, and of each curved one the
+     * moment about the axis of its target, which its resultant does not tell.
+     */
+    std::vector<std::pair<std::string, std::string>>
+    friction_figures(const PressedModel    &pressed,
+                     const SteadySliding   &full,
+                     const SceneParameters &scene)
+    {
+      const auto                                      &nodes = pressed.nodes();
+      std::vector<std::pair<std::string, std::string>> figures(1);
+      double                                           sum       = 0.;
+      bool                                             is_curved = false;
+      for (const ContactPair &pair : nodes.pairs())
+        {
+          if (!is_summed(nodes, pair))
+            continue;
+          sum += friction_along_sliding(pair, pair.part(full.forces));
+          if (is_flat(pair.geometry))
+            continue;
+          is_curved                 = true;
+          const std::string &target = pair.parameters.target_body;
+          if (target == "ground" || !pair.slides())
+            continue;
+          const auto &body = scene.bodies[body_index(scene, target)];
+          figures.emplace_back(
+            (nodes.pairs().size() > 1 ? pair.name() + ": " : std::string()) +
+              "moment on " + pair.parameters.source_body +
+              " about the rotation axis of " + target,
+            rounded_text(
+              moment_about_axis(pair.geometry, pair.part(full.forces), body),
+              6) +
+              " N m");
+        }
+      figures[0] = {is_curved ? "friction of the nodes, each along its sliding"
+                              : "friction force",
+                    rounded_text(sum, 6) + " N"};
+      return figures;
+    }
+
+
+
     /** The contact under the full load, the last of @p steps, as figures of the
      * run. */
     std::vector<std::pair<std::string, std::string>>
     full_load_figures(const LoadSteps       &steps,
+                      const PressedModel    &pressed,
+                      const SteadySliding   &full,
                       const SceneParameters &scene,
                       const unsigned int     n_unknowns)
     {
@@ -229,12 +274,14 @@ namespace squeal
       std::vector<std::pair<std::string, std::string>> figures = {
         {"nodes open, slipping, sticking",
          shown("n_open") + ", " + shown("n_slip") + ", " + shown("n_stick")},
-        {"normal force", shown("normal_n") + " N"},
-        {"friction force", shown("tangential_n") + " N"}};
+        {"normal force", shown("normal_n") + " N"}};
+      for (const auto &figure : friction_figures(pressed, full, scene))
+        figures.push_back(figure);
       for (unsigned int i = 0; i < scene.contacts.size(); ++i)
         {
-          const bool        several = scene.contacts.size() > 1;
-          const std::string of =
+          const bool         several = scene.contacts.size() > 1;
+          const ContactPair &pair    = pressed.nodes().pairs()[i];
+          const std::string  of =
             several ? scene.contacts[i].name + ": " : std::string();
           const auto add = [&](const std::string &title,
                                const std::string &value) {
@@ -248,7 +295,10 @@ namespace squeal
               add("nodes open, slipping, sticking",
                   own("n_open") + ", " + own("n_slip") + ", " + own("n_stick"));
               add("normal, friction force",
-                  own("normal_n") + ", " + own("tangential_n") + " N");
+                  own("normal_n") + ", " +
+                    rounded_text(
+                      friction_along_sliding(pair, pair.part(full.forces)), 6) +
+                    " N");
             }
           add("centre of pressure across, along the sliding",
               own("centre_x_m") + ", " + own("centre_y_m") + " m");
@@ -331,9 +381,9 @@ namespace squeal
 
     const bool is_at_rest = pressed.speed() == 0.;
     log_steps(context, steps, is_at_rest);
-    context.record.n_dofs = model.n_unknowns();
-    context.record.figures =
-      full_load_figures(steps, p.scene, model.n_unknowns());
+    context.record.n_dofs  = model.n_unknowns();
+    context.record.figures = full_load_figures(
+      steps, pressed, full.sliding, p.scene, model.n_unknowns());
 
     HtmlReport report(
       (is_at_rest ? "Contact at rest of " : "Steady sliding of ") +

@@ -156,8 +156,11 @@ namespace squeal
     const auto &axes = context.parameters.sweep.axes;
     // What rings on slowly looks steady, but is small.
     const auto runs = [&](const std::size_t i) {
+      // Two rms are no more than a range, but that of a moment that is judged.
       return table.text(i, "limit_cycle") == "yes" &&
-             table.real(i, "max_normal_n") - table.real(i, "min_normal_n") >
+             std::max(table.real(i, "max_normal_n") -
+                        table.real(i, "min_normal_n"),
+                      2. * table.real(i, "rms_normal_n")) >
                squeal_range * std::abs(table.real(i, "max_normal_n"));
     };
     Chart over_sigma;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/force_statistics.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
 
 #include <algorithm>
@@ -54,6 +55,8 @@ namespace squeal
     step.mean_edge       = sums.edge;
     step.mean_pressing   = sums.pressing;
     step.mean_friction   = sums.friction;
+    step.mean_first      = sums.first_moment;
+    step.mean_second     = sums.second_moment;
     step.n_apart         = is_apart ? 1. : 0.;
     add(step);
   }
@@ -70,15 +73,25 @@ namespace squeal
         *this = other;
         return;
       }
-    SignalPiece pressing = normal(), pulling = tangential();
+    SignalPiece pressing = normal(), pulling = tangential(),
+                first  = of(JudgedForce::first_moment),
+                second = of(JudgedForce::second_moment);
     join(other.normal(), pressing);
     join(other.tangential(), pulling);
+    join(other.of(JudgedForce::first_moment), first);
+    join(other.of(JudgedForce::second_moment), second);
     mean_normal       = pressing.mean;
     square_normal     = pressing.square;
     moment_normal     = pressing.moment;
     mean_tangential   = pulling.mean;
     square_tangential = pulling.square;
     moment_tangential = pulling.moment;
+    mean_first        = first.mean;
+    square_first      = first.square;
+    moment_first      = first.moment;
+    mean_second       = second.mean;
+    square_second     = second.square;
+    moment_second     = second.moment;
     const double n = n_steps, m = other.n_steps;
     mean_edge += (other.mean_edge - mean_edge) * m / (n + m);
     mean_pressing += (other.mean_pressing - mean_pressing) * m / (n + m);
@@ -129,6 +142,29 @@ namespace squeal
     return {n_steps, mean_tangential, moment_tangential, square_tangential};
   }
 
+  SignalPiece
+  ForceStatistics::of(const JudgedForce force) const
+  {
+    switch (force)
+      {
+      case JudgedForce::normal:
+        return normal();
+      case JudgedForce::tangential:
+        return tangential();
+      case JudgedForce::first_moment:
+        return {n_steps, mean_first, moment_first, square_first};
+      case JudgedForce::second_moment:
+        return {n_steps, mean_second, moment_second, square_second};
+      }
+    unknown_choice("judged force");
+  }
+
+  double
+  ForceStatistics::rms(const JudgedForce force) const
+  {
+    return root_mean(of(force).square, n_steps);
+  }
+
 
 
   ForceStatistics
@@ -140,6 +176,25 @@ namespace squeal
     for (unsigned int k = first; k < end; ++k)
       result.add(stretches.at(k));
     return result;
+  }
+
+
+
+  const std::vector<double> &
+  QuarterVibrations::of(const JudgedForce force) const
+  {
+    switch (force)
+      {
+      case JudgedForce::normal:
+        return normal;
+      case JudgedForce::tangential:
+        return tangential;
+      case JudgedForce::first_moment:
+        return first_moment;
+      case JudgedForce::second_moment:
+        return second_moment;
+      }
+    unknown_choice("judged force");
   }
 
 
@@ -168,13 +223,15 @@ namespace squeal
                 const unsigned int                  first,
                 const unsigned int                  end)
   {
-    std::vector<SignalPiece> normal, tangential;
-    for (unsigned int k = first; k < end; ++k)
-      {
-        normal.push_back(stretches.at(k).normal());
-        tangential.push_back(stretches.at(k).tangential());
-      }
-    return {rms_beside_slow_part(normal, 4),
-            rms_beside_slow_part(tangential, 4)};
+    const auto quarters = [&](const JudgedForce force) {
+      std::vector<SignalPiece> pieces;
+      for (unsigned int k = first; k < end; ++k)
+        pieces.push_back(stretches.at(k).of(force));
+      return rms_beside_slow_part(pieces, 4);
+    };
+    return {quarters(JudgedForce::normal),
+            quarters(JudgedForce::tangential),
+            quarters(JudgedForce::first_moment),
+            quarters(JudgedForce::second_moment)};
   }
 } // namespace squeal

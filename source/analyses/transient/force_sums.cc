@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/force_sums.h>
 #include <squeal/contact/contact_resultant.h>
+#include <squeal/contact/pressure_moments.h>
 #include <squeal/contact/summed_pairs.h>
 
 #include <array>
@@ -8,6 +9,18 @@
 
 namespace squeal
 {
+  namespace
+  {
+    void
+    set_moments(const Eigen::Vector2d &moments, StepSums &sums)
+    {
+      sums.first_moment  = moments[0];
+      sums.second_moment = moments[1];
+    }
+  } // namespace
+
+
+
   ForceSums::ForceSums(const ContactNodes &nodes)
   {
     all                  = Eigen::MatrixXd::Zero(3 * nodes.n_nodes(), 6);
@@ -15,14 +28,17 @@ namespace squeal
     Eigen::Array2d edges = Eigen::Array2d::Zero(); // leading and trailing
     for (const ContactPair &pair : nodes.pairs())
       {
-        const Eigen::MatrixXd rows =
-          resultant_rows(pair.geometry).bottomRows<2>();
-        if (nodes.pairs().size() > 1)
-          pairs.push_back({3 * static_cast<Eigen::Index>(pair.first), rows});
+        const Eigen::MatrixXd both = sum_rows(pair.geometry);
+        Eigen::MatrixXd rows = resultant_rows(pair.geometry).bottomRows<2>();
+        // Pressure on a curved face has a part along the mean sliding, too.
+        if (!is_flat(pair.geometry))
+          rows.row(0) = both.row(1);
+        pairs.push_back({3 * static_cast<Eigen::Index>(pair.first),
+                         rows,
+                         pressure_moments(pair.geometry).rows});
         if (!is_summed(nodes, pair))
           continue;
-        all.block(3 * pair.first, 4, 3 * pair.n_nodes(), 2) =
-          sum_rows(pair.geometry).transpose();
+        all.block(3 * pair.first, 4, 3 * pair.n_nodes(), 2) = both.transpose();
         all.block(3 * pair.first, 0, 3 * pair.n_nodes(), 2) = rows.transpose();
         const std::array<std::vector<bool>, 2> is_at        = {
                  {leading_edge(pair.geometry), trailing_edge(pair.geometry)}};
@@ -55,19 +71,29 @@ namespace squeal
     now.edge       = backwards ? sums[3] : sums[2];
     now.pressing   = sums[4];
     now.friction   = sums[5];
+    if (pairs.size() == 1)
+      set_moments(moments(0, forces), now);
     return now;
+  }
+
+  Eigen::Vector2d
+  ForceSums::moments(const std::size_t i, const Eigen::VectorXd &forces) const
+  {
+    return pairs[i].moments *
+           forces.segment(pairs[i].first, pairs[i].moments.cols());
   }
 
   std::vector<StepSums>
   ForceSums::of_pairs(const Eigen::VectorXd &forces) const
   {
-    std::vector<StepSums> result(pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i)
+    std::vector<StepSums> result(pairs.size() > 1 ? pairs.size() : 0);
+    for (std::size_t i = 0; i < result.size(); ++i)
       {
         const Eigen::Vector2d sum =
           pairs[i].rows * forces.segment(pairs[i].first, pairs[i].rows.cols());
         result[i].tangential = sum[0];
         result[i].normal     = sum[1];
+        set_moments(moments(i, forces), result[i]);
       }
     return result;
   }

@@ -146,8 +146,10 @@ namespace squeal
         {"normal force" + of_judged(f.loudest),
          shown(f.loudest.name.empty() ? "mean_normal_n"
                                       : "loudest_mean_normal_n") +
-           " N, rms " + shown("rms_normal_n") + " N, which changes by " +
-           shown("rms_normal_change_n") + " N from half to half of its time, " +
+           " N, rms " + shown("rms_normal_n") + " N" +
+           (f.loudest.is_by_moment() ? " of the " + f.loudest.force_name : "") +
+           ", which changes by " + shown("rms_normal_change_n") +
+           " N from half to half of its time, " +
            (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
            " to " + shown("max_normal_n") + " N"},
         {"nodes: slip, stick, stick-slip, separating, never closed",
@@ -164,10 +166,12 @@ namespace squeal
       if (!trigger.text.empty())
         figures.emplace_back(
           "outcome",
-          trigger.text + ": rms of the normal force" + of_judged(trigger.pair) +
-            " " + rounded_text(trigger.before, 3) + " N before the trigger, " +
-            rounded_text(trigger.after, 3) + " N after it, " +
-            rounded_text(trigger.end, 3) + " N at the end");
+          trigger.text + ": rms of the " +
+            (trigger.pair.is_by_moment() ? trigger.pair.force_name
+                                         : "normal force") +
+            of_judged(trigger.pair) + " " + rounded_text(trigger.before, 3) +
+            " N before the trigger, " + rounded_text(trigger.after, 3) +
+            " N after it, " + rounded_text(trigger.end, 3) + " N at the end");
       return figures;
     }
 
@@ -257,6 +261,8 @@ namespace squeal
         write_animation(context, model, prepared, record, motion);
       log_pairs(context.log, tables.branches);
       warn_of_other_contact(f, context.log);
+      if (const std::string text = text_of_moment(f); !text.empty())
+        context.log.warning(text);
       warn_of_rising_rms(f, context.log);
       if (f.is_beyond_in_steps)
         context.log.warning(text_of_sampling(

@@ -94,6 +94,8 @@ namespace squeal
                                   context.timers);
         const TransientFigures f = evaluate_transient(
           prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
+        if (const std::string text = text_of_moment(f); !text.empty())
+          context.log.warning(text);
         if (f.beyond_samples > 0.)
           context.log.warning(
             text_of_sampling(f.beyond_samples,

@@ -39,17 +39,23 @@ namespace squeal
     const Fields<StepForces> step_fields = {
       {"time", &StepForces::time},
       {"normal", &StepForces::normal},
-      {"tangential", &StepForces::tangential}};
-    static_assert(sizeof(StepForces) == 3 * sizeof(double),
+      {"tangential", &StepForces::tangential},
+      {"first_moment", &StepForces::first_moment},
+      {"second_moment", &StepForces::second_moment}};
+    static_assert(sizeof(StepForces) == 5 * sizeof(double),
                   "every member of a step's forces is kept");
 
     const Fields<PairSample> pair_fields = {
       {"tangential", &PairSample::tangential},
       {"radial", &PairSample::radial},
       {"normal", &PairSample::normal},
+      {"pressing", &PairSample::pressing},
+      {"pulling", &PairSample::pulling},
+      {"first_moment", &PairSample::first_moment},
+      {"second_moment", &PairSample::second_moment},
       {"friction", &PairSample::friction}};
-    static_assert(sizeof(PairSample) == (4 + 2 * 3) * sizeof(double),
-                  "every member of a pair is kept: 4 numbers, 2 vectors");
+    static_assert(sizeof(PairSample) == (8 + 2 * 3) * sizeof(double),
+                  "every member of a pair is kept: 8 numbers, 2 vectors");
 
     const Fields<NodeShares> node_fields = {
       {"open", &NodeShares::open},
@@ -73,8 +79,14 @@ namespace squeal
       {"mean_friction", &ForceStatistics::mean_friction},
       {"n_apart", &ForceStatistics::n_apart},
       {"moment_normal", &ForceStatistics::moment_normal},
-      {"moment_tangential", &ForceStatistics::moment_tangential}};
-    static_assert(sizeof(ForceStatistics) == 13 * sizeof(double),
+      {"moment_tangential", &ForceStatistics::moment_tangential},
+      {"mean_first", &ForceStatistics::mean_first},
+      {"square_first", &ForceStatistics::square_first},
+      {"moment_first", &ForceStatistics::moment_first},
+      {"mean_second", &ForceStatistics::mean_second},
+      {"square_second", &ForceStatistics::square_second},
+      {"moment_second", &ForceStatistics::moment_second}};
+    static_assert(sizeof(ForceStatistics) == 19 * sizeof(double),
                   "every member of a stretch is kept");
 
     const Fields<TransientRecord> counters = {

@@ -258,8 +258,6 @@ namespace squeal
         const auto all = record.forces_of(f.loudest.number, force);
         return std::vector<double>(all.begin() + first, all.end());
       };
-      const auto normal     = late(&PairSample::normal),
-                 tangential = late(&PairSample::tangential);
       f.beyond_samples =
         frequency_beyond_samples(prepared.linear, p.transient, interval);
       // Noise has a largest line, too.
@@ -274,14 +272,18 @@ namespace squeal
           f.repetition = f.phase = not_known;
           return;
         }
-      evaluate_lines(
-        without_slow_part(f.loudest.by_tangential ? tangential : normal),
-        interval,
-        p.eigen.lowest_frequency,
-        f);
-      if (f.largest_line > 0.)
-        f.phase =
-          phase_difference(normal, tangential, interval, f.largest_line);
+      evaluate_lines(without_slow_part(late(sample_of(f.loudest.force))),
+                     interval,
+                     p.eigen.lowest_frequency,
+                     f);
+      // The line of a moment is none of the sums.
+      if (f.loudest.is_by_moment())
+        f.phase = not_known;
+      else if (f.largest_line > 0.)
+        f.phase = phase_difference(late(&PairSample::pressing),
+                                   late(&PairSample::pulling),
+                                   interval,
+                                   f.largest_line);
     }
   } // namespace
 

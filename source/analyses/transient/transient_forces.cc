@@ -5,7 +5,9 @@
 
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_verdict.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/contact/pressure_moments.h>
 #include <squeal/contact/summed_pairs.h>
 #include <squeal/transient/slow_part.h>
 
@@ -50,6 +52,33 @@ namespace squeal
 
 
 
+    /** The moment that vibrates more than noise of @p least, N, and by far more
+     * than @p force does, by @p size of each; else @p force. */
+    template <typename Size>
+    JudgedForce
+    or_moment(const JudgedForce force, const double least, const Size &size)
+    {
+      const double first  = size(JudgedForce::first_moment),
+                   second = size(JudgedForce::second_moment);
+      const auto moment   = second > (1. + same_loudness) * first
+                              ? JudgedForce::second_moment
+                              : JudgedForce::first_moment;
+      return size(moment) > least && size(moment) > far_louder * size(force)
+               ? moment
+               : force;
+    }
+
+    /** By the largest vibration of a quarter. */
+    JudgedForce
+    or_moment(const JudgedForce        force,
+              const double             least,
+              const QuarterVibrations &v)
+    {
+      return or_moment(force, least, [&](const JudgedForce one) {
+        return largest_of(v.of(one));
+      });
+    }
+
     /** Forces of one pair in every step of a run. */
     struct PairVibration
     {
@@ -58,18 +87,20 @@ namespace squeal
         , early(vibrations_of(stretches, 0, middle))
         , late(vibrations_of(stretches, middle, n_force_stretches))
         , least(least_vibration * half.mean_normal)
-        // Pure stick-slip leaves the normal force alone.
-        , by_tangential(!(largest_of(late.normal) > least) &&
-                        half.mean_normal > 0. &&
-                        largest_of(late.tangential) > least)
       {
+        // Pure stick-slip leaves the normal force alone.
+        if (!(largest_of(late.normal) > least) && half.mean_normal > 0. &&
+            largest_of(late.tangential) > least)
+          force = JudgedForce::tangential;
+        if (half.mean_normal > 0.)
+          force = or_moment(force, least, late);
       }
 
       /** The force that is judged, by quarters of the second half, N. */
       const std::vector<double> &
       judged() const
       {
-        return by_tangential ? late.tangential : late.normal;
+        return late.of(force);
       }
 
       /** Its largest vibration over the mean normal force. */
@@ -83,18 +114,40 @@ namespace squeal
       bool
       is_silent() const
       {
-        for (const auto *part :
-             {&early.normal, &early.tangential, &late.normal, &late.tangential})
-          if (largest_of(*part) > least)
-            return false;
+        for (const QuarterVibrations *v : {&early, &late})
+          for (const JudgedForce one :
+               {JudgedForce::normal,
+                JudgedForce::tangential,
+                or_moment(JudgedForce::normal, least, *v)})
+            if (largest_of(v->of(one)) > least)
+              return false;
         return true;
       }
 
       ForceStatistics   half;
       QuarterVibrations early, late;
-      double            least; /**< N: less is noise */
-      bool              by_tangential;
+      double            least;                       /**< N: less is noise */
+      JudgedForce       force = JudgedForce::normal; /**< that is judged */
     };
+
+
+
+    std::string
+    name_of(const JudgedForce force, const ContactPair &pair)
+    {
+      switch (force)
+        {
+        case JudgedForce::normal:
+          return "normal force";
+        case JudgedForce::tangential:
+          return "tangential force";
+        case JudgedForce::first_moment:
+          return pressure_moments(pair.geometry).names[0];
+        case JudgedForce::second_moment:
+          return pressure_moments(pair.geometry).names[1];
+        }
+      unknown_choice("judged force");
+    }
 
 
 
@@ -111,7 +164,8 @@ namespace squeal
           {
             result.push_back({i,
                               vibrations.size() > 1 ? pair.name() : "",
-                              vibrations[i].by_tangential});
+                              vibrations[i].force,
+                              name_of(vibrations[i].force, pair)});
             largest = worst_of(largest, vibrations[i].half.mean_normal);
           }
       const JudgedPair first = result.at(0);
@@ -124,6 +178,24 @@ namespace squeal
                                   }),
                    result.end());
       return result.empty() ? std::vector<JudgedPair>{first} : result;
+    }
+
+    /** The member of the forces of a step that a judged force is. */
+    double StepForces::       *
+    step_of(const JudgedForce force)
+    {
+      switch (force)
+        {
+        case JudgedForce::normal:
+          return &StepForces::normal;
+        case JudgedForce::tangential:
+          return &StepForces::tangential;
+        case JudgedForce::first_moment:
+          return &StepForces::first_moment;
+        case JudgedForce::second_moment:
+          return &StepForces::second_moment;
+        }
+      unknown_choice("judged force");
     }
 
     /** Without the odd values at the start: the transform of a number of them
@@ -159,6 +231,41 @@ namespace squeal
 
 
 
+  bool
+  JudgedPair::is_by_moment() const
+  {
+    return force == JudgedForce::first_moment ||
+           force == JudgedForce::second_moment;
+  }
+
+  double PairSample::       *
+  sample_of(const JudgedForce force)
+  {
+    switch (force)
+      {
+      case JudgedForce::normal:
+        return &PairSample::normal;
+      case JudgedForce::tangential:
+        return &PairSample::pulling;
+      case JudgedForce::first_moment:
+        return &PairSample::first_moment;
+      case JudgedForce::second_moment:
+        return &PairSample::second_moment;
+      }
+    unknown_choice("judged force");
+  }
+
+  double
+  rms_of_pressure(const ForceStatistics &pair)
+  {
+    return pair.rms(
+      or_moment(JudgedForce::normal,
+                least_vibration * pair.mean_normal,
+                [&](const JudgedForce force) { return pair.rms(force); }));
+  }
+
+
+
   JudgedPair
   loudest_in(const std::vector<JudgedPair> &pairs,
              const TransientRecord         &record,
@@ -168,7 +275,7 @@ namespace squeal
     return loudest_of(pairs, [&](const JudgedPair &pair) {
       const ForceStatistics s =
         statistics_of(record.stretches_of(pair.number), first, end);
-      return s.mean_normal > 0. ? s.rms_normal() / s.mean_normal : 0.;
+      return s.mean_normal > 0. ? rms_of_pressure(s) / s.mean_normal : 0.;
     });
   }
 
@@ -198,14 +305,17 @@ namespace squeal
         return vibrations[p.number].is_silent();
       });
     const PairVibration &v = vibrations[f.loudest.number];
-    f.mean_normal          = v.half.mean_normal;
-    f.rms_normal           = v.half.rms_normal();
-    f.min_normal           = v.half.min_normal;
-    f.max_normal           = v.half.max_normal;
-    f.mean_tangential      = v.half.mean_tangential;
-    f.rms_tangential       = v.half.rms_tangential();
-    f.rms_change           = change_of_rms(v.late.normal);
-    f.rms_change_share     = share_of_change(v.judged());
+    const JudgedForce    pressing =
+      f.loudest.is_by_moment() ? f.loudest.force : JudgedForce::normal;
+    f.mean_normal      = v.half.mean_normal;
+    f.rms_normal       = v.half.rms(pressing);
+    f.most_rms_of_sum  = largest_of(v.late.normal);
+    f.min_normal       = v.half.min_normal;
+    f.max_normal       = v.half.max_normal;
+    f.mean_tangential  = v.half.mean_tangential;
+    f.rms_tangential   = v.half.rms_tangential();
+    f.rms_change       = change_of_rms(v.late.of(pressing));
+    f.rms_change_share = share_of_change(v.judged());
     f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
     f.most_rms  = largest_of(v.judged());
   }
@@ -232,11 +342,12 @@ namespace squeal
       return 0.;
     const double step =
       (steps.back().time - steps.front().time) / static_cast<double>(n - 1);
-    std::vector<double> force;
+    double StepForces::*const of_step = step_of(pair.force);
+    std::vector<double>       force;
     for (std::size_t k = n - std::min(n, of_half); k < n; ++k)
       {
         const StepForces &s = steps[k * n_pairs + pair.number];
-        force.push_back(pair.by_tangential ? s.tangential : s.normal);
+        force.push_back(s.*of_step);
       }
     const double line =
       power_spectrum(without_slow_part(of_even_length(force), 1), step)

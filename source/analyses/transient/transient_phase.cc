@@ -4,6 +4,7 @@
 // of a run.
 
 #include <squeal/analyses/transient/transient_results.h>
+#include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/results/chart.h>
 #include <squeal/run/run_context.h>
 #include <squeal/transient/slow_part.h>
@@ -184,12 +185,8 @@ namespace squeal
       const auto  &samples = record.samples;
       const double last    = samples.back().time;
       const auto   values  = [&](const double from, const double to) {
-        return values_between(record,
-                              pair.number,
-                              pair.by_tangential ? &PairSample::tangential
-                                                    : &PairSample::normal,
-                              from,
-                              to);
+        return values_between(
+          record, pair.number, sample_of(pair.force), from, to);
       };
       const auto rms = [&](const double from, const double to) {
         return rms_beside(values(from, to), 2);
@@ -223,6 +220,33 @@ namespace squeal
                                   : "none";
       return {r, mean > 0. ? std::max(r.after, r.end) / mean : 0.};
     }
+
+    /** The outcome by the force that is judged, or by a moment that the trigger
+     * leaves by far more of: what dies out is not judged by the end. */
+    PairOutcome
+    louder_outcome_of(const JudgedPair                &pair,
+                      const std::pair<double, double> &trigger,
+                      const TransientRecord           &record,
+                      const TransientFigures          &f)
+    {
+      const PairOutcome judged = outcome_of(pair, trigger, record, f);
+      PairOutcome       result = judged;
+      if (pair.is_by_moment())
+        return result;
+      for (const JudgedForce moment :
+           {JudgedForce::first_moment, JudgedForce::second_moment})
+        {
+          JudgedPair by_moment = pair;
+          by_moment.force      = moment;
+          by_moment.force_name = "moment of the normal forces";
+          if (const PairOutcome next =
+                outcome_of(by_moment, trigger, record, f);
+              next.size > squeal_level &&
+              next.size > far_louder * judged.size && next.comes_before(result))
+            result = next;
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -235,9 +259,10 @@ namespace squeal
     if (!has_trigger(t))
       return {};
     const auto  trigger = times_of_triggers(t);
-    PairOutcome result  = outcome_of(f.judged.at(0), trigger, record, f);
+    PairOutcome result  = louder_outcome_of(f.judged.at(0), trigger, record, f);
     for (std::size_t i = 1; i < f.judged.size(); ++i)
-      if (const PairOutcome next = outcome_of(f.judged[i], trigger, record, f);
+      if (const PairOutcome next =
+            louder_outcome_of(f.judged[i], trigger, record, f);
           next.comes_before(result))
         result = next;
     return result.outcome;
@@ -256,19 +281,21 @@ namespace squeal
     const auto &samples = record.samples;
     if (samples.size() < 2)
       return table;
-    const unsigned int pair = f.loudest.number;
-    const PhaseHistory h =
-      phase_history(record.forces_of(pair, &PairSample::normal),
-                    record.forces_of(pair, &PairSample::tangential),
-                    samples.front().time,
-                    samples[1].time - samples[0].time,
-                    f.largest_line,
-                    least_amplitude * f.mean_normal);
+    const unsigned int pair      = f.loudest.number;
+    const bool         by_moment = f.loudest.is_by_moment();
+    const PhaseHistory h         = phase_history(
+      record.forces_of(
+        pair, by_moment ? sample_of(f.loudest.force) : &PairSample::pressing),
+      record.forces_of(pair, &PairSample::pulling),
+      samples.front().time,
+      samples[1].time - samples[0].time,
+      f.largest_line,
+      least_amplitude * f.mean_normal);
     for (std::size_t i = 0; i < h.time.size(); ++i)
       table.add_row({h.time[i],
                      h.amplitude_a[i],
                      h.amplitude_b[i],
-                     or_missing(h.phase[i])});
+                     by_moment ? Cell() : or_missing(h.phase[i])});
     return table;
   }
 

@@ -65,10 +65,12 @@ namespace squeal
     Chart
     spectrum_chart(const TransientRecord &record, const TransientFigures &f)
     {
-      std::vector<double> normal =
-        record.forces_of(f.loudest.number, &PairSample::normal);
+      const bool          by_moment = f.loudest.is_by_moment();
+      std::vector<double> normal    = record.forces_of(
+        f.loudest.number,
+        sample_of(by_moment ? f.loudest.force : JudgedForce::normal));
       std::vector<double> tangential =
-        record.forces_of(f.loudest.number, &PairSample::tangential);
+        record.forces_of(f.loudest.number, &PairSample::pulling);
       for (auto *signal : {&normal, &tangential})
         signal->erase(signal->begin(), signal->begin() + signal->size() / 2);
       const double interval = record.samples[1].time - record.samples[0].time;
@@ -80,8 +82,12 @@ namespace squeal
       chart.y.scale  = AxisSettings::Scale::logarithmic;
       double largest = 0., least = 1e300;
       for (const auto &[signal, label, ink] :
-           {std::make_tuple(&normal, "normal", Ink::blue),
-            std::make_tuple(&tangential, "tangential", Ink::vermillion)})
+           {std::make_tuple(&normal,
+                            by_moment ? f.loudest.force_name
+                                      : std::string("normal"),
+                            Ink::blue),
+            std::make_tuple(
+              &tangential, std::string("tangential"), Ink::vermillion)})
         {
           const Spectrum s     = power_spectrum(*signal, interval, 3);
           ChartSeries    curve = line(label, ink);

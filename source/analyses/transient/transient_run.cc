@@ -3,6 +3,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/contact/pressure_moments.h>
 #include <squeal/contact/summed_pairs.h>
 
 #include <algorithm>
@@ -129,6 +130,7 @@ namespace squeal
     for (const ContactPair &pair : pairs)
       {
         axes.emplace_back(pair.geometry);
+        flat.push_back(is_flat(pair.geometry));
         speeds.insert(
           speeds.end(), pair.n_nodes(), pair.parameters.sliding_speed);
       }
@@ -279,7 +281,11 @@ namespace squeal
       of_pairs = {force};
     if (n_steps_left() < most_last_steps)
       for (const StepSums &sum : of_pairs)
-        kept.last_steps.push_back({motion->time(), sum.normal, sum.tangential});
+        kept.last_steps.push_back({motion->time(),
+                                   sum.normal,
+                                   sum.tangential,
+                                   sum.first_moment,
+                                   sum.second_moment});
   }
 
 
@@ -306,12 +312,23 @@ namespace squeal
     const auto &pairs             = pressed.nodes().pairs();
     for (unsigned int i = 0; i < pairs.size(); ++i)
       {
-        const auto force =
-          resultant_force(pairs[i].geometry, pairs[i].part(lambda));
+        const Eigen::VectorXd forces = pairs[i].part(lambda);
+        const auto force   = resultant_force(pairs[i].geometry, forces);
+        const auto moments = sums.moments(i, lambda);
         PairSample sample;
-        sample.radial     = force[0];
-        sample.tangential = force[1];
-        sample.normal     = force[2];
+        sample.radial        = force[0];
+        sample.tangential    = force[1];
+        sample.normal        = force[2];
+        sample.pressing      = force[2];
+        sample.pulling       = force[1];
+        sample.first_moment  = moments[0];
+        sample.second_moment = moments[1];
+        if (!flat[i])
+          {
+            const Eigen::Vector2d both = sum_rows(pairs[i].geometry) * forces;
+            sample.pressing            = both[0];
+            sample.pulling             = both[1];
+          }
         sample.friction =
           losses.segment(pairs[i].first, pairs[i].n_nodes()).sum();
         const unsigned int centre =

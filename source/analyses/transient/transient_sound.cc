@@ -2,6 +2,7 @@
 #include <squeal/analyses/transient/transient_sound.h>
 #include <squeal/results/wav_file.h>
 #include <squeal/run/run_context.h>
+#include <squeal/transient/slow_part.h>
 
 namespace squeal
 {
@@ -21,8 +22,15 @@ namespace squeal
       if (samples.size() < 2)
         return;
       const ContactFrame frame = mean_frame(pair.geometry);
-      const auto        &along =
-        f.loudest.by_tangential ? frame.sliding : frame.normal;
+      const bool         by_moment =
+        f.loudest.is_by_moment() && number == f.loudest.number;
+      const auto &along = f.loudest.force == JudgedForce::tangential
+                            ? frame.sliding
+                            : frame.normal;
+      const std::vector<double> moment =
+        by_moment ? without_slow_part(
+                      record.forces_of(number, sample_of(f.loudest.force)))
+                  : std::vector<double>();
       std::vector<double> acceleration;
       for (std::size_t k = 0; k < samples.size(); ++k)
         {
@@ -30,6 +38,8 @@ namespace squeal
           // A file is as loud as it can be: noise would be, too.
           acceleration.push_back(
             f.is_silent ? 0.
+            // The centre of a body that wobbles hardly moves.
+            : by_moment ? moment[k]
                         : along[0] * a[0] + along[1] * a[1] + along[2] * a[2]);
         }
       const double rate =

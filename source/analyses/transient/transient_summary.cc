@@ -184,6 +184,12 @@ namespace squeal
   {
     Table table(with_reduction_columns(transient_columns()));
     table.add_row(transient_cells(f));
+    if (f.loudest.is_by_moment())
+      {
+        table.add_column(
+          {"judged_force", Type::text, "", "whose vibration this is"});
+        table.set(0, "judged_force", Cell(f.loudest.force_name));
+      }
     if (f.loudest.name.empty())
       return table;
     for (const auto &[column, cell] :

@@ -50,8 +50,7 @@ namespace squeal
       return "the vibration dies out";
     return "the vibration is uneven, " + rounded_text(f.least_rms, 3) + " to " +
            rounded_text(f.most_rms, 3) + " N rms of the " +
-           (f.loudest.by_tangential ? "tangential" : "normal") + " force" +
-           of_judged(f.loudest) +
+           f.loudest.force_name + of_judged(f.loudest) +
            " in the quarters of the second half of the run";
   }
 
@@ -76,13 +75,32 @@ namespace squeal
                 ? ", largest line at " + rounded_text(f.largest_line, 5) + " Hz"
                 : "") +
              ", repeats itself to " + rounded_text(f.repetition, 3) +
-             (f.loudest.by_tangential
+             (f.loudest.is_by_moment()
+                ? ", of the " + f.loudest.force_name + of_judged(f.loudest) +
+                    ": in their sum it cancels"
+              : f.loudest.force == JudgedForce::tangential
                 ? ", of the tangential force" + of_judged(f.loudest) +
                     ": the normal force is steady"
               : f.loudest.name.empty()
                 ? ""
                 : ", of the normal force" + of_judged(f.loudest));
     return "none: " + reason_for_no_cycle(f);
+  }
+
+
+
+  std::string
+  text_of_moment(const TransientFigures &f)
+  {
+    if (!f.loudest.is_by_moment())
+      return "";
+    return "the " + f.loudest.force_name + of_judged(f.loudest) +
+           " vibrates by up to " + rounded_text(f.most_rms, 3) +
+           " N rms over the radius of gyration of the face, their sum by up "
+           "to " +
+           rounded_text(f.most_rms_of_sum, 3) +
+           " N: rms, lines, repetition and limit cycle are those of the "
+           "former, and the phase is left empty";
   }
 
 

@@ -47,6 +47,20 @@ namespace squeal
     Table                          steps;
   };
 
+  /** What the target pulls the source of a pair along its sliding with, N: the
+   * resultant of @p forces, three a node of the pair; on a curved face, where
+   * pressure has a part in that, the sum of what each node has along its own
+   * sliding. */
+  double friction_along_sliding(const ContactPair     &pair,
+                                const Eigen::VectorXd &forces);
+
+  /** Moment of @p forces, N, three a node, on the source of a pair about the
+   * rotation axis of the @p target, N m: positive turns as the right hand does.
+   */
+  double moment_about_axis(const ContactGeometry &geometry,
+                           const Eigen::VectorXd &forces,
+                           const BodyParameters  &target);
+
   /** contact.csv: the nodes of all pairs. */
   Table contact_nodes_table(const PressedModel  &pressed,
                             const SteadySliding &state);

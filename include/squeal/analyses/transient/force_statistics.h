@@ -12,11 +12,25 @@ namespace squeal
    * TransientSample, N. */
   struct StepSums
   {
-    double normal = 0., tangential = 0.; /**< resultants */
+    /** Resultants; on a curved face, where pressure has a part in that along
+     * the sliding, the tangential one is the sum of the nodes' friction. */
+    double normal = 0., tangential = 0.;
     double edge = 0.;     /**< pressure at the leading edge over the mean one,
                              times `pressing` */
     double pressing = 0.; /**< of the nodes' normal forces */
     double friction = 0.; /**< of what nodes have along their own sliding */
+    /** PressureMoments of a pair; 0 of sums over several. */
+    double first_moment = 0., second_moment = 0.;
+  };
+
+  /** A force of a pair whose vibration is judged: the sums and the two of
+   * PressureMoments. */
+  enum class JudgedForce
+  {
+    normal,
+    tangential,
+    first_moment,
+    second_moment
   };
 
   /** Mean pressure at the leading edge over that of the face; NaN where nothing
@@ -42,6 +56,9 @@ namespace squeal
     double n_apart = 0.; /**< steps in which no node of any pair is closed */
     /** As SignalPiece::moment, N: what a line through the steps rises by. */
     double moment_normal = 0., moment_tangential = 0.;
+    /** The same of both PressureMoments of a pair, N. */
+    double mean_first = 0., square_first = 0., moment_first = 0.;
+    double mean_second = 0., square_second = 0., moment_second = 0.;
 
     /** Adds one step. */
     void add(const StepSums &sums, const bool is_apart);
@@ -56,6 +73,9 @@ namespace squeal
     /** The forces of the steps, N. */
     SignalPiece normal() const;
     SignalPiece tangential() const;
+    SignalPiece of(const JudgedForce force) const;
+    /** Root of the mean square about the mean, N; 0 without steps. */
+    double rms(const JudgedForce force) const;
     /** Mean friction over mean normal force of the nodes, of the leading edge's
      * pressure over the mean one; NaN where nothing presses. */
     double macroscopic_friction() const;
@@ -72,12 +92,15 @@ namespace squeal
                                 const unsigned int                  first,
                                 const unsigned int                  end);
 
-  /** What both forces vibrate by in each quarter of some stretches, N, beside
+  /** What the forces vibrate by in each quarter of some stretches, N, beside
    * the slow part of all of them (slow_part.h): a load that comes on, and
    * friction that follows a speed, are no vibration. */
   struct QuarterVibrations
   {
-    std::vector<double> normal, tangential; /**< four each */
+    std::vector<double> normal, tangential, first_moment,
+      second_moment; /**< four each */
+
+    const std::vector<double> &of(const JudgedForce force) const;
   };
 
   /** The rms over the last two of four @p quarters less that over the first two,

@@ -24,21 +24,28 @@ namespace squeal
     StepSums of(const Eigen::VectorXd &forces,
                 const bool             backwards = false) const;
 
-    /** Resultants of each pair, the other members 0; empty with one pair. */
+    /** Forces and moments of each pair, the other members 0; empty with one
+     * pair. */
     std::vector<StepSums> of_pairs(const Eigen::VectorXd &forces) const;
 
+    /** PressureMoments of pair @p i, N. */
+    Eigen::Vector2d moments(const std::size_t      i,
+                            const Eigen::VectorXd &forces) const;
+
   private:
-    /** One pair: along the sliding and normal, 2 x three a node of it. */
+    /** One pair. */
     struct Pair
     {
       Eigen::Index    first; /**< of its forces among all */
-      Eigen::MatrixXd rows;
+      Eigen::MatrixXd rows;  /**< along the sliding and normal, 2 x three a node
+                                of it */
+      Eigen::MatrixXd moments; /**< PressureMoments::rows */
     };
 
     /** A column each: StepSums::tangential and normal, edge while the target
      * slides forwards and while it slides backwards, pressing and friction. */
     Eigen::MatrixXd   all;
-    std::vector<Pair> pairs; /**< none with one pair */
+    std::vector<Pair> pairs;
   };
 } // namespace squeal
 

@@ -63,9 +63,14 @@ namespace squeal
   {
     unsigned int number = 0;
     std::string  name; /**< empty: it is the only one of the scene */
-    /** The normal force is steady and the tangential one vibrates, as in pure
-     * stick-slip: it is the one whose vibration is judged. */
-    bool by_tangential = false;
+    /** The one whose vibration is judged: the tangential force where the normal
+     * one is steady, as in pure stick-slip; a moment of the normal forces where
+     * it vibrates by far more than that one, as in a wobble that goes round. */
+    JudgedForce force = JudgedForce::normal;
+    /** What it is called in a sentence. */
+    std::string force_name = "normal force";
+
+    bool is_by_moment() const;
   };
 
   /** " of the pair upper"; empty where it is the only one. */
@@ -109,8 +114,8 @@ namespace squeal
      * first half of the run either. */
     bool is_silent = false;
     /** What the rms about the slow part changes by from the first half of that
-     * time to the second: of the normal force, N, and of the force that is
-     * judged, as a share of the larger one. */
+     * time to the second: of the force of `rms_normal`, N, and of the force
+     * that is judged, as a share of the larger one. */
     double rms_change = 0., rms_change_share = 0.;
     double frequency = 0.; /**< of the periodic resultant that is judged, Hz; 0:
                               not known */
@@ -126,15 +131,20 @@ namespace squeal
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
-    double repetition  = 0.;       /**< of the normal resultant (spectrum.h) */
-    double mean_normal = 0., rms_normal = 0.; /**< N, about the mean */
+    double              repetition  = 0.; /**< of what is judged (spectrum.h) */
+    double              mean_normal = 0.; /**< N */
+    double rms_normal = 0.; /**< N, about the mean; of the moment where that
+                               is judged */
+    /** What the quarters of the sum of the normal forces vibrate by at most
+     * where a moment is judged, as `most_rms`, N. */
+    double most_rms_of_sum = 0.;
     double min_normal = 0., max_normal = 0.;
     double mean_tangential = 0., rms_tangential = 0.;
     double mean_normal_of_all   = 0.; /**< of the sum over pairs, N */
     double macroscopic_friction = 0.; /**< mean friction over mean normal of
                                          that sum */
     double phase = 0.; /**< of the tangential against the normal force at the
-                          largest line, deg */
+                          largest line, deg; NaN where a moment is judged */
     bool   separates            = false; /**< all nodes open at a time */
     double stick_fraction       = 0.;    /**< of closed node-time */
     double max_slip_speed_ratio = 0.;
@@ -182,9 +192,13 @@ namespace squeal
                        const TransientRecord &record,
                        TransientFigures      &figures);
 
-  /** The one of @p pairs whose normal force has the largest rms about its mean
-   * over its mean, in the stretch number @p first up to the one before @p end;
-   * the first of equal ones. */
+  /** Rms about its mean of a pair's normal force, N, or of a moment of it that
+   * vibrates by far more. */
+  double rms_of_pressure(const ForceStatistics &pair);
+
+  /** The one of @p pairs with the largest rms_of_pressure() over its mean normal
+   * force, in the stretch number @p first up to the one before @p end; the first
+   * of equal ones. */
   JudgedPair loudest_in(const std::vector<JudgedPair> &pairs,
                         const TransientRecord         &record,
                         const unsigned int             first,
@@ -195,8 +209,8 @@ namespace squeal
   bool nothing_vibrates(const TransientFigures &figures);
 
   /** What a trigger, hammer or friction impulse, has made of a run. Roots of
-   * mean squares, N, of the normal force or, where that does not vibrate, of
-   * the tangential one (JudgedPair::by_tangential), about the parabola that is
+   * mean squares, N, of the force that is judged (JudgedPair::force), or of a
+   * moment that the trigger leaves by far more of, about the parabola that is
    * nearest to it: a load that comes on is no vibration. Of several pairs those
    * of the one with the most lasting outcome. */
   struct TriggerOutcome
@@ -245,8 +259,9 @@ namespace squeal
                      const TransientRecord   &record);
   Table probe_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
-  /** Phase between tangential and normal resultant of the loudest pair at the
-   * largest line of the run, over time. */
+  /** Phase between tangential and normal force of the loudest pair at the
+   * largest line of the run, over time; none where a moment is judged, whose
+   * amplitude stands for that of the normal force. */
   Table phase_table(const TransientRecord  &record,
                     const TransientFigures &figures);
   Table zone_table(const PreparedTransient &prepared,

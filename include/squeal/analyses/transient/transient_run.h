@@ -34,23 +34,31 @@ namespace squeal
            driving = 0., load = 0., numerical = 0., imbalance = 0.; /**< J */
   };
 
-  /** Resultants of a pair after one step. */
+  /** Forces of a pair after one step, as in StepSums. */
   struct StepForces
   {
-    double time   = 0.;                  /**< s */
-    double normal = 0., tangential = 0.; /**< N */
+    double time   = 0.;                           /**< s */
+    double normal = 0., tangential = 0.;          /**< N */
+    double first_moment = 0., second_moment = 0.; /**< N */
   };
 
   /** What one pair adds to a sample. */
   struct PairSample
   {
     double tangential = 0., radial = 0.,
-           normal = 0.;          /**< N: as in mean_frame(),
-                                    target on source */
+           normal = 0.; /**< N: as in mean_frame(),
+                           target on source */
+    /** Those whose phase is told, N: the sums of the nodes' normal forces and
+     * of their friction on a curved face, the resultants on a flat one. */
+    double pressing = 0., pulling = 0.;
+    double first_moment = 0., second_moment = 0.; /**< as in StepSums, N */
     double friction        = 0.; /**< J: lost in its slip since the start */
     double position[3]     = {}; /**< of the source's centre, m */
     double acceleration[3] = {}; /**< m/s^2 */
   };
+
+  /** The member of a sample that a judged force is. */
+  double PairSample::*sample_of(const JudgedForce force);
 
   /** What a node has done since a time. */
   struct NodeShares
@@ -180,6 +188,7 @@ namespace squeal
     const TransientParameters &settings;
     const std::vector<double>  areas;  /**< of all nodes */
     std::vector<FaceAxes>      axes;   /**< of each pair */
+    std::vector<bool>          flat;   /**< is_flat(), of each pair */
     std::vector<double>        speeds; /**< of the pair of each node, m/s */
     const ForceSums            sums;
     const std::vector<double>  senses; /**< transverse_senses() */

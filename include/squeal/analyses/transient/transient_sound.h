@@ -8,10 +8,11 @@ namespace squeal
 {
   /** Writes pad.wav, or <contact>.wav of each of several pairs: the
    * acceleration of the source's centre along the normal of the pair, or along
-   * its sliding where the normal force is steady
-   * (JudgedPair::by_tangential of the loudest), prolonged to some seconds. Of a
-   * run in which nothing vibrates by more than noise the files are silent, and
-   * the log says so. Nothing is written where the samples would sound of
+   * its sliding where the tangential force of the loudest is judged
+   * (JudgedPair::force), or the moment of the normal forces where that is, as
+   * the centre of a body that wobbles hardly moves; prolonged to some seconds.
+   * Of a run in which nothing vibrates by more than noise the files are silent,
+   * and the log says so. Nothing is written where the samples would sound of
    * another frequency (TransientFigures::beyond_samples). */
   void write_sounds(RunContext              &context,
                     const PreparedTransient &prepared,

@@ -38,6 +38,12 @@ namespace squeal
    * noise of the solver. */
   constexpr double least_vibration = 1e-4;
 
+  /** A moment of the normal forces is judged where it vibrates by more than
+   * this many times what their sum does: a pad that rocks has the lines of its
+   * sum, which is of the size of its moments; a wobble that goes round cancels
+   * in the sum, and what it leaves there has other lines. */
+  constexpr double far_louder = 10.;
+
   /** A limit cycle has settled where its rms changes by no more than this share
    * between the halves of the time that it is taken over. */
   constexpr double settled_rms_change = 0.02;
@@ -48,6 +54,10 @@ namespace squeal
   std::string text_of_sampling(const double frequency,
                                const double interval,
                                const bool   is_in_steps);
+
+  /** Where a moment of the normal forces is judged: that it is, and by how much
+   * their plain sum vibrates; else empty. */
+  std::string text_of_moment(const TransientFigures &figures);
 
   /** Why the leading pair has no growth rate. */
   std::string reason_for_no_rate(const TransientFigures &figures);

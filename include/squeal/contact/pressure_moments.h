@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef squeal_contact_pressure_moments_h
+#define squeal_contact_pressure_moments_h
+
+#include <squeal/contact/contact_geometry.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <string>
+
+namespace squeal
+{
+  /** Whether all points of the face look one way, but for rounded coordinates:
+   * then the resultants along and across it are those of friction alone. */
+  bool is_flat(const ContactGeometry &geometry);
+
+  /**
+   * Two sums of the nodes' normal forces that tell where a face carries, which
+   * their plain sum does not: in a wobble that goes round the plain one is
+   * steady. Weights have the mean 0 and the mean square 1 over the face.
+   */
+  struct PressureMoments
+  {
+    /** In N, 2 x three a node. Of a face that looks to a side: the moments
+     * about the centre of the face, along the two axes of the scene that its
+     * normal is farthest from, over the radii of gyration of the face. Of one
+     * that looks to none, all round a shaft: the parts of the normal forces
+     * along the two axes that the face looks along most, over the root of the
+     * mean square of the normals there. A row is 0 where the face has no
+     * width. */
+    Eigen::MatrixXd rows;
+    /** "moment of the normal forces about x" or "resultant of the normal forces
+     * along x". */
+    std::array<std::string, 2> names;
+  };
+
+  PressureMoments pressure_moments(const ContactGeometry &geometry);
+} // namespace squeal
+
+#endif
