@@ -140,8 +140,7 @@ namespace
         if (k % stride != 0)
           continue;
         TransientSample s;
-        s.time      = t;
-        s.is_linear = 1.;
+        s.time = t;
         record.samples.push_back(s);
         PairSample pair;
         pair.normal = pair.pressing = now.normal;
