@@ -58,8 +58,9 @@ namespace
     const auto beyond = [&](const JudgedPair &pair, const double interval) {
       return line_beyond_samples(record, pair, lowest, interval);
     };
-    const JudgedPair quiet{0, "quiet", false}, loud{1, "loud", false},
-      sticks{1, "loud", true};
+    const JudgedPair quiet{0, "quiet", JudgedForce::normal, "normal force"},
+      loud{1, "loud", JudgedForce::normal, "normal force"},
+      sticks{1, "loud", JudgedForce::tangential, "tangential force"};
     for (const double interval : {1e-5, 1.1e-5, 9.7e-6})
       check_close(
         beyond(loud, interval), high, 2e-3, "a line that samples fold down");
@@ -83,8 +84,10 @@ namespace
                                                  : line(t, low);
           },
           [](const double) { return 0.; });
-        check((line_beyond_samples(record, {1, "", false}, lowest, 1e-5) >
-               0.) == !is_high_first,
+        check((line_beyond_samples(record,
+                                   {1, "", JudgedForce::normal, "normal force"},
+                                   lowest,
+                                   1e-5) > 0.) == !is_high_first,
               "the first half of a run does not count");
       }
   }
