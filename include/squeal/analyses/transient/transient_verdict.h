@@ -42,7 +42,7 @@ namespace squeal
    * this many times what their sum does: a pad that rocks has the lines of its
    * sum, which is of the size of its moments; a wobble that goes round cancels
    * in the sum, and what it leaves there has other lines. */
-  constexpr double far_louder = 10.;
+  constexpr double far_louder = 30.;
 
   /** A limit cycle has settled where its rms changes by no more than this share
    * between the halves of the time that it is taken over. */
