@@ -329,17 +329,35 @@ namespace squeal
       return;
     context.output.file("plots/phase.png");
     const std::string path = context.output.path() + "/plots/phase";
-    context.plotter.draw(
-      draw_charts({amplitude, phase}, 1400, runs.size() < 2 ? 1000 : 1200),
-      path);
-    report.figure(path + ".png",
-                  "Amplitude of the normal force, and phase of the tangential "
-                  "against the normal force where both are above 0.1 % of the "
-                  "mean normal force" +
-                    (n < runs.size()
-                       ? "; the first " + std::to_string(n) + " of " +
-                           std::to_string(runs.size()) + " runs"
-                       : ""),
-                  true);
+    // Where moments are judged there is no phase.
+    const bool has_phase =
+      std::any_of(runs.begin(), runs.begin() + n, [](const auto &run) {
+        for (std::size_t i = 0; i < run.second.n_rows(); ++i)
+          if (!run.second.is_missing(i, "phase_deg"))
+            return true;
+        return false;
+      });
+    if (!has_phase)
+      amplitude.title = "Amplitude of the force that is judged, at its largest "
+                        "line";
+    context.plotter.draw(draw_charts(has_phase
+                                       ? std::vector<Chart>{amplitude, phase}
+                                       : std::vector<Chart>{amplitude},
+                                     1400,
+                                     !has_phase        ? 700
+                                     : runs.size() < 2 ? 1000
+                                                       : 1200),
+                         path);
+    report.figure(
+      path + ".png",
+      (has_phase
+         ? std::string("Amplitude of the normal force, and phase of the "
+                       "tangential against the normal force where both are "
+                       "above 0.1 % of the mean normal force")
+         : std::string("Amplitude of the force that is judged")) +
+        (n < runs.size() ? "; the first " + std::to_string(n) + " of " +
+                             std::to_string(runs.size()) + " runs"
+                         : ""),
+      true);
   }
 } // namespace squeal

@@ -302,10 +302,12 @@ namespace squeal
            {branch_chart(record, f)},
            "Pairs of the largest sigma; shaded: the linear phase, in which "
            "growth rates are fitted");
-    draw("limit_cycle",
-         portraits(end),
-         "Every step of the last periods" + of_judged(f.loudest) +
-           ": closed curves in a limit cycle");
+    // The sums do not have the period of a moment that is judged.
+    if (!f.loudest.is_by_moment())
+      draw("limit_cycle",
+           portraits(end),
+           "Every step of the last periods" + of_judged(f.loudest) +
+             ": closed curves in a limit cycle");
     const auto &pairs = prepared.pressed.nodes().pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i)
       draw_pressure(context,
