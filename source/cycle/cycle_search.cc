@@ -329,10 +329,23 @@ namespace squeal
   CycleResult::rms_normal_error() const
   {
     return std::max(
-      error_by_steps(figures.rms_normal, coarse_figures.rms_normal),
+      force_error(&ForceFigures::rms_normal),
       error_by_steps(rms_of_difference(figures.normal_harmonics,
-                                       coarse_figures.normal_harmonics),
+                                       coarse_forces().normal_harmonics),
                      0.));
+  }
+
+  double
+  CycleResult::force_error(double ForceFigures::*number) const
+  {
+    return error_by_steps(figures.*number, coarse_forces().*number);
+  }
+
+  const ForceFigures &
+  CycleResult::coarse_forces() const
+  {
+    return coarse_figures.pairs.empty() ? coarse_figures
+                                        : coarse_figures.pairs[figures.loudest];
   }
 
   std::string

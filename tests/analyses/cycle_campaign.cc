@@ -80,6 +80,24 @@ namespace
     check_close(c.rms_normal_error(), 2., 1e-12, "of the harmonics");
   }
 
+  /** With half the steps the other of two pairs may be the loudest. */
+  void
+  errors_of_the_same_pair()
+  {
+    CycleResult c                        = cycle(3000., 50., .9);
+    c.figures.pairs                      = {ForceFigures{}, ForceFigures{}};
+    c.coarse_figures                     = c.figures;
+    c.figures.loudest                    = 1;
+    c.figures.max_normal                 = 70.;
+    c.coarse_figures.loudest             = 0;
+    c.coarse_figures.max_normal          = 90.;
+    c.coarse_figures.pairs[1].max_normal = 68.;
+    c.coarse_figures.pairs[1].rms_normal = 49.5;
+    check(c.force_error(&ForceFigures::max_normal) == 4.,
+          "the largest force of the same pair");
+    check(c.rms_normal_error() == 1., "its rms");
+  }
+
   /** What is said of an unstable cycle with the multiplier @p m. */
   void
   is_left(const std::complex<double> m, const std::string &text)
@@ -331,6 +349,7 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check(argc > 2, "arguments: the program and the folder of parameter files");
   errors_by_half_the_steps();
+  errors_of_the_same_pair();
   ways_of_leaving();
   outcomes();
   points(argv[1], argv[2]);

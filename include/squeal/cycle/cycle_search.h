@@ -52,7 +52,13 @@ namespace squeal
      * which is not smaller than that of the rms: harmonics that grow and others
      * that fall with the steps leave an rms that hardly changes by chance. */
     double rms_normal_error() const;
+    /** N: of @p number of the normal force. */
+    double force_error(double ForceFigures::*number) const;
     //@}
+
+  private:
+    /** Of half the steps, the forces of the pair that `figures` have. */
+    const ForceFigures &coarse_forces() const;
   };
 
   /** Amplitudes of pair @p k of @p linear, sqrt(J), at which the closed nodes one

@@ -43,6 +43,15 @@ namespace squeal
          [](const CycleResult &c) { return Cell(c.status()); }}};
     }
 
+    /** Of a number of the normal force. */
+    CycleColumn
+    force_error(const char *name, double ForceFigures::*number)
+    {
+      return found(
+        {name, Type::real, "N", "twice the difference to half the steps", 3},
+        [number](const CycleResult &c) { return c.force_error(number); });
+    }
+
     std::vector<CycleColumn>
     force_columns()
     {
@@ -56,6 +65,7 @@ namespace squeal
                     [](const CycleResult &c) { return c.frequency_error(); }),
               common<CycleResult>("dominant_line_hz"),
               common<CycleResult>("mean_normal_n"),
+              force_error("mean_normal_error_n", &ForceFigures::mean_normal),
               common<CycleResult>("rms_normal_n"),
               found({"rms_normal_error_n",
                      Type::real,
@@ -65,8 +75,10 @@ namespace squeal
                     [](const CycleResult &c) { return c.rms_normal_error(); }),
               found({"min_normal_n", Type::real, "N", "least normal force"},
                     [](const CycleResult &c) { return c.figures.min_normal; }),
+              force_error("min_normal_error_n", &ForceFigures::min_normal),
               found({"max_normal_n", Type::real, "N", "largest normal force"},
-                    [](const CycleResult &c) { return c.figures.max_normal; })};
+                    [](const CycleResult &c) { return c.figures.max_normal; }),
+              force_error("max_normal_error_n", &ForceFigures::max_normal)};
     }
 
     std::vector<CycleColumn>

@@ -89,8 +89,10 @@ namespace squeal
            shown("pair_sigma_per_s") + " 1/s"},
         {"dominant line", shown("dominant_line_hz") + " Hz"},
         {"normal force",
-         shown("mean_normal_n") + " N, " + shown("min_normal_n") + " to " +
-           shown("max_normal_n") + " N"},
+         shown("mean_normal_n") + " +- " + shown("mean_normal_error_n") +
+           " N, from " + shown("min_normal_n") + " +- " +
+           shown("min_normal_error_n") + " to " + shown("max_normal_n") +
+           " +- " + shown("max_normal_error_n") + " N"},
         {"nodes that open, that stick",
          shown("n_opening") + ", " + shown("n_sticking")},
         {"Floquet multipliers",
