@@ -7,6 +7,7 @@
 #include <squeal/contact/contact_faces.h>
 #include <squeal/contact/contact_terms.h>
 #include <squeal/contact/elimination.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/contact/mortar.h>
 
 #include <map>
@@ -306,13 +307,16 @@ namespace squeal
       const auto name_of = [&](const MortarContact &contact) {
         return "contact " + scene.contacts[contact.number].name;
       };
+      const auto rubs = [&](const MortarContact &contact) {
+        return !FrictionLaw(scene.contacts[contact.number]).is_frictionless();
+      };
       for (const MortarContact &contact : mortar_contacts)
-        if (scene.contacts[contact.number].friction_coefficient != 0.)
+        if (rubs(contact))
           for (const auto &functional : contact.tangential)
             for (const auto &[row, weight] : functional)
               pushed.emplace(row, name_of(contact));
       for (const MortarContact &contact : mortar_contacts)
-        if (scene.contacts[contact.number].friction_coefficient != 0.)
+        if (rubs(contact))
           for (const auto &functional : contact.normal)
             for (const auto &[row, weight] : functional)
               for (auto [i, end] = pushed.equal_range(row); i != end; ++i)

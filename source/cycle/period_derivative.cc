@@ -145,8 +145,15 @@ namespace squeal
             for (std::size_t k = 0; k < columns.size(); ++k)
               A.col(columns[k]) -= moved.col(k);
           }
+        // Nothing moves a node where it is held, and any flexibility serves.
         for (Eigen::Index i = 0; i < c.size(); ++i)
-          A(i, i) += c.unknowns[i].give;
+          {
+            const auto        &unknown = c.unknowns[i];
+            const unsigned int normal  = 3 * unknown.node;
+            A(i, i) += is_held_along_face(W, unknown.node, unknown.row)
+                         ? W(normal, normal)
+                         : unknown.give;
+          }
         Eigen::MatrixXd       rhs = Psi * x.q;
         const Eigen::MatrixXd from =
           c.origins.empty() ? Eigen::MatrixXd() : slip_origins(c, x);

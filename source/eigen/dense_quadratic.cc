@@ -253,10 +253,16 @@ namespace squeal
   } // namespace
 
   bool
+  is_between(const double f, const double lowest, const double highest)
+  {
+    constexpr double rounding = 1e-9;
+    return f >= (1. - rounding) * lowest && f <= (1. + rounding) * highest;
+  }
+
+  bool
   is_of_band(const Complex lambda, const double lowest, const double highest)
   {
-    const double f = lambda.imag() / (2. * M_PI);
-    return f >= lowest && f <= highest &&
+    return is_between(lambda.imag() / (2. * M_PI), lowest, highest) &&
            std::abs(lambda) <=
              (lambda.real() > 0. ? largest_growing : largest_decaying) * 2. *
                M_PI * highest;

@@ -60,8 +60,8 @@ namespace squeal
     {
       std::vector<int> kept;
       for (unsigned int i = 0; i < all.size(); ++i)
-        if (all.frequency(i) >= p.lowest_frequency &&
-            all.frequency(i) <= p.highest_frequency)
+        if (is_between(
+              all.frequency(i), p.lowest_frequency, p.highest_frequency))
           kept.push_back(i);
       return select_pairs(all, kept);
     }

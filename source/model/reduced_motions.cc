@@ -5,6 +5,7 @@
 
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/model/reduced_motions.h>
 
 #include <algorithm>
@@ -17,8 +18,9 @@ namespace squeal
   {
     std::vector<Eigen::Index> result;
     for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
-      if (const double f = linear.lambda[k].imag() / (2. * M_PI);
-          f >= band.lowest_frequency && f <= band.highest_frequency)
+      if (is_between(linear.lambda[k].imag() / (2. * M_PI),
+                     band.lowest_frequency,
+                     band.highest_frequency))
         result.push_back(k);
     std::sort(result.begin(),
               result.end(),

@@ -130,13 +130,15 @@ namespace squeal
                         entry   = "Modulus table file";
       if (parameters.analysis != Analysis::cea &&
           parameters.analysis != Analysis::operating_matrix)
-        refuse_entry(section,
-                     entry,
-                     "gives a modulus that depends on frequency, which "
-                     "'Analysis = " +
-                       choice_name(parameters.analysis) +
-                       "' cannot follow: take 'cea', or 'Young modulus' and "
-                       "'Structural damping' at one frequency");
+        refuse_entry(
+          section,
+          entry,
+          "is read by 'Analysis = cea' and 'operating matrix' alone, "
+          "whose moduli may depend on frequency: take one of them, or "
+          "for '" +
+            choice_name(parameters.analysis) +
+            "' 'Young modulus' and 'Structural damping' at one "
+            "frequency and temperature");
       if (parameters.eigen.solver == EigenParameters::Solver::direct ||
           parameters.eigen.compare_direct)
         refuse_entry("Eigenvalues",

@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/transient/contact_solver.h>
+#include <squeal/transient/reduced_contact_model.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -23,9 +24,6 @@ namespace squeal
     /** Diagonal entries of an operator that differ by more, relatively, are
      * those of another problem. */
     constexpr double largest_change = 0.2;
-    /** Flexibility of a node along the face, over that across it, that is
-     * rounding of none. */
-    constexpr double held_along_face = 1e-12;
     /** Of the largest free motion, by which motions are off. */
     constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
   } // namespace
@@ -86,13 +84,11 @@ namespace squeal
   {
     for (Eigen::Index j = 0; j < rho_normal.size(); ++j)
       {
-        // Nothing moves a node along the face where it is held, as on a plane
-        // of symmetry. It neither slips there nor takes friction, so that any
-        // flexibility of its own serves; without one W could not be inverted.
-        for (const unsigned int along : {1, 2})
-          if (double &own = W(3 * j + along, 3 * j + along);
-              !(own > held_along_face * W(3 * j, 3 * j)))
-            own += W(3 * j, 3 * j);
+        // Where a node is held any flexibility of its own serves; without one
+        // W could not be inverted.
+        for (const unsigned int c : {1, 2})
+          if (is_held_along_face(W, j, Eigen::Vector3d::Unit(c)))
+            W(3 * j + c, 3 * j + c) += W(3 * j, 3 * j);
         rho_normal[j] = 1. / W(3 * j, 3 * j);
         rho_tangential[j] =
           1. / std::max(W(3 * j + 1, 3 * j + 1), W(3 * j + 2, 3 * j + 2));

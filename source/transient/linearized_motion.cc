@@ -13,7 +13,9 @@ namespace squeal
     /** Rows of all nodal forces and motions, by what the nodes do. */
     struct ClosedRows
     {
-      ClosedRows(const SteadySliding &steady, const NodalFriction &friction)
+      ClosedRows(const SteadySliding   &steady,
+                 const NodalFriction   &friction,
+                 const Eigen::MatrixXd &flexibility)
       {
         for (std::size_t j = 0; j < steady.status.size(); ++j)
           switch (steady.status[j])
@@ -22,14 +24,17 @@ namespace squeal
               break;
             case ContactStatus::stick:
               for (unsigned int c = 0; c < 3; ++c)
-                kept.push_back(3 * j + c);
+                if (!is_held_along_face(
+                      flexibility, j, Eigen::Vector3d::Unit(c)))
+                  kept.push_back(3 * j + c);
               break;
             case ContactStatus::slip:
               slipping.push_back(j);
               normal_of_slipping.push_back(kept.size());
               kept.push_back(3 * j);
               along.push_back(3 * j + 1);
-              if (friction.coefficient[j] > 0.)
+              if (friction.coefficient[j] > 0. &&
+                  !is_held_along_face(flexibility, j, Eigen::Vector3d::UnitZ()))
                 across.push_back(3 * j + 2);
               break;
             }
@@ -37,10 +42,11 @@ namespace squeal
 
       std::vector<int> slipping; /**< nodes */
       /** Motions that stay: the normal one of slipping nodes, all three of
-       * sticking ones. */
+       * sticking ones, as far as nothing else holds them. */
       std::vector<int> kept;
       std::vector<int> normal_of_slipping; /**< places among them */
-      /** Of slipping nodes; across the sliding of those with friction. */
+      /** Of slipping nodes; across the sliding of those with friction that are
+       * free to move there. */
       std::vector<int> along, across;
     };
 
@@ -130,21 +136,24 @@ namespace squeal
                     const NodalFriction       &friction,
                     const double               speed)
         : model(m)
-        , rows(steady, friction)
+        , rows(steady, friction, m.flexibility)
         , mu(rows.slipping.size())
         , by_slip(rows.slipping.size())
         , inverse_rate(rows.across.size())
       {
-        const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
-        for (Eigen::Index i = 0, k = 0; i < mu.size(); ++i)
+        for (Eigen::Index i = 0; i < mu.size(); ++i)
           {
             const int j = rows.slipping[i];
             mu[i]       = friction.coefficient[j];
             by_slip[i]  = friction.slope[j] * steady.forces[3 * j];
-            if (mu[i] > 0.)
-              inverse_rate[k++] =
-                speed * model.speed_ratio[j] /
-                (mu[i] * std::max(steady.forces[3 * j], least));
+          }
+        const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
+        for (Eigen::Index k = 0; k < inverse_rate.size(); ++k)
+          {
+            const int j = rows.across[k] / 3;
+            inverse_rate[k] =
+              speed * model.speed_ratio[j] /
+              (friction.coefficient[j] * std::max(steady.forces[3 * j], least));
           }
       }
 
@@ -173,8 +182,8 @@ namespace squeal
 
       const ReducedContactModel &model;
       const ClosedRows           rows;
-      /** mu, p_0 dmu/dv of the slipping nodes, |V|/(mu p_0) of those with
-       * friction. */
+      /** mu, p_0 dmu/dv of the slipping nodes, |V|/(mu p_0) of those that
+       * `across` has. */
       Eigen::VectorXd mu, by_slip, inverse_rate;
     };
 

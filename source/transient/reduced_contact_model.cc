@@ -11,6 +11,19 @@
 
 namespace squeal
 {
+  bool
+  is_held_along_face(const Eigen::MatrixXd &flexibility,
+                     const unsigned int     node,
+                     const Eigen::Vector3d &direction)
+  {
+    constexpr double      rounding = 1e-12;
+    const Eigen::Matrix3d own = flexibility.block<3, 3>(3 * node, 3 * node);
+    return direction[0] == 0. &&
+           !(direction.dot(own * direction) > rounding * own(0, 0));
+  }
+
+
+
   Eigen::VectorXd
   ReducedContactModel::Observation::evaluate(
     const Eigen::VectorXd &coordinates,

@@ -204,9 +204,9 @@ namespace
                              const std::vector<std::string> &parts) {
       check_refused([&]() { read({entry}); }, parts, entry);
     };
-    refuses("Analysis = modes", {"'Analysis = modes' cannot follow"});
-    refuses("Analysis = transient", {"'Analysis = transient' cannot follow"});
-    refuses("Analysis = sweep", {"'Analysis = sweep' cannot follow"});
+    refuses("Analysis = modes", {"for 'modes'"});
+    refuses("Analysis = transient", {"for 'transient'"});
+    refuses("Analysis = sweep", {"for 'sweep'"});
     refuses("Eigenvalues/Solver = direct", {"Eigenvalues/Solver", "shim"});
     refuses("Eigenvalues/Compare with direct = true",
             {"Compare with direct", "shim"});

@@ -50,6 +50,11 @@ namespace squeal
                                             const double            lowest,
                                             const double            highest);
 
+  /** Whether the frequency @p f, Hz, is one of the band from @p lowest to @p
+   * highest, whose ends belong to it: what differs from one by rounding, 1e-9
+   * of it, is there. */
+  bool is_between(const double f, const double lowest, const double highest);
+
   /** Whether @p lambda, 1/s, is one of the band from @p lowest to @p highest,
    * Hz: by its frequency and, where it decays, by |lambda| <= 4 pi highest.
    * Overdamped motions far beyond pass through any band as a basis grows; no

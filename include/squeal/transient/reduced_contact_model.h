@@ -92,6 +92,16 @@ namespace squeal
     }
   };
 
+  /** Whether nothing moves @p node in @p direction, of unit size (normal,
+   * along and across the sliding), and that lies in the face: a support holds
+   * it, as on a plane of symmetry. Then it neither slips nor takes friction
+   * that
+   * way. @p flexibility: 3 nodes x 3 nodes, m/N; what is below 1e-12 of that
+   * along the normal is rounding. */
+  bool is_held_along_face(const Eigen::MatrixXd &flexibility,
+                          const unsigned int     node,
+                          const Eigen::Vector3d &direction);
+
   /** Throws InputError where the damping of @p pencil is not viscous. */
   void check_time_domain_damping(const Pencil &pencil);
 
