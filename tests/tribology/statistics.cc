@@ -450,15 +450,12 @@ namespace
       }
   }
 
-  /** Of 100 pairs a rate has a deviation of 0.05 at most: that of no link,
-   * 0.05, of a weak one and of strong ones, which are all found, are told
-   * apart. */
   void
   power()
   {
-    CorrelationParameters p;
-    SelfTest              test(p);
-    double                before = 0.;
+    // Of 100 pairs a rate has a deviation of 0.05 at most.
+    SelfTest test(CorrelationParameters{});
+    double   before = 0.;
     for (const double link : {0., .3, .6, .9})
       {
         const SelfTestRow row  = test.run(SharedPattern::rim, 1.5, link, 100);
