@@ -286,7 +286,7 @@ namespace
     std::vector<double> shares;
     for (const unsigned int n : {1, 2})
       {
-        SceneParameters scene = turning_brake({{16 * n, 3 * n, 1}}, 2);
+        SceneParameters scene = turning_brake({{16 * n, 3 * n, 1}}, 1);
         scene.damping         = {};
         const Reduced    r(scene, 12e3, 0., true, 1);
         FullContactModel full = full_model(r);
