@@ -7,6 +7,9 @@
 #include "../scene/gmsh_cube.h"
 #include "program.h"
 
+#include <squeal/base/exceptions.h>
+#include <squeal/parameters/parameters.h>
+
 using namespace squeal::testing;
 namespace fs = std::filesystem;
 
@@ -67,6 +70,28 @@ namespace
     refuses(replaced(small_brake, old, by), parts, claim);
   }
 
+  /** The same where the text alone is wrong: that is found by what the program
+   * begins with, before there is anything to leave, and what is called here,
+   * without the start of a program. */
+  void
+  refuses_text(const std::string              &old,
+               const std::string              &by,
+               const std::vector<std::string> &parts,
+               const std::string              &claim)
+  {
+    write_text("bad.prm", replaced(small_brake, old, by));
+    Outcome outcome{0, "", ""};
+    try
+      {
+        squeal::read_parameters("bad.prm").check();
+      }
+    catch (const squeal::InputError &e)
+      {
+        outcome = {2, "", std::string("squeal: ") + e.what() + "\n"};
+      }
+    check_outcome(outcome, 2, parts, claim);
+  }
+
 
 
   void
@@ -76,55 +101,55 @@ namespace
                    "Young modulos = 2e10",
                    {"bad.prm:19:", "Young modulos'", "Young modulus"},
                    "a misspelt entry, by line and nearest name");
-    refuses_change("subsection Body pad",
-                   "subsection Body pda",
-                   {"bad.prm:6:", "no section 'Scene/Body pad'"},
-                   "a misspelt section");
-    refuses_change("= 2e10",
-                   "= steel",
-                   {"bad.prm:19:", "Young modulus", "'steel'"},
-                   "a wrong type");
-    refuses_change("= 2e10",
-                   "= nan",
-                   {"bad.prm:19:", "Young modulus"},
-                   "a number that is none");
-    refuses_change("= 0.3\n  end\n  subsection Support inner",
-                   "= 0.5\n  end\n  subsection Support inner",
-                   {"bad.prm:21:", "Poisson ratio", "0.4999"},
-                   "an incompressible material");
+    refuses_text("subsection Body pad",
+                 "subsection Body pda",
+                 {"bad.prm:6:", "no section 'Scene/Body pad'"},
+                 "a misspelt section");
+    refuses_text("= 2e10",
+                 "= steel",
+                 {"bad.prm:19:", "Young modulus", "'steel'"},
+                 "a wrong type");
+    refuses_text("= 2e10",
+                 "= nan",
+                 {"bad.prm:19:", "Young modulus"},
+                 "a number that is none");
+    refuses_text("= 0.3\n  end\n  subsection Support inner",
+                 "= 0.5\n  end\n  subsection Support inner",
+                 {"bad.prm:21:", "Poisson ratio", "0.4999"},
+                 "an incompressible material");
     for (const char *density : {"0", "-2500"})
-      refuses_change(std::string("= 2500"),
-                     std::string("= ") + density,
-                     {"bad.prm:20:", "Density", "greater than 0"},
-                     std::string("density ") + density);
-    refuses_change("Degree = 1",
-                   "Degree = 99",
-                   {"bad.prm:43:", "Degree", "from 1 to 8"},
-                   "out of range");
-    refuses_change("Analysis         = cea",
-                   "Analysis         = scea",
-                   {"bad.prm:1:", "Analysis", "cea"},
-                   "an unknown analysis");
-    refuses_change("  set Supports = inner_edge, top\n",
-                   "  set Supports = inner_edge, top\n  set Supports = top\n",
-                   {"bad.prm:", "Supports"},
-                   "an entry given twice");
-    refuses_change("= pad_disc",
-                   "= pad_disc, other",
-                   {"bad.prm:", "other"},
-                   "a contact without its section");
-    refuses_change("Source body          = pad",
-                   "Source body          = pat",
-                   {"pad_disc/Source body", "'pat'", "pad"},
-                   "an unknown body");
-    refuses_change("= inner\n",
-                   "= inside\n",
-                   {"inner_edge/Face", "inside", "inner"},
-                   "an unknown face");
-    refuses_change("Highest frequency = 6000",
-                   "Highest frequency = 6000\n  set Lowest frequency = 7000",
-                   {"Lowest frequency", "Highest frequency"},
-                   "a band upside down");
+      refuses_text(std::string("= 2500"),
+                   std::string("= ") + density,
+                   {"bad.prm:20:", "Density", "greater than 0"},
+                   std::string("density ") + density);
+    refuses_text("Degree = 1",
+                 "Degree = 99",
+                 {"bad.prm:43:", "Degree", "from 1 to 8"},
+                 "out of range");
+    refuses_text("Analysis         = cea",
+                 "Analysis         = scea",
+                 {"bad.prm:1:", "Analysis", "cea"},
+                 "an unknown analysis");
+    refuses_text("  set Supports = inner_edge, top\n",
+                 "  set Supports = inner_edge, top\n  set Supports = top\n",
+                 {"bad.prm:", "Supports"},
+                 "an entry given twice");
+    refuses_text("= pad_disc",
+                 "= pad_disc, other",
+                 {"bad.prm:", "other"},
+                 "a contact without its section");
+    refuses_text("Source body          = pad",
+                 "Source body          = pat",
+                 {"pad_disc/Source body", "'pat'", "pad"},
+                 "an unknown body");
+    refuses_text("= inner\n",
+                 "= inside\n",
+                 {"inner_edge/Face", "inside", "inner"},
+                 "an unknown face");
+    refuses_text("Highest frequency = 6000",
+                 "Highest frequency = 6000\n  set Lowest frequency = 7000",
+                 {"Lowest frequency", "Highest frequency"},
+                 "a band upside down");
   }
 
 

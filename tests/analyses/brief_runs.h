@@ -66,7 +66,7 @@ end
                          "0.008");
     }
 
-    /** The stability map of the TriboBrake, coarse. */
+    /** The stability map of the TriboBrake, coarse, about its pair of 5 kHz. */
     inline std::string
     brake_sweep(const std::string &folder)
     {
@@ -86,8 +86,8 @@ subsection Scene
   end
 end
 subsection Eigenvalues
-  set Lowest frequency  = 2000
-  set Highest frequency = 6000
+  set Lowest frequency  = 4400
+  set Highest frequency = 5600
 end
 subsection Sweep
   set Axes            = e_pad, mu

@@ -52,6 +52,7 @@ namespace
                  "\nset Overwrite = true\nsubsection History\n"
                  "  set File = " +
                  history + "/contact_history.h5\nend\n" +
+                 "subsection Subsurface\n  set Compute = false\nend\n"
                  "subsection Output\n  set Plots = false\nend\n");
     const Outcome o = run_program({damage_program, "damage.prm"});
     check(o.code == 0, "damage of " + history + ": " + o.errors);

@@ -30,7 +30,7 @@ namespace
                        : solve_modes(model, log, timers);
   }
 
-  /** @p p of degree @p degree beside the same mesh with three degrees more. */
+  /** @p p of degree @p degree beside the same mesh with two degrees more. */
   void
   test_scene(const std::string &name, Parameters p, const unsigned int degree)
   {
@@ -40,7 +40,7 @@ namespace
         p.discretization.degree         = degree;
         p.discretization.estimate_error = true;
         const ModeSolution coarse       = solve(p, true);
-        p.discretization.degree         = degree + 3;
+        p.discretization.degree         = degree + 2;
         const ModeSolution fine         = solve(p, false);
         const unsigned int n = coarse.n_up_to(p.eigen.highest_frequency);
         check(n >= 5, name + ": enough modes");

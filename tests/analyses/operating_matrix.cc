@@ -22,7 +22,7 @@ namespace
 
   struct Band
   {
-    std::string lowest = "4000", highest = "9000"; // Hz
+    std::string lowest = "7000", highest = "8000"; // Hz
   };
 
   std::string
@@ -39,7 +39,8 @@ namespace
                        "\n set Highest frequency = " + band.highest +
                        "\nend\n"
                        "subsection Output\n set Plots = false\n"
-                       " set Shapes = none\nend\nsubsection Scene\n";
+                       " set Report = false\n set Shapes = none\nend\n"
+                       "subsection Scene\n";
     for (const std::string &pad : pads)
       text += " subsection Contact " + pad +
               "\n  set Friction coefficient = " + friction + "\n end\n";
@@ -86,7 +87,7 @@ namespace
     " end\nend\n";
 
   /** Moduli over frequency are costly to solve with: the loudest alone. */
-  const Band about_loudest = {"7000", "7600"};
+  const Band about_loudest = {"7300", "7500"};
 
   void
   one_sided(const std::string &program, const std::string &folder)

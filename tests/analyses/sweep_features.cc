@@ -101,8 +101,12 @@ namespace
   void
   radius(const std::string &program)
   {
-    std::vector<std::string> settings = {"Sweep/Axis e_pad/From = 1e10",
-                                         "Sweep/Axis e_pad/To = 10^10.5",
+    std::vector<std::string> settings = {"Scene/Body disc/Cells = 12, 2, 1",
+                                         "Scene/Body pad/Cells = 1, 1, 1",
+                                         "Scene/Body support/Cells = 1, 1, 6",
+                                         "Sweep/Axis e_pad/From = 10^10.1",
+                                         "Sweep/Axis e_pad/To = 10^10.4",
+                                         "Sweep/Axis e_pad/Number = 6",
                                          "Sweep/Axis mu/Values = 0.5"};
     run({program}, "zones.prm", "alone", settings);
     settings.push_back("Sweep/Axis radius/Number = 3");
@@ -135,7 +139,7 @@ namespace
         "about_preload",
         {"Sweep/Axis e_pad/Number = 9",
          "Sweep/Axis mu/Values = 0.3",
-         "Sweep/Direct checks = 2"});
+         "Sweep/Direct checks = 1"});
     const Table table  = read_csv("about_preload/eigenvalues.csv");
     std::size_t n_open = 0;
     Worst       error;
@@ -156,7 +160,14 @@ namespace
   same_on_two_ranks(const std::string &mpirun, const std::string &program)
   {
     const std::vector<std::string> settings = {
-      "Sweep/Suggestions = 2", "Sweep/Axis mu/Values = 0.3, 0.5"};
+      "Sweep/Suggestions = 2",
+      "Sweep/Sensitivities = Scene/Body pad/Young modulus, Scene/Contact "
+      "pad_disc/Friction coefficient, Scene/Body disc/Density, "
+      "Scene/Damping/Stiffness damping",
+      "Sweep/Axis mu/Values = 0.3, 0.5",
+      "Sweep/Axis e_pad/From = 10^10.2",
+      "Sweep/Axis e_pad/To = 10^10.6",
+      "Sweep/Axis e_pad/Number = 7"};
     for (const std::string ranks : {"1", "2"})
       run({mpirun, "-np", ranks, program},
           "what_to_change.prm",

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Triggers of the coarse TriboBrake: what a search without a threshold says, a
-// threshold between the blows either side of it that a second run tries, and
-// finished scenes that are kept with the same bytes; multipliers that their
-// error leaves open. Arguments: the program and the folder of parameter files.
+// Triggers of the coarse TriboBrake: what a search without a threshold says,
+// finished scenes that are kept with the same bytes, how a bracket is tabled,
+// and multipliers that their error leaves open. With a further argument: a
+// threshold between the blows either side of it, which takes many motions;
+// cycle/triggers.cc finds known ones by the same search. Arguments: the program
+// and the folder of parameter files; "threshold" (optional).
 
 #include <squeal/analyses/triggers/trigger_tables.h>
 #include <squeal/results/table.h>
@@ -67,22 +69,43 @@ namespace
     ends_with(run,
               {"Scene/Contact pad_disc/Friction coefficient = 0.6", ramp},
               "steady sliding is unstable");
-    ends_with(run,
-              {"Triggers/Impulses = 0.01, 0.02"},
-              "no squeal at the largest impulse");
     // Too short to see what the motion ends in.
     ends_with(run,
               {"Triggers/Impulses = 0.25", "Triggers/Longest time = 0.025"},
               "undecided at the largest impulse");
   }
 
-  /** A second search confirms the ends of the bracket of a first one. */
+  /** The same scene is taken from the run before, and another one is not. */
+  void
+  kept_scenes(const Run &run)
+  {
+    const std::vector<std::string> first = {"Triggers/Impulses = 0.01, 0.02"};
+    ends_with(run, first, "no squeal at the largest impulse");
+    const std::string taken = "1 of 1 runs are taken from",
+                      bytes = text_of("out/triggers.csv");
+    const Outcome again     = run("out", first);
+    check(again.code == 0 && again.output.find(taken) != std::string::npos &&
+            text_of("out/triggers.csv") == bytes,
+          "a finished scene is kept with the same bytes");
+    // Another point is another scene.
+    const Outcome other =
+      run("out",
+          {first[0], "Measurement/Point side/Position = 0.1075, -0.005, 0.05"});
+    check(other.code == 0 && other.output.find(taken) == std::string::npos &&
+            unbroken(other.output)
+                .find("struck at side is support 0.1075 "
+                      "-0.005 0.05") != std::string::npos,
+          "not where the point is another one");
+  }
+
+  /** The search ends with a bracket, which is tabled. */
   void
   threshold(const Run &run)
   {
-    const std::vector<std::string> first = {"Triggers/Impulses = 0.15, 0.25",
-                                            "Triggers/Tolerance = 0.1"};
-    check(run("first", first).code == 0, "a threshold is sought");
+    check(run("first",
+              {"Triggers/Impulses = 0.15, 0.25", "Triggers/Tolerance = 0.1"})
+              .code == 0,
+          "a threshold is sought");
     const Table  t     = read_csv("first/triggers.csv");
     const double lower = t.real(0, "impulse_lower_ns"),
                  upper = t.real(0, "impulse_upper_ns");
@@ -90,21 +113,25 @@ namespace
             upper - lower <= .1 * upper && t.real(0, "impulse_error_ns") > 0.,
           "it is bracketed: " + std::to_string(lower) + " to " +
             std::to_string(upper) + " N s");
-    const std::string bytes = text_of("first/triggers.csv");
-    const Outcome     again = run("first", first);
-    check(again.code == 0 &&
-            again.output.find("1 of 1 runs are taken from") !=
-              std::string::npos &&
-            text_of("first/triggers.csv") == bytes,
-          "a finished scene is kept with the same bytes");
-    // Another point is another scene.
-    const Outcome other =
-      run("first",
-          {"Triggers/Impulses = 0.15, 0.25",
-           "Triggers/Tolerance = 0.1",
-           "Measurement/Point side/Position = 0.1075, -0.005, 0.05"});
-    check(other.code == 0 && text_of("first/triggers.csv") != bytes,
-          "not where the point is another one");
+  }
+
+  /** The bracket that is tabled is that of half the steps. */
+  void
+  tabled_bracket()
+  {
+    TriggerResult r;
+    r.threshold.status = r.finer.status = TriggerThreshold::Status::bracketed;
+    r.threshold.lower                   = .14;
+    r.threshold.upper                   = .15;
+    r.finer.lower                       = .15;
+    r.finer.upper                       = .16;
+    r.strongest.windows.emplace_back();
+    const Table t = trigger_table({r});
+    check_close(t.real(0, "impulse_lower_ns"), .15, 1e-12, "its lower end");
+    check_close(t.real(0, "impulse_upper_ns"), .16, 1e-12, "its upper end");
+    check_close(t.real(0, "impulse_ns"), .155, 1e-12, "its middle");
+    // Half the bracket and the change with half the steps.
+    check_close(t.real(0, "impulse_error_ns"), .015, 1e-12, "its error");
   }
 
   /** The multipliers of the cycle on the edge are counted where their error
@@ -140,7 +167,13 @@ main(int argc, char *argv[])
   const Run run{argv[1], argv[2]};
   std::filesystem::remove_all("out");
   std::filesystem::remove_all("first");
+  if (argc > 3)
+    {
+      threshold(run);
+      return 0;
+    }
+  tabled_bracket();
   multipliers_outside();
   faults(run);
-  threshold(run);
+  kept_scenes(run);
 }

@@ -146,12 +146,13 @@ namespace
         "subsection Scene\n subsection Contact upper\n"
         "  set Contact state = full\n end\n subsection Contact lower\n"
         "  set Contact state = full\n end\nend\n"
-        "subsection Eigenvalues\n set Lowest frequency = 7000\n"
-        " set Highest frequency = 8000\nend\n"
-        "subsection Sweep\n set Axes = mu\n subsection Axis mu\n"
+        "subsection Eigenvalues\n set Lowest frequency = 7200\n"
+        " set Highest frequency = 7700\nend\n"
+        "subsection Sweep\n set Axes = mu\n set Sigma tolerance = 1e-5\n"
+        "  subsection Axis mu\n"
         "  set Entries = Scene/Contact upper/Friction coefficient, "
         "Scene/Contact lower/Friction coefficient\n"
-        "  set From = 0.05\n  set To = 0.8\n  set Number = 6\n end\nend\n");
+        "  set From = 0.4\n  set To = 0.6\n  set Number = 3\n end\nend\n");
     same("unstable_ranges.csv",
          {"lower", "peak_sigma_per_s", "frequency_at_peak_hz"},
          1e-7);

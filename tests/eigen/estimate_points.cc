@@ -53,31 +53,55 @@ namespace
     UndampedModes modes;
   };
 
-  /** Squared half-difference of the least stable pair and its neighbour, real
+  /** Squared half-difference of the two eigenvalues nearest to @p wanted, real
    * part: negative while two frequencies differ, positive once they are one. */
   double
-  discriminant(const double x)
+  discriminant(const double x, const Complex wanted)
   {
-    const Eigen::VectorXcd lambda = Point(x).solve(1e-8).lambda;
+    const Eigen::VectorXcd lambda    = Point(x).solve(1e-8).lambda;
+    Eigen::VectorXd        distances = (lambda.array() - wanted).abs();
     Eigen::Index           a, b;
-    lambda.real().maxCoeff(&a);
-    Eigen::VectorXd distances = (lambda.array() - lambda[a]).abs();
-    distances[a]              = 1e300;
+    distances.minCoeff(&a);
+    distances[a] = 1e300;
     distances.minCoeff(&b);
     return std::real(.25 * (lambda[a] - lambda[b]) * (lambda[a] - lambda[b]));
   }
 
+  /** Where the pair that is @p unstable at @p inside locks in, to 1e-7 decades.
+   * The discriminant is smooth where the eigenvalues have a root of it: regula
+   * falsi, with half the value of an end that stays. */
   double
-  lock_in(double outside, double inside)
+  lock_in(double outside, double inside, const Complex unstable)
   {
-    check(discriminant(outside) < 0. && discriminant(inside) > 0.,
-          "a lock-in lies between");
+    double before = discriminant(outside, unstable),
+           after  = discriminant(inside, unstable);
+    check(before < 0. && after > 0., "a lock-in lies between");
+    double last = outside;
+    int    side = 0;
     for (unsigned int i = 0; i < 24; ++i)
       {
-        const double middle = .5 * (outside + inside);
-        (discriminant(middle) > 0. ? inside : outside) = middle;
+        const double x = (outside * after - inside * before) / (after - before),
+                     value = discriminant(x, unstable);
+        std::cout << "10^" << x << ": " << value << std::endl;
+        if (std::abs(x - last) < 1e-7)
+          return x;
+        last = x;
+        if (value > 0.)
+          {
+            inside = x;
+            after  = value;
+            before *= side > 0 ? .5 : 1.;
+          }
+        else
+          {
+            outside = x;
+            before  = value;
+            after *= side < 0 ? .5 : 1.;
+          }
+        side = value > 0. ? 1 : -1;
       }
-    return .5 * (outside + inside);
+    check(false, "the lock-in is found");
+    return 0.;
   }
 
   struct Tally
@@ -103,7 +127,8 @@ namespace
     return two.error_estimate[0];
   }
 
-  void
+  /** Returns the pairs of the tightest tolerance. */
+  ComplexPairs
   compare(const Point &point, const double x, Tally &tally)
   {
     const ComplexPairs exact = point.solve(1e-11);
@@ -135,13 +160,13 @@ namespace
                       << pairs.error_estimate[i] << ", error " << error << "\n";
           }
       }
+    return exact;
   }
 
   /** The reference of compare() beside the direct solver. */
   void
-  check_reference(const Point &point, const double x)
+  check_reference(const Point &point, const ComplexPairs &exact, const double x)
   {
-    const ComplexPairs exact = point.solve(1e-11);
     const DirectSolver direct(point.model.pencil, Complex(100., M_PI * top));
     const Eigen::VectorXcd other = direct.solve(exact.size() + 12).lambda;
     for (unsigned int i = 0; i < exact.size(); ++i)
@@ -161,25 +186,27 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   Tally                                    tally;
-  double stable = 0., unstable = 0., last_rate = -1.;
+  double  stable = 0., unstable = 0., last_rate = -1.;
+  Complex growing;
   for (unsigned int k = 0; k < 20; ++k)
     {
-      const double x = 9. + .1 * k;
-      const Point  point(x);
-      compare(point, x, tally);
+      const double       x = 9. + .1 * k;
+      const Point        point(x);
+      const ComplexPairs exact = compare(point, x, tally);
       if (k % 5 == 0)
-        check_reference(point, x);
-      const double rate =
-        point.solve(1e-6).lambda.real().maxCoeff<Eigen::PropagateNaN>();
+        check_reference(point, exact, x);
+      Eigen::Index loudest;
+      const double rate = exact.lambda.real().maxCoeff(&loudest);
       if (unstable == 0. && k > 0 && rate > 0. && last_rate <= 0.)
         {
           unstable = x;
           stable   = x - .1;
+          growing  = exact.lambda[loudest];
         }
       last_rate = rate;
     }
   check(unstable > 0., "the scan meets an instability");
-  const double x0 = lock_in(stable, unstable);
+  const double x0 = lock_in(stable, unstable, growing);
   for (int k = 0; k < 10; ++k)
     {
       const double x = x0 + (k - 4.5) * 2e-5;

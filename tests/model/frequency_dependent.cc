@@ -204,7 +204,7 @@ namespace
   Parameters
   brake()
   {
-    Parameters p            = in_band(800., 8000.);
+    Parameters p            = in_band(800., 5000.);
     p.discretization.degree = 2;
     p.scene                 = coarse_brake(.5);
     auto &scene             = p.scene;
@@ -287,7 +287,7 @@ namespace
              std::abs(all.lambda[i].real()) < 5e4;
       return n;
     };
-    check(n_below(8000.) - n_below(800.) == solved.pairs.size(),
+    check(n_below(5000.) - n_below(800.) == solved.pairs.size(),
           "as many as the direct solver counts at the ends of the band");
   }
 

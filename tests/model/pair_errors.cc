@@ -30,7 +30,7 @@ namespace
     const std::vector<std::string> common = {
       "Analysis = cea",
       "Eigenvalues/Lowest frequency = 2500",
-      "Eigenvalues/Highest frequency = 6500",
+      "Eigenvalues/Highest frequency = 5500",
       "Scene/Body disc/Cells = 24, 3, 1",
       "Scene/Body pad/Cells = 1, 1, 1",
       "Scene/Body support/Cells = 1, 1, 4"};

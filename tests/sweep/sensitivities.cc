@@ -99,7 +99,7 @@ namespace
     const auto   spread = brake.grid.spread(300);
     Worst        worst;
     unsigned int n_pairs = 0;
-    for (unsigned int k = 0; k < 10; ++k)
+    for (unsigned int k = 0; k < 8; ++k)
       {
         const SweepPoint   point = spread[spread.size() - 1 - k];
         const ComplexPairs pairs = solve_point_refined(

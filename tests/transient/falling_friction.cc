@@ -104,14 +104,15 @@ namespace
     double period = 0., stick = 0., amplitude = 0.;
   };
 
-  /** Runs over some periods, starting with the belt. */
+  /** Runs until the mass has slipped off twice, starting with the belt: each
+   * period begins where it slips off and is like the one before. */
   StickSlip
   stick_slip(TransientIntegrator   &run,
              const Eigen::VectorXd &coordinates,
              const Eigen::VectorXd &velocity)
   {
     run.start(coordinates, velocity, Eigen::Vector3d(1., 0., 0.));
-    constexpr unsigned int n_periods = 3;
+    constexpr unsigned int n_periods = 1;
     double                 first = -1., last = -1., stuck = 0., caught = -1.;
     Worst                  lowest;
     Worst                  highest;

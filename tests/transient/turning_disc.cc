@@ -230,7 +230,7 @@ namespace
     std::vector<double> differences;
     for (const unsigned int n : {1, 2, 4})
       {
-        const SceneParameters scene = turning_brake({{16 * n, 3 * n, 1}}, 2);
+        const SceneParameters scene = turning_brake({{16 * n, 3 * n, 1}}, 1);
         const Reduced         r(scene, 12e3, 0., true, 1);
         const double          dt    = stable_step(r);
         FullContactModel      still = full_model(r), turning = still;
@@ -286,7 +286,7 @@ namespace
     std::vector<double> shares;
     for (const unsigned int n : {1, 2})
       {
-        SceneParameters scene = turning_brake({{16 * n, 3 * n, 1}}, 2);
+        SceneParameters scene = turning_brake({{16 * n, 3 * n, 1}}, 1);
         scene.damping         = {};
         const Reduced    r(scene, 12e3, 0., true, 1);
         FullContactModel full = full_model(r);

@@ -174,7 +174,7 @@ namespace
       spring.stiffness                       = stiffness;
       scene.springs.push_back(spring);
     };
-    SceneParameters scene = turning_brake({{16, 3, 1}}, 2);
+    SceneParameters scene = turning_brake({{16, 3, 1}}, 1);
     add(scene, "support", {.1075, 0., .11}, 2e7);
     const auto without = harmonics(scene, 1.2, 17, 40.);
     add(scene, "disc", {-.12, 0., 0.}, 1e8);
