@@ -156,9 +156,8 @@ namespace
   line_of(const TransientRecord &record, const TransientFigures &f)
   {
     const double interval = double(stride) / n_steps;
-    return power_spectrum(
-             without_slow_part(record.forces_of(0, sample_of(f.loudest.force))),
-             interval)
+    return power_spectrum(without_slow_part(samples_of(record, f.loudest)),
+                          interval)
       .peak(5., highest_line(interval));
   }
 
@@ -204,6 +203,88 @@ namespace
           "the table names it");
     const ForceStatistics half = statistics_of(record.stretches, 100, 200);
     check_close(rms_of_pressure(half), f.rms_normal, 1e-12, "of a stretch");
+  }
+
+  TransientFigures
+  figures_of(const ContactNodes &nodes, const Pressing &pressing)
+  {
+    TransientFigures f;
+    evaluate_forces(nodes, record_of(nodes, pressing), f);
+    return f;
+  }
+
+  /** A rock that stands is as large about every axis. */
+  void
+  turned()
+  {
+    const ContactNodes nodes = nodes_of(arc(2. * pi, true));
+    const auto         rock  = [](const double at) {
+      return [at](const double angle, const double t) {
+        return 1. + .8 * std::cos(2. * pi * frequency * t) *
+                      std::cos(angle - at * pi / 180.);
+      };
+    };
+    for (const auto &[at, axis] :
+         {std::make_pair(0., "about y"),
+          std::make_pair(90., "about x"),
+          std::make_pair(45., "about an axis -45 deg from x towards y"),
+          std::make_pair(-60., "about an axis 30 deg from x towards y")})
+      {
+        const TransientRecord record = record_of(nodes, rock(at));
+        TransientFigures      f;
+        evaluate_forces(nodes, record, f);
+        check(f.loudest.force_name ==
+                std::string("moment of the normal forces ") + axis,
+              f.loudest.force_name);
+        check_close(f.rms_normal, .4 * total, 1e-9, "the rms of the rock");
+        check_close(f.most_rms, .4 * total, 5e-2, "and of its quarters");
+        check_close(rms_of_pressure(statistics_of(record.stretches, 100, 200)),
+                    .4 * total,
+                    1e-9,
+                    "and of a stretch");
+        check_close(line_of(record, f), frequency, 1e-3, "its line");
+        double square = 0.;
+        for (const double x : samples_of(record, f.loudest))
+          square += x * x;
+        check_close(std::sqrt(square / record.samples.size()),
+                    .4 * total,
+                    1e-3,
+                    "its samples are of the same axis");
+      }
+    const TransientFigures round =
+      figures_of(nodes, [](const double angle, const double t) {
+        return 1. + .8 * std::cos(angle - 2. * pi * 40.13 * t);
+      });
+    check(round.loudest.force_name == "moment of the normal forces about x",
+          "what goes round has no axis: " + round.loudest.force_name);
+  }
+
+  /** A face of 8 x 4 points, 100 x 30 mm, turned by an angle. */
+  ContactGeometry
+  strip(const double turn)
+  {
+    ContactGeometry g = arc(2. * pi, true);
+    for (unsigned int j = 0; j < n_round; ++j)
+      g.points[j] = dealii::Point<3>(
+        Vector({.2, 0., .01}) + .1 * (j % 8 / 7. - .5) * direction(turn) +
+        .03 * (j / 8 / 3. - .5) * direction(turn + .5 * pi));
+    return g;
+  }
+
+  void
+  turned_strip()
+  {
+    const Pressing rock = [](const double angle, const double t) {
+      const auto j = static_cast<unsigned int>(angle * n_round / (2. * pi));
+      return 1. + std::cos(2. * pi * frequency * t) *
+                    ((j % 8 - 3.5) / 7. + .4 * (j / 8 - 1.5) / 3.);
+    };
+    const double along = figures_of(nodes_of(strip(0.)), rock).rms_normal;
+    for (const double turn : {.25 * pi, .5 * pi, 2.})
+      check_close(figures_of(nodes_of(strip(turn)), rock).rms_normal,
+                  along,
+                  1e-9,
+                  "the moment of a long face turns with it");
   }
 
   void
@@ -306,6 +387,8 @@ main()
   moments();
   wobbling();
   growing();
+  turned();
+  turned_strip();
   rocking();
   triggered();
   curved();

@@ -85,8 +85,9 @@ namespace squeal
       {"moment_first", &ForceStatistics::moment_first},
       {"mean_second", &ForceStatistics::mean_second},
       {"square_second", &ForceStatistics::square_second},
-      {"moment_second", &ForceStatistics::moment_second}};
-    static_assert(sizeof(ForceStatistics) == 19 * sizeof(double),
+      {"moment_second", &ForceStatistics::moment_second},
+      {"mixed_moments", &ForceStatistics::mixed_moments}};
+    static_assert(sizeof(ForceStatistics) == 20 * sizeof(double),
                   "every member of a stretch is kept");
 
     const Fields<TransientRecord> counters = {

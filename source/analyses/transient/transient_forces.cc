@@ -52,31 +52,12 @@ namespace squeal
 
 
 
-    /** The moment that vibrates more than noise of @p least, N, and by far more
-     * than @p force does, by @p size of each; else @p force. */
-    template <typename Size>
-    JudgedForce
-    or_moment(const JudgedForce force, const double least, const Size &size)
+    /** Whether a moment that vibrates by @p moment, N, is judged: more than
+     * noise of @p least, and by far more than the @p force that else is. */
+    bool
+    is_by_far(const double moment, const double force, const double least)
     {
-      const double first  = size(JudgedForce::first_moment),
-                   second = size(JudgedForce::second_moment);
-      const auto moment   = second > (1. + same_loudness) * first
-                              ? JudgedForce::second_moment
-                              : JudgedForce::first_moment;
-      return size(moment) > least && size(moment) > far_louder * size(force)
-               ? moment
-               : force;
-    }
-
-    /** By the largest vibration of a quarter. */
-    JudgedForce
-    or_moment(const JudgedForce        force,
-              const double             least,
-              const QuarterVibrations &v)
-    {
-      return or_moment(force, least, [&](const JudgedForce one) {
-        return largest_of(v.of(one));
-      });
+      return moment > least && moment > far_louder * force;
     }
 
     /** Forces of one pair in every step of a run. */
@@ -92,8 +73,9 @@ namespace squeal
         if (!(largest_of(late.normal) > least) && half.mean_normal > 0. &&
             largest_of(late.tangential) > least)
           force = JudgedForce::tangential;
-        if (half.mean_normal > 0.)
-          force = or_moment(force, least, late);
+        if (half.mean_normal > 0. &&
+            is_by_far(largest_of(late.moment), largest_of(judged()), least))
+          force = JudgedForce::moment;
       }
 
       /** The force that is judged, by quarters of the second half, N. */
@@ -115,12 +97,10 @@ namespace squeal
       is_silent() const
       {
         for (const QuarterVibrations *v : {&early, &late})
-          for (const JudgedForce one :
-               {JudgedForce::normal,
-                JudgedForce::tangential,
-                or_moment(JudgedForce::normal, least, *v)})
-            if (largest_of(v->of(one)) > least)
-              return false;
+          if (largest_of(v->normal) > least ||
+              largest_of(v->tangential) > least ||
+              is_by_far(largest_of(v->moment), largest_of(v->normal), least))
+            return false;
         return true;
       }
 
@@ -133,18 +113,16 @@ namespace squeal
 
 
     std::string
-    name_of(const JudgedForce force, const ContactPair &pair)
+    name_of(const PairVibration &vibration, const ContactPair &pair)
     {
-      switch (force)
+      switch (vibration.force)
         {
         case JudgedForce::normal:
           return "normal force";
         case JudgedForce::tangential:
           return "tangential force";
-        case JudgedForce::first_moment:
-          return pressure_moments(pair.geometry).names[0];
-        case JudgedForce::second_moment:
-          return pressure_moments(pair.geometry).names[1];
+        case JudgedForce::moment:
+          return pressure_moments(pair.geometry).name_of(vibration.late.parts);
         }
       unknown_choice("judged force");
     }
@@ -165,7 +143,8 @@ namespace squeal
             result.push_back({i,
                               vibrations.size() > 1 ? pair.name() : "",
                               vibrations[i].force,
-                              name_of(vibrations[i].force, pair)});
+                              name_of(vibrations[i], pair),
+                              vibrations[i].late.parts});
             largest = worst_of(largest, vibrations[i].half.mean_normal);
           }
       const JudgedPair first = result.at(0);
@@ -180,22 +159,38 @@ namespace squeal
       return result.empty() ? std::vector<JudgedPair>{first} : result;
     }
 
-    /** The member of the forces of a step that a judged force is. */
-    double StepForces::       *
-    step_of(const JudgedForce force)
+    /** The force that is judged in @p now, StepForces or a PairSample whose
+     * tangential force is @p tangential, N. */
+    template <typename Forces>
+    double
+    value_of(const JudgedPair &pair, const Forces &now, const double tangential)
     {
-      switch (force)
+      switch (pair.force)
         {
         case JudgedForce::normal:
-          return &StepForces::normal;
+          return now.normal;
         case JudgedForce::tangential:
-          return &StepForces::tangential;
-        case JudgedForce::first_moment:
-          return &StepForces::first_moment;
-        case JudgedForce::second_moment:
-          return &StepForces::second_moment;
+          return tangential;
+        case JudgedForce::moment:
+          return pair.parts[0] * now.first_moment +
+                 pair.parts[1] * now.second_moment;
         }
       unknown_choice("judged force");
+    }
+
+    /** The force that is judged in each of the last steps, N. */
+    std::vector<double>
+    last_steps_of(const TransientRecord &record, const JudgedPair &pair)
+    {
+      std::vector<double> result;
+      const std::size_t   n_pairs = record.n_pairs();
+      for (std::size_t k = pair.number; k < record.last_steps.size();
+           k += n_pairs)
+        {
+          const StepForces &now = record.last_steps[k];
+          result.push_back(value_of(pair, now, now.tangential));
+        }
+      return result;
     }
 
     /** Without the odd values at the start: the transform of a number of them
@@ -234,34 +229,30 @@ namespace squeal
   bool
   JudgedPair::is_by_moment() const
   {
-    return force == JudgedForce::first_moment ||
-           force == JudgedForce::second_moment;
+    return force == JudgedForce::moment;
   }
 
-  double PairSample::       *
-  sample_of(const JudgedForce force)
+  std::vector<double>
+  samples_of(const TransientRecord &record, const JudgedPair &pair)
   {
-    switch (force)
+    std::vector<double> result;
+    for (std::size_t k = 0; k < record.samples.size(); ++k)
       {
-      case JudgedForce::normal:
-        return &PairSample::normal;
-      case JudgedForce::tangential:
-        return &PairSample::pulling;
-      case JudgedForce::first_moment:
-        return &PairSample::first_moment;
-      case JudgedForce::second_moment:
-        return &PairSample::second_moment;
+        const PairSample &now = record.pair(k, pair.number);
+        result.push_back(value_of(pair, now, now.pulling));
       }
-    unknown_choice("judged force");
+    return result;
   }
 
   double
   rms_of_pressure(const ForceStatistics &pair)
   {
-    return pair.rms(
-      or_moment(JudgedForce::normal,
-                least_vibration * pair.mean_normal,
-                [&](const JudgedForce force) { return pair.rms(force); }));
+    const double normal = pair.rms_normal(),
+                 moment = rms_of(pair.moment(loudest_moment(
+                   pair.square_first, pair.square_second, pair.mixed_moments)));
+    return is_by_far(moment, normal, least_vibration * pair.mean_normal)
+             ? moment
+             : normal;
   }
 
 
@@ -304,17 +295,17 @@ namespace squeal
       std::all_of(f.judged.begin(), f.judged.end(), [&](const JudgedPair &p) {
         return vibrations[p.number].is_silent();
       });
-    const PairVibration &v = vibrations[f.loudest.number];
-    const JudgedForce    pressing =
-      f.loudest.is_by_moment() ? f.loudest.force : JudgedForce::normal;
-    f.mean_normal      = v.half.mean_normal;
-    f.rms_normal       = v.half.rms(pressing);
+    const PairVibration &v         = vibrations[f.loudest.number];
+    const bool           by_moment = f.loudest.is_by_moment();
+    f.mean_normal                  = v.half.mean_normal;
+    f.rms_normal =
+      by_moment ? rms_of(v.half.moment(f.loudest.parts)) : v.half.rms_normal();
     f.most_rms_of_sum  = largest_of(v.late.normal);
     f.min_normal       = v.half.min_normal;
     f.max_normal       = v.half.max_normal;
     f.mean_tangential  = v.half.mean_tangential;
     f.rms_tangential   = v.half.rms_tangential();
-    f.rms_change       = change_of_rms(v.late.of(pressing));
+    f.rms_change       = change_of_rms(by_moment ? v.judged() : v.late.normal);
     f.rms_change_share = share_of_change(v.judged());
     f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
     f.most_rms  = largest_of(v.judged());
@@ -342,13 +333,9 @@ namespace squeal
       return 0.;
     const double step =
       (steps.back().time - steps.front().time) / static_cast<double>(n - 1);
-    double StepForces::*const of_step = step_of(pair.force);
-    std::vector<double>       force;
-    for (std::size_t k = n - std::min(n, of_half); k < n; ++k)
-      {
-        const StepForces &s = steps[k * n_pairs + pair.number];
-        force.push_back(s.*of_step);
-      }
+    std::vector<double> force = last_steps_of(record, pair);
+    force.erase(force.begin(),
+                force.end() - std::min<std::ptrdiff_t>(force.size(), of_half));
     const double line =
       power_spectrum(without_slow_part(of_even_length(force), 1), step)
         .peak(lowest, highest_line(step));

@@ -66,9 +66,9 @@ namespace squeal
     spectrum_chart(const TransientRecord &record, const TransientFigures &f)
     {
       const bool          by_moment = f.loudest.is_by_moment();
-      std::vector<double> normal    = record.forces_of(
-        f.loudest.number,
-        sample_of(by_moment ? f.loudest.force : JudgedForce::normal));
+      std::vector<double> normal =
+        by_moment ? samples_of(record, f.loudest)
+                  : record.forces_of(f.loudest.number, &PairSample::normal);
       std::vector<double> tangential =
         record.forces_of(f.loudest.number, &PairSample::pulling);
       for (auto *signal : {&normal, &tangential})

@@ -28,8 +28,7 @@ namespace squeal
                             ? frame.sliding
                             : frame.normal;
       const std::vector<double> moment =
-        by_moment ? without_slow_part(
-                      record.forces_of(number, sample_of(f.loudest.force)))
+        by_moment ? without_slow_part(samples_of(record, f.loudest))
                   : std::vector<double>();
       std::vector<double> acceleration;
       for (std::size_t k = 0; k < samples.size(); ++k)

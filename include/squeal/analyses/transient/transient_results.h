@@ -69,9 +69,14 @@ namespace squeal
     JudgedForce force = JudgedForce::normal;
     /** What it is called in a sentence. */
     std::string force_name = "normal force";
+    MomentParts parts{{1., 0.}}; /**< of a moment that is judged */
 
     bool is_by_moment() const;
   };
+
+  /** The force of @p pair that is judged in every sample, N. */
+  std::vector<double> samples_of(const TransientRecord &record,
+                                 const JudgedPair      &pair);
 
   /** " of the pair upper"; empty where it is the only one. */
   std::string of_judged(const JudgedPair &pair);

@@ -57,9 +57,6 @@ namespace squeal
     double acceleration[3] = {}; /**< m/s^2 */
   };
 
-  /** The member of a sample that a judged force is. */
-  double PairSample::*sample_of(const JudgedForce force);
-
   /** What a node has done since a time. */
   struct NodeShares
   {
