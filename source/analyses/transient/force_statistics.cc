@@ -12,19 +12,6 @@ namespace squeal
 {
   namespace
   {
-    /** Puts the values of @p other behind those of @p piece. Differences of
-     * means, as those of mean squares would drown small vibrations. */
-    void
-    join(const SignalPiece &other, SignalPiece &piece)
-    {
-      const double n = piece.n, m = other.n, change = other.mean - piece.mean;
-      piece.mean += change * m / (n + m);
-      piece.square += other.square + change * change * n * m / (n + m);
-      // The middles of the two are (n + m) / 2 values apart.
-      piece.moment += other.moment + 0.5 * change * n * m;
-      piece.n += m;
-    }
-
     constexpr double no_quotient = std::numeric_limits<double>::quiet_NaN();
 
     /** Mean squares of the vibration along two axes across each other that
@@ -35,6 +22,23 @@ namespace squeal
     /** A smaller part of a combination is rounding. */
     constexpr double least_part = 1e-6;
   } // namespace
+
+
+
+  // Differences of means, as those of mean squares would drown small
+  // vibrations.
+  void
+  join(const SignalPiece &other, SignalPiece &piece)
+  {
+    if (other.n == 0.)
+      return;
+    const double n = piece.n, m = other.n, change = other.mean - piece.mean;
+    piece.mean += change * m / (n + m);
+    piece.square += other.square + change * change * n * m / (n + m);
+    // The middles of the two are (n + m) / 2 values apart.
+    piece.moment += other.moment + 0.5 * change * n * m;
+    piece.n += m;
+  }
 
 
 
@@ -220,6 +224,8 @@ namespace squeal
         return tangential;
       case JudgedForce::moment:
         return moment;
+      case JudgedForce::node:
+        break;
       }
     unknown_choice("judged force");
   }

@@ -278,8 +278,8 @@ namespace squeal
       const auto of_sums = [&](double PairSample::*const force) {
         return record.forces_of(f.loudest.number, force);
       };
-      // The line of a moment is none of the sums.
-      if (f.loudest.is_by_moment())
+      // The line of a moment or a node is none of the sums.
+      if (f.loudest.is_beside_sums())
         f.phase = not_known;
       else if (f.largest_line > 0.)
         f.phase = phase_difference(late_of(of_sums(&PairSample::pressing)),

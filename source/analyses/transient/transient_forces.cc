@@ -5,6 +5,7 @@
 
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_verdict.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/contact/pressure_moments.h>
@@ -52,6 +53,33 @@ namespace squeal
 
 
 
+    /** Nodes that vibrate each on its own, as where they open and close one
+     * after the other, leave their sum 1 / sqrt(n) of what they do, and that is
+     * a fair judge of them. This many times less is left by none but waves. */
+    constexpr double beyond_chance = 3.;
+
+    /** Of ten periods: pressure that wanders from some nodes to others leaves
+     * less beside its slow part. */
+    constexpr unsigned int least_crossings = 20;
+
+    /** Whether the nodes of a pair, @p n of them, vibrate by more than noise of
+     * @p least, N, and in every quarter by far more than its sums and moments
+     * do. */
+    bool
+    cancels(const NodeVibrations    &nodes,
+            const QuarterVibrations &sums,
+            const unsigned int       n,
+            const double             least)
+    {
+      double most = 0.;
+      for (const auto *one : {&sums.normal, &sums.tangential, &sums.moment})
+        most = worst_of(most, largest_of(*one));
+      return nodes.n_crossings >= least_crossings &&
+             largest_of(nodes.all) > least &&
+             *std::min_element(nodes.all.begin(), nodes.all.end()) >
+               std::max(far_louder, beyond_chance * std::sqrt(n)) * most;
+    }
+
     /** Whether a moment that vibrates by @p moment, N, is judged: more than
      * noise of @p least, and by far more than the @p force that else is. */
     bool
@@ -63,10 +91,16 @@ namespace squeal
     /** Forces of one pair in every step of a run. */
     struct PairVibration
     {
-      explicit PairVibration(const std::vector<ForceStatistics> &stretches)
+      PairVibration(const std::vector<ForceStatistics> &stretches,
+                    const WatchedNodes                 &watched,
+                    const ContactPair                  &pair)
         : half(statistics_of(stretches, middle, n_force_stretches))
         , early(vibrations_of(stretches, 0, middle))
         , late(vibrations_of(stretches, middle, n_force_stretches))
+        , early_nodes(vibrations_of_nodes(watched, pair, 0, middle))
+        , late_nodes(
+            vibrations_of_nodes(watched, pair, middle, n_force_stretches))
+        , n_nodes(pair.n_nodes())
         , least(least_vibration * half.mean_normal)
       {
         // Pure stick-slip leaves the normal force alone.
@@ -76,21 +110,32 @@ namespace squeal
         if (half.mean_normal > 0. &&
             is_by_far(largest_of(late.moment), largest_of(judged()), least))
           force = JudgedForce::moment;
+        if (half.mean_normal > 0. && cancels(late_nodes, late, n_nodes, least))
+          force = JudgedForce::node;
       }
 
       /** The force that is judged, by quarters of the second half, N. */
       const std::vector<double> &
       judged() const
       {
-        return late.of(force);
+        return force == JudgedForce::node ? late_nodes.of_loudest
+                                          : late.of(force);
       }
 
-      /** Its largest vibration over the mean normal force. */
+      /** As JudgedPair::share. */
+      double
+      share() const
+      {
+        return force == JudgedForce::node ? 1. / n_nodes : 1.;
+      }
+
+      /** Its largest vibration over its share of the mean normal force. */
       double
       loudness() const
       {
-        return half.mean_normal > 0. ? largest_of(judged()) / half.mean_normal
-                                     : 0.;
+        return half.mean_normal > 0.
+                 ? largest_of(judged()) / (share() * half.mean_normal)
+                 : 0.;
       }
 
       bool
@@ -101,19 +146,34 @@ namespace squeal
               largest_of(v->tangential) > least ||
               is_by_far(largest_of(v->moment), largest_of(v->normal), least))
             return false;
-        return true;
+        return !cancels(early_nodes, early, n_nodes, least) &&
+               !cancels(late_nodes, late, n_nodes, least);
       }
 
       ForceStatistics   half;
       QuarterVibrations early, late;
+      NodeVibrations    early_nodes, late_nodes;
+      unsigned int      n_nodes;
       double            least;                       /**< N: less is noise */
       JudgedForce       force = JudgedForce::normal; /**< that is judged */
     };
 
 
 
+    /** "normal force of node 12 at (0.275, 0, 0.01) m": as in zones.csv. */
     std::string
-    name_of(const PairVibration &vibration, const ContactPair &pair)
+    name_of_node(const unsigned int number, const ContactPair &pair)
+    {
+      const auto &x = pair.geometry.points[number - pair.first];
+      return "normal force of node " + std::to_string(number) + " at (" +
+             rounded_text(x[0], 4) + ", " + rounded_text(x[1], 4) + ", " +
+             rounded_text(x[2], 4) + ") m";
+    }
+
+    std::string
+    name_of(const PairVibration &vibration,
+            const WatchedNodes  &watched,
+            const ContactPair   &pair)
     {
       switch (vibration.force)
         {
@@ -123,6 +183,9 @@ namespace squeal
           return "tangential force";
         case JudgedForce::moment:
           return pressure_moments(pair.geometry).name_of(vibration.late.parts);
+        case JudgedForce::node:
+          return name_of_node(watched.numbers[vibration.late_nodes.loudest],
+                              pair);
         }
       unknown_choice("judged force");
     }
@@ -133,6 +196,7 @@ namespace squeal
      * where none does. */
     std::vector<JudgedPair>
     judged_pairs(const ContactNodes               &nodes,
+                 const WatchedNodes               &watched,
                  const std::vector<PairVibration> &vibrations)
     {
       std::vector<JudgedPair> result;
@@ -143,8 +207,10 @@ namespace squeal
             result.push_back({i,
                               vibrations.size() > 1 ? pair.name() : "",
                               vibrations[i].force,
-                              name_of(vibrations[i], pair),
-                              vibrations[i].late.parts});
+                              name_of(vibrations[i], watched, pair),
+                              vibrations[i].late.parts,
+                              vibrations[i].late_nodes.loudest,
+                              vibrations[i].share()});
             largest = worst_of(largest, vibrations[i].half.mean_normal);
           }
       const JudgedPair first = result.at(0);
@@ -174,6 +240,8 @@ namespace squeal
         case JudgedForce::moment:
           return pair.parts[0] * now.first_moment +
                  pair.parts[1] * now.second_moment;
+        case JudgedForce::node:
+          break; // is none of these
         }
       unknown_choice("judged force");
     }
@@ -182,6 +250,8 @@ namespace squeal
     std::vector<double>
     last_steps_of(const TransientRecord &record, const JudgedPair &pair)
     {
+      if (pair.force == JudgedForce::node)
+        return record.watched.series(record.watched.last_steps, pair.watched);
       std::vector<double> result;
       const std::size_t   n_pairs = record.n_pairs();
       for (std::size_t k = pair.number; k < record.last_steps.size();
@@ -232,9 +302,17 @@ namespace squeal
     return force == JudgedForce::moment;
   }
 
+  bool
+  JudgedPair::is_beside_sums() const
+  {
+    return is_by_moment() || force == JudgedForce::node;
+  }
+
   std::vector<double>
   samples_of(const TransientRecord &record, const JudgedPair &pair)
   {
+    if (pair.force == JudgedForce::node)
+      return record.watched.series(record.watched.samples, pair.watched);
     std::vector<double> result;
     for (std::size_t k = 0; k < record.samples.size(); ++k)
       {
@@ -257,6 +335,20 @@ namespace squeal
 
 
 
+  double
+  rms_of_pressure(const JudgedPair      &pair,
+                  const TransientRecord &record,
+                  const unsigned int     first,
+                  const unsigned int     end)
+  {
+    return pair.force == JudgedForce::node
+             ? record.watched.rms(pair.watched, first, end)
+             : rms_of_pressure(
+                 statistics_of(record.stretches_of(pair.number), first, end));
+  }
+
+
+
   JudgedPair
   loudest_in(const std::vector<JudgedPair> &pairs,
              const TransientRecord         &record,
@@ -266,7 +358,9 @@ namespace squeal
     return loudest_of(pairs, [&](const JudgedPair &pair) {
       const ForceStatistics s =
         statistics_of(record.stretches_of(pair.number), first, end);
-      return s.mean_normal > 0. ? rms_of_pressure(s) / s.mean_normal : 0.;
+      return s.mean_normal > 0. ? rms_of_pressure(pair, record, first, end) /
+                                    (pair.share * s.mean_normal)
+                                : 0.;
     });
   }
 
@@ -286,8 +380,9 @@ namespace squeal
     f.rms_acceleration         = largest_rms_acceleration(record);
     std::vector<PairVibration> vibrations;
     for (unsigned int i = 0; i < nodes.pairs().size(); ++i)
-      vibrations.emplace_back(record.stretches_of(i));
-    f.judged  = judged_pairs(nodes, vibrations);
+      vibrations.emplace_back(
+        record.stretches_of(i), record.watched, nodes.pairs()[i]);
+    f.judged  = judged_pairs(nodes, record.watched, vibrations);
     f.loudest = loudest_of(f.judged, [&](const JudgedPair &pair) {
       return vibrations[pair.number].loudness();
     });
@@ -295,17 +390,20 @@ namespace squeal
       std::all_of(f.judged.begin(), f.judged.end(), [&](const JudgedPair &p) {
         return vibrations[p.number].is_silent();
       });
-    const PairVibration &v         = vibrations[f.loudest.number];
-    const bool           by_moment = f.loudest.is_by_moment();
-    f.mean_normal                  = v.half.mean_normal;
+    const PairVibration &v = vibrations[f.loudest.number];
+    f.mean_normal          = v.half.mean_normal;
     f.rms_normal =
-      by_moment ? rms_of(v.half.moment(f.loudest.parts)) : v.half.rms_normal();
-    f.most_rms_of_sum  = largest_of(v.late.normal);
-    f.min_normal       = v.half.min_normal;
-    f.max_normal       = v.half.max_normal;
-    f.mean_tangential  = v.half.mean_tangential;
-    f.rms_tangential   = v.half.rms_tangential();
-    f.rms_change       = change_of_rms(by_moment ? v.judged() : v.late.normal);
+      f.loudest.is_by_moment() ? rms_of(v.half.moment(f.loudest.parts))
+      : f.loudest.force == JudgedForce::node
+        ? record.watched.rms(f.loudest.watched, middle, n_force_stretches)
+        : v.half.rms_normal();
+    f.most_rms_of_sum = largest_of(v.late.normal);
+    f.min_normal      = v.half.min_normal;
+    f.max_normal      = v.half.max_normal;
+    f.mean_tangential = v.half.mean_tangential;
+    f.rms_tangential  = v.half.rms_tangential();
+    f.rms_change =
+      change_of_rms(f.loudest.is_beside_sums() ? v.judged() : v.late.normal);
     f.rms_change_share = share_of_change(v.judged());
     f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
     f.most_rms  = largest_of(v.judged());
@@ -347,6 +445,6 @@ namespace squeal
   bool
   nothing_vibrates(const TransientFigures &f)
   {
-    return !(f.most_rms > least_vibration * f.mean_normal);
+    return !(f.most_rms > least_vibration * f.loudest.share * f.mean_normal);
   }
 } // namespace squeal

@@ -190,8 +190,9 @@ namespace squeal
       const auto rms = [&](const double from, const double to) {
         return rms_beside(values(from, to), 2);
       };
-      const double mean = mean_value(
-        values_between(record,
+      const double mean =
+        pair.share * mean_value(values_between(
+                       record,
                        record.forces_of(pair.number, &PairSample::normal),
                        0.9 * last,
                        last));
@@ -258,7 +259,7 @@ namespace squeal
     {
       const PairOutcome judged = outcome_of(pair, trigger, record, f);
       PairOutcome       result = judged;
-      if (pair.is_by_moment())
+      if (pair.is_beside_sums())
         return result;
       const double last = record.samples.back().time, end = trigger.second;
       for (const auto &[from, to] : {std::make_pair(end, end + 0.1 * last),
@@ -310,11 +311,11 @@ namespace squeal
     const auto &samples = record.samples;
     if (samples.size() < 2)
       return table;
-    const unsigned int pair      = f.loudest.number;
-    const bool         by_moment = f.loudest.is_by_moment();
+    const unsigned int pair        = f.loudest.number;
+    const bool         beside_sums = f.loudest.is_beside_sums();
     const PhaseHistory h =
-      phase_history(by_moment ? samples_of(record, f.loudest)
-                              : record.forces_of(pair, &PairSample::pressing),
+      phase_history(beside_sums ? samples_of(record, f.loudest)
+                                : record.forces_of(pair, &PairSample::pressing),
                     record.forces_of(pair, &PairSample::pulling),
                     samples.front().time,
                     samples[1].time - samples[0].time,
@@ -324,7 +325,7 @@ namespace squeal
       table.add_row({h.time[i],
                      h.amplitude_a[i],
                      h.amplitude_b[i],
-                     by_moment ? Cell() : or_missing(h.phase[i])});
+                     beside_sums ? Cell() : or_missing(h.phase[i])});
     return table;
   }
 

@@ -24,13 +24,14 @@ namespace squeal
     double first_moment = 0., second_moment = 0.;
   };
 
-  /** A force of a pair whose vibration is judged: the sums and a combination
-   * of both PressureMoments. */
+  /** A force of a pair whose vibration is judged: the sums, a combination of
+   * both PressureMoments and the normal force of a node. */
   enum class JudgedForce
   {
     normal,
     tangential,
-    moment
+    moment,
+    node
   };
 
   /** Parts of both PressureMoments in a combination of them, whose squares add
@@ -96,6 +97,9 @@ namespace squeal
     double leading_edge_factor() const;
   };
 
+  /** Puts the values of @p other behind those of @p piece. */
+  void join(const SignalPiece &other, SignalPiece &piece);
+
   /** Root of the mean square about the mean, in the unit of the signal; 0
    * without values. */
   double rms_of(const SignalPiece &piece);
@@ -119,6 +123,7 @@ namespace squeal
     MomentParts parts{{1., 0.}}; /**< of the moment that vibrates most */
     std::vector<double> moment;  /**< what that does */
 
+    /** Of one of these, not of a node. */
     const std::vector<double> &of(const JudgedForce force) const;
   };
 
