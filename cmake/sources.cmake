@@ -426,6 +426,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_sound.cc
     source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc
+    source/analyses/transient/watched_nodes.cc
     source/analyses/triggers/run_triggers.cc
     source/analyses/triggers/trigger_charts.cc
     source/analyses/triggers/trigger_search.cc

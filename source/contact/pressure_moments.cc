@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/contact/contact_resultant.h>
 #include <squeal/contact/pressure_moments.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace squeal
@@ -17,6 +19,9 @@ namespace squeal
     /** A face narrower than this part of its distance from the origin has no
      * width but for rounding. */
     constexpr double least_width = 1e-9;
+
+    /** Nor has one along a line, whose width is this part of its length. */
+    constexpr double least_slenderness = 1e-6;
 
     /** Mean squares of the components of the normals over the face. */
     std::array<double, 3>
@@ -35,19 +40,38 @@ namespace squeal
       return squares;
     }
 
-    /** The values of all points less their mean over the face, over the root of
-     * the mean square of what is left; 0 where that is rounding. */
-    Eigen::VectorXd
-    normalised(const ContactGeometry &g, Eigen::VectorXd values)
+    /** 1 over the root of @p squares, symmetric; 0 along directions in which
+     * they are no larger than @p least. */
+    Eigen::Matrix2d
+    inverse_root(const Eigen::Matrix2d &squares, const double least)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> of(squares);
+      Eigen::Vector2d                                      factors;
+      for (unsigned int k = 0; k < 2; ++k)
+        factors[k] = of.eigenvalues()[k] > least
+                       ? 1. / std::sqrt(of.eigenvalues()[k])
+                       : 0.;
+      return of.eigenvectors() * factors.asDiagonal() *
+             of.eigenvectors().transpose();
+    }
+
+    /** Takes the mean over the face from both columns of @p values, and returns
+     * the combinations of them, a column each, that have the mean square 1 and
+     * whose product has the mean 0: of all the ones nearest to the columns. */
+    Eigen::Matrix2d
+    normalise(const ContactGeometry &g, Eigen::MatrixX2d &values)
     {
       const Eigen::Map<const Eigen::VectorXd> areas(g.areas.data(),
                                                     g.areas.size());
-      const double size = values.cwiseAbs().maxCoeff();
-      values.array() -= areas.dot(values) / areas.sum();
-      const double width =
-        std::sqrt(areas.dot(values.cwiseAbs2()) / areas.sum());
-      values *= width > least_width * size ? 1. / width : 0.;
-      return values;
+      const double          size = values.cwiseAbs().maxCoeff();
+      const Eigen::Vector2d mean = values.transpose() * areas / areas.sum();
+      values.rowwise() -= mean.transpose();
+      const Eigen::Matrix2d squares =
+        values.transpose() * areas.asDiagonal() * values / areas.sum();
+      const double least =
+        std::max(std::pow(least_width * size, 2),
+                 std::pow(least_slenderness, 2) * squares.trace());
+      return inverse_root(squares, least);
     }
 
     /** The axis of the scene that is neither @p a nor @p b. */
@@ -72,6 +96,26 @@ namespace squeal
 
 
 
+  std::string
+  PressureMoments::name_of(const std::array<double, 2> &parts) const
+  {
+    const Eigen::Vector2d axis = axes * Eigen::Vector2d(parts[0], parts[1]);
+    // An axis has no sense: from -90 to 90 degrees.
+    double angle = std::atan2(axis[1], axis[0]) * 180. / M_PI;
+    if (std::abs(angle) > 90.)
+      angle -= std::copysign(180., angle);
+    if (!(std::abs(angle) >= .5))
+      return names[0];
+    if (std::abs(angle) > 89.5)
+      return names[1];
+    const std::string &name = names[0];
+    return name.substr(0, name.size() - 1) + "an axis " +
+           rounded_text(angle, 2) + " deg from " + name.back() + " towards " +
+           names[1].back();
+  }
+
+
+
   PressureMoments
   pressure_moments(const ContactGeometry &g)
   {
@@ -84,24 +128,26 @@ namespace squeal
                        first    = left_out == 0 ? 1 : 0,
                        other    = third_axis(left_out, first);
     PressureMoments result;
-    result.rows      = Eigen::MatrixXd::Zero(2, 3 * g.points.size());
-    unsigned int row = 0;
-    // A distance along one axis is an arm about the other.
-    for (const auto &[about, along] :
-         {std::make_pair(first, other), std::make_pair(other, first)})
-      {
-        Eigen::VectorXd values(g.points.size());
-        for (std::size_t j = 0; j < g.points.size(); ++j)
-          values[j] = has_side ? g.points[j][along] : g.frames[j].normal[about];
-        const Eigen::VectorXd weights = normalised(g, values);
-        for (std::size_t j = 0; j < g.points.size(); ++j)
-          result.rows(row, 3 * j) = weights[j];
-        result.names[row] =
-          std::string(has_side ? "moment of the normal forces about "
-                               : "resultant of the normal forces along ") +
-          "xyz"[about];
-        ++row;
-      }
+    result.rows = Eigen::MatrixXd::Zero(2, 3 * g.points.size());
+    // A distance along one axis is an arm about the other, forwards about the
+    // first and backwards about the second or the other way round.
+    Eigen::MatrixX2d values(g.points.size(), 2);
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      for (const auto &[column, about, along] :
+           {std::make_tuple(0, first, other), std::make_tuple(1, other, first)})
+        values(j, column) =
+          has_side ? g.points[j][along] : g.frames[j].normal[about];
+    const Eigen::Matrix2d parts   = normalise(g, values);
+    const Eigen::MatrixXd weights = (values * parts).transpose();
+    for (std::size_t j = 0; j < g.points.size(); ++j)
+      result.rows.col(3 * j) = weights.col(j);
+    result.axes = Eigen::Vector2d(1., has_side ? -1. : 1.).asDiagonal() * parts;
+    for (const auto &[row, about] :
+         {std::make_pair(0, first), std::make_pair(1, other)})
+      result.names[row] =
+        std::string(has_side ? "moment of the normal forces about "
+                             : "resultant of the normal forces along ") +
+        "xyz"[about];
     return result;
   }
 } // namespace squeal

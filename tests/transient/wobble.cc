@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A wobble that goes round a ring leaves the sum of its normal forces alone: it
-// is judged by their moments, in closed form, where a pad that rocks while its
-// sum vibrates keeps the sum. Friction of a curved face is told without the
-// part that pressure has along the mean sliding.
+// is judged by their moments, in closed form, and a wave by a node, where a pad
+// that rocks while its sum vibrates keeps the sum. Friction of a curved face is
+// told without the part that pressure has along the mean sliding.
 
 #include "check.h"
 
@@ -128,17 +128,23 @@ namespace
     TransientRecord record;
     record.stretches.resize(n_force_stretches);
     record.n_steps = n_steps;
+    record.watched = WatchedNodes(nodes);
     for (unsigned int k = 0; k < n_steps; ++k)
       {
-        const double   t   = (k + 1.) / n_steps;
-        const StepSums now = sums.of(
-          forces_of([&](const double angle) { return pressing(angle, t); }));
-        record.stretches[std::size_t(k) * n_force_stretches / n_steps].add(
-          now, false);
+        const double          t = (k + 1.) / n_steps;
+        const Eigen::VectorXd forces =
+          forces_of([&](const double angle) { return pressing(angle, t); });
+        const StepSums    now = sums.of(forces);
+        const std::size_t stretch =
+          std::size_t(k) * n_force_stretches / n_steps;
+        record.stretches[stretch].add(now, false);
+        record.watched.add_step(
+          forces, stretch, n_steps - k <= WatchedNodes::most_last_steps);
         record.last_steps.push_back(
           {t, now.normal, now.tangential, now.first_moment, now.second_moment});
         if (k % stride != 0)
           continue;
+        record.watched.add_sample(forces);
         TransientSample s;
         s.time = t;
         record.samples.push_back(s);
@@ -156,9 +162,8 @@ namespace
   line_of(const TransientRecord &record, const TransientFigures &f)
   {
     const double interval = double(stride) / n_steps;
-    return power_spectrum(
-             without_slow_part(record.forces_of(0, sample_of(f.loudest.force))),
-             interval)
+    return power_spectrum(without_slow_part(samples_of(record, f.loudest)),
+                          interval)
       .peak(5., highest_line(interval));
   }
 
@@ -204,6 +209,152 @@ namespace
           "the table names it");
     const ForceStatistics half = statistics_of(record.stretches, 100, 200);
     check_close(rms_of_pressure(half), f.rms_normal, 1e-12, "of a stretch");
+  }
+
+  TransientFigures
+  figures_of(const ContactNodes &nodes, const Pressing &pressing)
+  {
+    TransientFigures f;
+    evaluate_forces(nodes, record_of(nodes, pressing), f);
+    return f;
+  }
+
+  /** A rock that stands is as large about every axis. */
+  void
+  turned()
+  {
+    const ContactNodes nodes = nodes_of(arc(2. * pi, true));
+    const auto         rock  = [](const double at) {
+      return [at](const double angle, const double t) {
+        return 1. + .8 * std::cos(2. * pi * frequency * t) *
+                      std::cos(angle - at * pi / 180.);
+      };
+    };
+    for (const auto &[at, axis] :
+         {std::make_pair(0., "about y"),
+          std::make_pair(90., "about x"),
+          std::make_pair(45., "about an axis -45 deg from x towards y"),
+          std::make_pair(-60., "about an axis 30 deg from x towards y")})
+      {
+        const TransientRecord record = record_of(nodes, rock(at));
+        TransientFigures      f;
+        evaluate_forces(nodes, record, f);
+        check(f.loudest.force_name ==
+                std::string("moment of the normal forces ") + axis,
+              f.loudest.force_name);
+        check_close(f.rms_normal, .4 * total, 1e-9, "the rms of the rock");
+        check_close(f.most_rms, .4 * total, 5e-2, "and of its quarters");
+        check_close(rms_of_pressure(statistics_of(record.stretches, 100, 200)),
+                    .4 * total,
+                    1e-9,
+                    "and of a stretch");
+        check_close(line_of(record, f), frequency, 1e-3, "its line");
+        double square = 0.;
+        for (const double x : samples_of(record, f.loudest))
+          square += x * x;
+        check_close(std::sqrt(square / record.samples.size()),
+                    .4 * total,
+                    1e-3,
+                    "its samples are of the same axis");
+      }
+    const TransientFigures round =
+      figures_of(nodes, [](const double angle, const double t) {
+        return 1. + .8 * std::cos(angle - 2. * pi * 40.13 * t);
+      });
+    check(round.loudest.force_name == "moment of the normal forces about x",
+          "what goes round has no axis: " + round.loudest.force_name);
+  }
+
+  /** Two wave lengths round the ring: steady sum and moments. */
+  void
+  waves()
+  {
+    const ContactNodes nodes = nodes_of(arc(2. * pi, true));
+    const double       even  = total / n_round,
+                 // No node is at the largest of a wave that stands.
+      nearest = std::cos(2. * angle_of(0));
+    for (const double at : {0., .25 * pi})
+      for (const bool stands : {false, true})
+        {
+          const Pressing wave = [&](const double angle, const double t) {
+            const double where = 2. * (angle - at),
+                         when  = 2. * pi * frequency * t;
+            return 1. + .5 * (stands ? std::cos(where) * std::cos(when)
+                                     : std::cos(where - when));
+          };
+          const TransientRecord record = record_of(nodes, wave);
+          TransientFigures      f;
+          evaluate_forces(nodes, record, f);
+          check(f.loudest.force == JudgedForce::node &&
+                  f.loudest.force_name.find("normal force of node") == 0,
+                f.loudest.force_name);
+          check(!f.is_silent && !nothing_vibrates(f), "it vibrates");
+          const double rms =
+            .5 * even / std::sqrt(2.) * (stands ? nearest : 1.);
+          check_close(
+            f.rms_normal, rms, 1e-6, "by the rms of its loudest node");
+          check(f.least_rms > .9 * f.most_rms && f.most_rms < 1.05 * rms,
+                "evenly");
+          check_close(line_of(record, f), frequency, 1e-3, "with its line");
+          check_close(line_beyond_samples(record, f.loudest, 5., 1. / 50.),
+                      frequency,
+                      2e-2,
+                      "and that of the steps");
+          const std::string text = text_of_moment(f);
+          check(text.find("both moments are as steady") != std::string::npos,
+                text);
+          check(transient_table(f).text(0, "judged_force") ==
+                  f.loudest.force_name,
+                "the table names the node");
+        }
+  }
+
+  /** Where the sum is a fair judge, and where nothing vibrates. */
+  void
+  no_waves()
+  {
+    const ContactNodes     nodes = nodes_of(arc(2. * pi, true));
+    const TransientFigures each =
+      figures_of(nodes, [](const double angle, const double t) {
+        const double own = 20. + 7. * std::fmod(13. * angle, 5.);
+        return 1. + .1 * std::cos(2. * pi * own * t + 9. * angle);
+      });
+    check(each.loudest.force != JudgedForce::node,
+          "nodes that vibrate each on its own: " + each.loudest.force_name);
+    const TransientFigures wanders =
+      figures_of(nodes, [](const double angle, const double t) {
+        return 1. + .3 * std::tanh(20. * (t - .7)) * std::cos(2. * angle);
+      });
+    check(wanders.loudest.force == JudgedForce::normal && wanders.is_silent,
+          "pressure that wanders once: " + wanders.loudest.force_name);
+  }
+
+  /** A face of 8 x 4 points, 100 x 30 mm, turned by an angle. */
+  ContactGeometry
+  strip(const double turn)
+  {
+    ContactGeometry g = arc(2. * pi, true);
+    for (unsigned int j = 0; j < n_round; ++j)
+      g.points[j] = dealii::Point<3>(
+        Vector({.2, 0., .01}) + .1 * (j % 8 / 7. - .5) * direction(turn) +
+        .03 * (j / 8 / 3. - .5) * direction(turn + .5 * pi));
+    return g;
+  }
+
+  void
+  turned_strip()
+  {
+    const Pressing rock = [](const double angle, const double t) {
+      const auto j = static_cast<unsigned int>(angle * n_round / (2. * pi));
+      return 1. + std::cos(2. * pi * frequency * t) *
+                    ((j % 8 - 3.5) / 7. + .4 * (j / 8 - 1.5) / 3.);
+    };
+    const double along = figures_of(nodes_of(strip(0.)), rock).rms_normal;
+    for (const double turn : {.25 * pi, .5 * pi, 2.})
+      check_close(figures_of(nodes_of(strip(turn)), rock).rms_normal,
+                  along,
+                  1e-9,
+                  "the moment of a long face turns with it");
   }
 
   void
@@ -306,6 +457,10 @@ main()
   moments();
   wobbling();
   growing();
+  turned();
+  turned_strip();
+  waves();
+  no_waves();
   rocking();
   triggered();
   curved();

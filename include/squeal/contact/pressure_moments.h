@@ -18,7 +18,10 @@ namespace squeal
   /**
    * Two sums of the nodes' normal forces that tell where a face carries, which
    * their plain sum does not: in a wobble that goes round the plain one is
-   * steady. Weights have the mean 0 and the mean square 1 over the face.
+   * steady. Weights have the mean 0 and the mean square 1 over the face, and
+   * their product has the mean 0: so has every combination of both whose parts'
+   * squares add up to 1, and what the combinations tell does not hang on the
+   * axes of the scene.
    */
   struct PressureMoments
   {
@@ -27,12 +30,21 @@ namespace squeal
      * normal is farthest from, over the radii of gyration of the face. Of one
      * that looks to none, all round a shaft: the parts of the normal forces
      * along the two axes that the face looks along most, over the root of the
-     * mean square of the normals there. A row is 0 where the face has no
+     * mean square of the normals there. Where the face is wider along a
+     * direction between the axes, the two are the nearest to those whose
+     * weights' product has the mean 0. A row is 0 where the face has no
      * width. */
     Eigen::MatrixXd rows;
     /** "moment of the normal forces about x" or "resultant of the normal forces
      * along x". */
     std::array<std::string, 2> names;
+    /** Column k: the axis of row k, along the axes of both names, of any
+     * length. */
+    Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();
+
+    /** "moment of the normal forces about an axis 45 deg from x towards y": the
+     * name of the combination of both rows with @p parts. */
+    std::string name_of(const std::array<double, 2> &parts) const;
   };
 
   PressureMoments pressure_moments(const ContactGeometry &geometry);

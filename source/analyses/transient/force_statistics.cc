@@ -5,33 +5,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace squeal
 {
   namespace
   {
-    /** Puts the values of @p other behind those of @p piece. Differences of
-     * means, as those of mean squares would drown small vibrations. */
-    void
-    join(const SignalPiece &other, SignalPiece &piece)
-    {
-      const double n = piece.n, m = other.n, change = other.mean - piece.mean;
-      piece.mean += change * m / (n + m);
-      piece.square += other.square + change * change * n * m / (n + m);
-      // The middles of the two are (n + m) / 2 values apart.
-      piece.moment += other.moment + 0.5 * change * n * m;
-      piece.n += m;
-    }
-
     constexpr double no_quotient = std::numeric_limits<double>::quiet_NaN();
 
-    double
-    root_mean(const double square, const double n)
-    {
-      return n > 0. ? std::sqrt(square / n) : 0.;
-    }
+    /** Mean squares of the vibration along two axes across each other that
+     * differ by less than this share of the mean of both are those of one that
+     * goes round: its rms is the same along every axis but for as much. */
+    constexpr double going_round = 1e-2;
+
+    /** A smaller part of a combination is rounding. */
+    constexpr double least_part = 1e-6;
   } // namespace
+
+
+
+  // Differences of means, as those of mean squares would drown small
+  // vibrations.
+  void
+  join(const SignalPiece &other, SignalPiece &piece)
+  {
+    if (other.n == 0.)
+      return;
+    const double n = piece.n, m = other.n, change = other.mean - piece.mean;
+    piece.mean += change * m / (n + m);
+    piece.square += other.square + change * change * n * m / (n + m);
+    // The middles of the two are (n + m) / 2 values apart.
+    piece.moment += other.moment + 0.5 * change * n * m;
+    piece.n += m;
+  }
+
+
+
+  MomentParts
+  loudest_moment(const double first, const double second, const double mixed)
+  {
+    const double half_difference = .5 * (first - second);
+    if (!(std::hypot(half_difference, mixed) >
+          going_round * .5 * (first + second)))
+      return {{1., 0.}};
+    const double      angle = .5 * std::atan2(mixed, half_difference);
+    const MomentParts parts{{std::cos(angle), std::sin(angle)}};
+    return std::abs(parts[1]) < least_part ? MomentParts{{1., 0.}}
+           : parts[0] < least_part         ? MomentParts{{0., 1.}}
+                                           : parts;
+  }
 
 
 
@@ -74,12 +97,15 @@ namespace squeal
         return;
       }
     SignalPiece pressing = normal(), pulling = tangential(),
-                first  = of(JudgedForce::first_moment),
-                second = of(JudgedForce::second_moment);
+                first = first_moment(), second = second_moment();
+    const double n = n_steps, m = other.n_steps;
+    mixed_moments += other.mixed_moments + (other.mean_first - mean_first) *
+                                             (other.mean_second - mean_second) *
+                                             n * m / (n + m);
     join(other.normal(), pressing);
     join(other.tangential(), pulling);
-    join(other.of(JudgedForce::first_moment), first);
-    join(other.of(JudgedForce::second_moment), second);
+    join(other.first_moment(), first);
+    join(other.second_moment(), second);
     mean_normal       = pressing.mean;
     square_normal     = pressing.square;
     moment_normal     = pressing.moment;
@@ -92,7 +118,6 @@ namespace squeal
     mean_second       = second.mean;
     square_second     = second.square;
     moment_second     = second.moment;
-    const double n = n_steps, m = other.n_steps;
     mean_edge += (other.mean_edge - mean_edge) * m / (n + m);
     mean_pressing += (other.mean_pressing - mean_pressing) * m / (n + m);
     mean_friction += (other.mean_friction - mean_friction) * m / (n + m);
@@ -107,13 +132,13 @@ namespace squeal
   double
   ForceStatistics::rms_normal() const
   {
-    return root_mean(square_normal, n_steps);
+    return rms_of(normal());
   }
 
   double
   ForceStatistics::rms_tangential() const
   {
-    return root_mean(square_tangential, n_steps);
+    return rms_of(tangential());
   }
 
   double
@@ -143,26 +168,34 @@ namespace squeal
   }
 
   SignalPiece
-  ForceStatistics::of(const JudgedForce force) const
+  ForceStatistics::first_moment() const
   {
-    switch (force)
-      {
-      case JudgedForce::normal:
-        return normal();
-      case JudgedForce::tangential:
-        return tangential();
-      case JudgedForce::first_moment:
-        return {n_steps, mean_first, moment_first, square_first};
-      case JudgedForce::second_moment:
-        return {n_steps, mean_second, moment_second, square_second};
-      }
-    unknown_choice("judged force");
+    return {n_steps, mean_first, moment_first, square_first};
+  }
+
+  SignalPiece
+  ForceStatistics::second_moment() const
+  {
+    return {n_steps, mean_second, moment_second, square_second};
+  }
+
+  SignalPiece
+  ForceStatistics::moment(const MomentParts &parts) const
+  {
+    const auto [a, b] = parts;
+    // Rounding may leave less than nothing.
+    return {n_steps,
+            a * mean_first + b * mean_second,
+            a * moment_first + b * moment_second,
+            std::max(0.,
+                     a * a * square_first + 2. * a * b * mixed_moments +
+                       b * b * square_second)};
   }
 
   double
-  ForceStatistics::rms(const JudgedForce force) const
+  rms_of(const SignalPiece &piece)
   {
-    return root_mean(of(force).square, n_steps);
+    return piece.n > 0. ? std::sqrt(piece.square / piece.n) : 0.;
   }
 
 
@@ -189,10 +222,10 @@ namespace squeal
         return normal;
       case JudgedForce::tangential:
         return tangential;
-      case JudgedForce::first_moment:
-        return first_moment;
-      case JudgedForce::second_moment:
-        return second_moment;
+      case JudgedForce::moment:
+        return moment;
+      case JudgedForce::node:
+        break;
       }
     unknown_choice("judged force");
   }
@@ -223,15 +256,31 @@ namespace squeal
                 const unsigned int                  first,
                 const unsigned int                  end)
   {
-    const auto quarters = [&](const JudgedForce force) {
+    const auto quarters = [&](const auto &piece_of) {
       std::vector<SignalPiece> pieces;
       for (unsigned int k = first; k < end; ++k)
-        pieces.push_back(stretches.at(k).of(force));
+        pieces.push_back(piece_of(stretches.at(k)));
       return rms_beside_slow_part(pieces, 4);
     };
-    return {quarters(JudgedForce::normal),
-            quarters(JudgedForce::tangential),
-            quarters(JudgedForce::first_moment),
-            quarters(JudgedForce::second_moment)};
+    const auto moment = [&](const MomentParts &parts) {
+      return quarters(
+        [&](const ForceStatistics &s) { return s.moment(parts); });
+    };
+    const auto square = [&](const MomentParts &parts) {
+      double sum = 0.;
+      for (const double rms : moment(parts))
+        sum += rms * rms;
+      return sum;
+    };
+    // What the slow part leaves of the product is told by that between both.
+    const double along = square({{1., 0.}}), across = square({{0., 1.}}),
+                 between = square({{M_SQRT1_2, M_SQRT1_2}});
+    QuarterVibrations result;
+    result.normal     = quarters(std::mem_fn(&ForceStatistics::normal));
+    result.tangential = quarters(std::mem_fn(&ForceStatistics::tangential));
+    result.parts =
+      loudest_moment(along, across, between - .5 * (along + across));
+    result.moment = moment(result.parts);
+    return result;
   }
 } // namespace squeal

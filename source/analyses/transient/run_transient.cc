@@ -147,7 +147,8 @@ namespace squeal
          shown(f.loudest.name.empty() ? "mean_normal_n"
                                       : "loudest_mean_normal_n") +
            " N, rms " + shown("rms_normal_n") + " N" +
-           (f.loudest.is_by_moment() ? " of the " + f.loudest.force_name : "") +
+           (f.loudest.is_beside_sums() ? " of the " + f.loudest.force_name
+                                       : "") +
            ", which changes by " + shown("rms_normal_change_n") +
            " N from half to half of its time, " +
            (f.min_normal < 1e-6 * f.mean_normal ? "0" : shown("min_normal_n")) +
@@ -167,8 +168,8 @@ namespace squeal
         figures.emplace_back(
           "outcome",
           trigger.text + ": rms of the " +
-            (trigger.pair.is_by_moment() ? trigger.pair.force_name
-                                         : "normal force") +
+            (trigger.pair.is_beside_sums() ? trigger.pair.force_name
+                                           : "normal force") +
             of_judged(trigger.pair) + " " + rounded_text(trigger.before, 3) +
             " N before the trigger, " + rounded_text(trigger.after, 3) +
             " N after it, " + rounded_text(trigger.end, 3) + " N at the end");

@@ -5,6 +5,7 @@
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/base/exceptions.h>
 
+#include <algorithm>
 
 namespace squeal
 {
@@ -85,9 +86,17 @@ namespace squeal
       {"moment_first", &ForceStatistics::moment_first},
       {"mean_second", &ForceStatistics::mean_second},
       {"square_second", &ForceStatistics::square_second},
-      {"moment_second", &ForceStatistics::moment_second}};
-    static_assert(sizeof(ForceStatistics) == 19 * sizeof(double),
+      {"moment_second", &ForceStatistics::moment_second},
+      {"mixed_moments", &ForceStatistics::mixed_moments}};
+    static_assert(sizeof(ForceStatistics) == 20 * sizeof(double),
                   "every member of a stretch is kept");
+
+    const Fields<SignalPiece> piece_fields = {{"n", &SignalPiece::n},
+                                              {"mean", &SignalPiece::mean},
+                                              {"moment", &SignalPiece::moment},
+                                              {"square", &SignalPiece::square}};
+    static_assert(sizeof(SignalPiece) == 4 * sizeof(double),
+                  "every member of a piece is kept");
 
     const Fields<TransientRecord> counters = {
       {"n_steps", &TransientRecord::n_steps},
@@ -284,6 +293,9 @@ namespace squeal
     if (!kept.pair_stretches.empty())
       result.set("pair_stretches",
                  by_field(kept.pair_stretches, stretch_fields));
+    result.set("watched/pieces", by_field(kept.watched.pieces, piece_fields));
+    result.set("watched/samples", kept.watched.samples);
+    result.set("watched/last_steps", kept.watched.last_steps);
     result.set("square_accelerations", kept.square_accelerations);
     for (std::size_t i = 0; i < kept.frame_nodes.size(); ++i)
       result.set("frame_nodes/" + std::to_string(i),
@@ -335,6 +347,18 @@ namespace squeal
         record.pair_stretches =
           from_fields(memory.group("pair_stretches"), stretch_fields);
       }
+    const std::size_t n_watched = kept.watched.numbers.size();
+    record.watched.numbers      = kept.watched.numbers;
+    memory.get("watched/pieces/n", n_watched * n_force_stretches);
+    record.watched.pieces =
+      from_fields(memory.group("watched/pieces"), piece_fields);
+    record.watched.samples =
+      memory.get("watched/samples", n_watched * record.samples.size());
+    record.watched.last_steps = memory.get(
+      "watched/last_steps",
+      n_watched * std::min<std::size_t>(record.last_steps.size() /
+                                          pressed.nodes().pairs().size(),
+                                        WatchedNodes::most_last_steps));
     record.square_accelerations =
       memory.get("square_accelerations", pressed.nodes().pairs().size());
     std::vector<double> frame_times;

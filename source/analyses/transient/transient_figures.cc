@@ -254,8 +254,7 @@ namespace squeal
       f.has_limit_cycle = f.vibrates && f.least_rms > 0.8 * f.most_rms;
       const double interval =
         samples.size() > 1 ? samples[1].time - samples[0].time : 1.;
-      const auto late = [&](double PairSample::*const force) {
-        const auto all = record.forces_of(f.loudest.number, force);
+      const auto late_of = [&](const std::vector<double> &all) {
         return std::vector<double>(all.begin() + first, all.end());
       };
       f.beyond_samples =
@@ -272,16 +271,19 @@ namespace squeal
           f.repetition = f.phase = not_known;
           return;
         }
-      evaluate_lines(without_slow_part(late(sample_of(f.loudest.force))),
+      evaluate_lines(without_slow_part(late_of(samples_of(record, f.loudest))),
                      interval,
                      p.eigen.lowest_frequency,
                      f);
-      // The line of a moment is none of the sums.
-      if (f.loudest.is_by_moment())
+      const auto of_sums = [&](double PairSample::*const force) {
+        return record.forces_of(f.loudest.number, force);
+      };
+      // The line of a moment or a node is none of the sums.
+      if (f.loudest.is_beside_sums())
         f.phase = not_known;
       else if (f.largest_line > 0.)
-        f.phase = phase_difference(late(&PairSample::pressing),
-                                   late(&PairSample::pulling),
+        f.phase = phase_difference(late_of(of_sums(&PairSample::pressing)),
+                                   late_of(of_sums(&PairSample::pulling)),
                                    interval,
                                    f.largest_line);
     }

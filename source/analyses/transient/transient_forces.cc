@@ -5,6 +5,7 @@
 
 #include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_verdict.h>
+#include <squeal/base/number_text.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/contact/pressure_moments.h>
@@ -52,99 +53,139 @@ namespace squeal
 
 
 
-    /** The moment that vibrates more than noise of @p least, N, and by far more
-     * than @p force does, by @p size of each; else @p force. */
-    template <typename Size>
-    JudgedForce
-    or_moment(const JudgedForce force, const double least, const Size &size)
+    /** Nodes that vibrate each on its own, as where they open and close one
+     * after the other, leave their sum 1 / sqrt(n) of what they do, and that is
+     * a fair judge of them. This many times less is left by none but waves. */
+    constexpr double beyond_chance = 3.;
+
+    /** Of ten periods: pressure that wanders from some nodes to others leaves
+     * less beside its slow part. */
+    constexpr unsigned int least_crossings = 20;
+
+    /** Whether the nodes of a pair, @p n of them, vibrate by more than noise of
+     * @p least, N, and in every quarter by far more than its sums and moments
+     * do. */
+    bool
+    cancels(const NodeVibrations    &nodes,
+            const QuarterVibrations &sums,
+            const unsigned int       n,
+            const double             least)
     {
-      const double first  = size(JudgedForce::first_moment),
-                   second = size(JudgedForce::second_moment);
-      const auto moment   = second > (1. + same_loudness) * first
-                              ? JudgedForce::second_moment
-                              : JudgedForce::first_moment;
-      return size(moment) > least && size(moment) > far_louder * size(force)
-               ? moment
-               : force;
+      double most = 0.;
+      for (const auto *one : {&sums.normal, &sums.tangential, &sums.moment})
+        most = worst_of(most, largest_of(*one));
+      return nodes.n_crossings >= least_crossings &&
+             largest_of(nodes.all) > least &&
+             *std::min_element(nodes.all.begin(), nodes.all.end()) >
+               std::max(far_louder, beyond_chance * std::sqrt(n)) * most;
     }
 
-    /** By the largest vibration of a quarter. */
-    JudgedForce
-    or_moment(const JudgedForce        force,
-              const double             least,
-              const QuarterVibrations &v)
+    /** Whether a moment that vibrates by @p moment, N, is judged: more than
+     * noise of @p least, and by far more than the @p force that else is. */
+    bool
+    is_by_far(const double moment, const double force, const double least)
     {
-      return or_moment(force, least, [&](const JudgedForce one) {
-        return largest_of(v.of(one));
-      });
+      return moment > least && moment > far_louder * force;
     }
 
     /** Forces of one pair in every step of a run. */
     struct PairVibration
     {
-      explicit PairVibration(const std::vector<ForceStatistics> &stretches)
+      PairVibration(const std::vector<ForceStatistics> &stretches,
+                    const WatchedNodes                 &watched,
+                    const ContactPair                  &pair)
         : half(statistics_of(stretches, middle, n_force_stretches))
         , early(vibrations_of(stretches, 0, middle))
         , late(vibrations_of(stretches, middle, n_force_stretches))
+        , early_nodes(vibrations_of_nodes(watched, pair, 0, middle))
+        , late_nodes(
+            vibrations_of_nodes(watched, pair, middle, n_force_stretches))
+        , n_nodes(pair.n_nodes())
         , least(least_vibration * half.mean_normal)
       {
         // Pure stick-slip leaves the normal force alone.
         if (!(largest_of(late.normal) > least) && half.mean_normal > 0. &&
             largest_of(late.tangential) > least)
           force = JudgedForce::tangential;
-        if (half.mean_normal > 0.)
-          force = or_moment(force, least, late);
+        if (half.mean_normal > 0. &&
+            is_by_far(largest_of(late.moment), largest_of(judged()), least))
+          force = JudgedForce::moment;
+        if (half.mean_normal > 0. && cancels(late_nodes, late, n_nodes, least))
+          force = JudgedForce::node;
       }
 
       /** The force that is judged, by quarters of the second half, N. */
       const std::vector<double> &
       judged() const
       {
-        return late.of(force);
+        return force == JudgedForce::node ? late_nodes.of_loudest
+                                          : late.of(force);
       }
 
-      /** Its largest vibration over the mean normal force. */
+      /** As JudgedPair::share. */
+      double
+      share() const
+      {
+        return force == JudgedForce::node ? 1. / n_nodes : 1.;
+      }
+
+      /** Its largest vibration over its share of the mean normal force. */
       double
       loudness() const
       {
-        return half.mean_normal > 0. ? largest_of(judged()) / half.mean_normal
-                                     : 0.;
+        return half.mean_normal > 0.
+                 ? largest_of(judged()) / (share() * half.mean_normal)
+                 : 0.;
       }
 
       bool
       is_silent() const
       {
         for (const QuarterVibrations *v : {&early, &late})
-          for (const JudgedForce one :
-               {JudgedForce::normal,
-                JudgedForce::tangential,
-                or_moment(JudgedForce::normal, least, *v)})
-            if (largest_of(v->of(one)) > least)
-              return false;
-        return true;
+          if (largest_of(v->normal) > least ||
+              largest_of(v->tangential) > least ||
+              is_by_far(largest_of(v->moment), largest_of(v->normal), least))
+            return false;
+        return !cancels(early_nodes, early, n_nodes, least) &&
+               !cancels(late_nodes, late, n_nodes, least);
       }
 
       ForceStatistics   half;
       QuarterVibrations early, late;
+      NodeVibrations    early_nodes, late_nodes;
+      unsigned int      n_nodes;
       double            least;                       /**< N: less is noise */
       JudgedForce       force = JudgedForce::normal; /**< that is judged */
     };
 
 
 
+    /** "normal force of node 12 at (0.275, 0, 0.01) m": as in zones.csv. */
     std::string
-    name_of(const JudgedForce force, const ContactPair &pair)
+    name_of_node(const unsigned int number, const ContactPair &pair)
     {
-      switch (force)
+      const auto &x = pair.geometry.points[number - pair.first];
+      return "normal force of node " + std::to_string(number) + " at (" +
+             rounded_text(x[0], 4) + ", " + rounded_text(x[1], 4) + ", " +
+             rounded_text(x[2], 4) + ") m";
+    }
+
+    std::string
+    name_of(const PairVibration &vibration,
+            const WatchedNodes  &watched,
+            const ContactPair   &pair)
+    {
+      switch (vibration.force)
         {
         case JudgedForce::normal:
           return "normal force";
         case JudgedForce::tangential:
           return "tangential force";
-        case JudgedForce::first_moment:
-          return pressure_moments(pair.geometry).names[0];
-        case JudgedForce::second_moment:
-          return pressure_moments(pair.geometry).names[1];
+        case JudgedForce::moment:
+          return pressure_moments(pair.geometry).name_of(vibration.late.parts);
+        case JudgedForce::node:
+          return name_of_node(watched.numbers[vibration.late_nodes.loudest],
+                              pair);
         }
       unknown_choice("judged force");
     }
@@ -155,6 +196,7 @@ namespace squeal
      * where none does. */
     std::vector<JudgedPair>
     judged_pairs(const ContactNodes               &nodes,
+                 const WatchedNodes               &watched,
                  const std::vector<PairVibration> &vibrations)
     {
       std::vector<JudgedPair> result;
@@ -165,7 +207,10 @@ namespace squeal
             result.push_back({i,
                               vibrations.size() > 1 ? pair.name() : "",
                               vibrations[i].force,
-                              name_of(vibrations[i].force, pair)});
+                              name_of(vibrations[i], watched, pair),
+                              vibrations[i].late.parts,
+                              vibrations[i].late_nodes.loudest,
+                              vibrations[i].share()});
             largest = worst_of(largest, vibrations[i].half.mean_normal);
           }
       const JudgedPair first = result.at(0);
@@ -180,22 +225,42 @@ namespace squeal
       return result.empty() ? std::vector<JudgedPair>{first} : result;
     }
 
-    /** The member of the forces of a step that a judged force is. */
-    double StepForces::       *
-    step_of(const JudgedForce force)
+    /** The force that is judged in @p now, StepForces or a PairSample whose
+     * tangential force is @p tangential, N. */
+    template <typename Forces>
+    double
+    value_of(const JudgedPair &pair, const Forces &now, const double tangential)
     {
-      switch (force)
+      switch (pair.force)
         {
         case JudgedForce::normal:
-          return &StepForces::normal;
+          return now.normal;
         case JudgedForce::tangential:
-          return &StepForces::tangential;
-        case JudgedForce::first_moment:
-          return &StepForces::first_moment;
-        case JudgedForce::second_moment:
-          return &StepForces::second_moment;
+          return tangential;
+        case JudgedForce::moment:
+          return pair.parts[0] * now.first_moment +
+                 pair.parts[1] * now.second_moment;
+        case JudgedForce::node:
+          break; // is none of these
         }
       unknown_choice("judged force");
+    }
+
+    /** The force that is judged in each of the last steps, N. */
+    std::vector<double>
+    last_steps_of(const TransientRecord &record, const JudgedPair &pair)
+    {
+      if (pair.force == JudgedForce::node)
+        return record.watched.series(record.watched.last_steps, pair.watched);
+      std::vector<double> result;
+      const std::size_t   n_pairs = record.n_pairs();
+      for (std::size_t k = pair.number; k < record.last_steps.size();
+           k += n_pairs)
+        {
+          const StepForces &now = record.last_steps[k];
+          result.push_back(value_of(pair, now, now.tangential));
+        }
+      return result;
     }
 
     /** Without the odd values at the start: the transform of a number of them
@@ -234,34 +299,52 @@ namespace squeal
   bool
   JudgedPair::is_by_moment() const
   {
-    return force == JudgedForce::first_moment ||
-           force == JudgedForce::second_moment;
+    return force == JudgedForce::moment;
   }
 
-  double PairSample::       *
-  sample_of(const JudgedForce force)
+  bool
+  JudgedPair::is_beside_sums() const
   {
-    switch (force)
+    return is_by_moment() || force == JudgedForce::node;
+  }
+
+  std::vector<double>
+  samples_of(const TransientRecord &record, const JudgedPair &pair)
+  {
+    if (pair.force == JudgedForce::node)
+      return record.watched.series(record.watched.samples, pair.watched);
+    std::vector<double> result;
+    for (std::size_t k = 0; k < record.samples.size(); ++k)
       {
-      case JudgedForce::normal:
-        return &PairSample::normal;
-      case JudgedForce::tangential:
-        return &PairSample::pulling;
-      case JudgedForce::first_moment:
-        return &PairSample::first_moment;
-      case JudgedForce::second_moment:
-        return &PairSample::second_moment;
+        const PairSample &now = record.pair(k, pair.number);
+        result.push_back(value_of(pair, now, now.pulling));
       }
-    unknown_choice("judged force");
+    return result;
   }
 
   double
   rms_of_pressure(const ForceStatistics &pair)
   {
-    return pair.rms(
-      or_moment(JudgedForce::normal,
-                least_vibration * pair.mean_normal,
-                [&](const JudgedForce force) { return pair.rms(force); }));
+    const double normal = pair.rms_normal(),
+                 moment = rms_of(pair.moment(loudest_moment(
+                   pair.square_first, pair.square_second, pair.mixed_moments)));
+    return is_by_far(moment, normal, least_vibration * pair.mean_normal)
+             ? moment
+             : normal;
+  }
+
+
+
+  double
+  rms_of_pressure(const JudgedPair      &pair,
+                  const TransientRecord &record,
+                  const unsigned int     first,
+                  const unsigned int     end)
+  {
+    return pair.force == JudgedForce::node
+             ? record.watched.rms(pair.watched, first, end)
+             : rms_of_pressure(
+                 statistics_of(record.stretches_of(pair.number), first, end));
   }
 
 
@@ -275,7 +358,9 @@ namespace squeal
     return loudest_of(pairs, [&](const JudgedPair &pair) {
       const ForceStatistics s =
         statistics_of(record.stretches_of(pair.number), first, end);
-      return s.mean_normal > 0. ? rms_of_pressure(s) / s.mean_normal : 0.;
+      return s.mean_normal > 0. ? rms_of_pressure(pair, record, first, end) /
+                                    (pair.share * s.mean_normal)
+                                : 0.;
     });
   }
 
@@ -295,8 +380,9 @@ namespace squeal
     f.rms_acceleration         = largest_rms_acceleration(record);
     std::vector<PairVibration> vibrations;
     for (unsigned int i = 0; i < nodes.pairs().size(); ++i)
-      vibrations.emplace_back(record.stretches_of(i));
-    f.judged  = judged_pairs(nodes, vibrations);
+      vibrations.emplace_back(
+        record.stretches_of(i), record.watched, nodes.pairs()[i]);
+    f.judged  = judged_pairs(nodes, record.watched, vibrations);
     f.loudest = loudest_of(f.judged, [&](const JudgedPair &pair) {
       return vibrations[pair.number].loudness();
     });
@@ -305,16 +391,19 @@ namespace squeal
         return vibrations[p.number].is_silent();
       });
     const PairVibration &v = vibrations[f.loudest.number];
-    const JudgedForce    pressing =
-      f.loudest.is_by_moment() ? f.loudest.force : JudgedForce::normal;
-    f.mean_normal      = v.half.mean_normal;
-    f.rms_normal       = v.half.rms(pressing);
-    f.most_rms_of_sum  = largest_of(v.late.normal);
-    f.min_normal       = v.half.min_normal;
-    f.max_normal       = v.half.max_normal;
-    f.mean_tangential  = v.half.mean_tangential;
-    f.rms_tangential   = v.half.rms_tangential();
-    f.rms_change       = change_of_rms(v.late.of(pressing));
+    f.mean_normal          = v.half.mean_normal;
+    f.rms_normal =
+      f.loudest.is_by_moment() ? rms_of(v.half.moment(f.loudest.parts))
+      : f.loudest.force == JudgedForce::node
+        ? record.watched.rms(f.loudest.watched, middle, n_force_stretches)
+        : v.half.rms_normal();
+    f.most_rms_of_sum = largest_of(v.late.normal);
+    f.min_normal      = v.half.min_normal;
+    f.max_normal      = v.half.max_normal;
+    f.mean_tangential = v.half.mean_tangential;
+    f.rms_tangential  = v.half.rms_tangential();
+    f.rms_change =
+      change_of_rms(f.loudest.is_beside_sums() ? v.judged() : v.late.normal);
     f.rms_change_share = share_of_change(v.judged());
     f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
     f.most_rms  = largest_of(v.judged());
@@ -342,13 +431,9 @@ namespace squeal
       return 0.;
     const double step =
       (steps.back().time - steps.front().time) / static_cast<double>(n - 1);
-    double StepForces::*const of_step = step_of(pair.force);
-    std::vector<double>       force;
-    for (std::size_t k = n - std::min(n, of_half); k < n; ++k)
-      {
-        const StepForces &s = steps[k * n_pairs + pair.number];
-        force.push_back(s.*of_step);
-      }
+    std::vector<double> force = last_steps_of(record, pair);
+    force.erase(force.begin(),
+                force.end() - std::min<std::ptrdiff_t>(force.size(), of_half));
     const double line =
       power_spectrum(without_slow_part(of_even_length(force), 1), step)
         .peak(lowest, highest_line(step));
@@ -360,6 +445,6 @@ namespace squeal
   bool
   nothing_vibrates(const TransientFigures &f)
   {
-    return !(f.most_rms > least_vibration * f.mean_normal);
+    return !(f.most_rms > least_vibration * f.loudest.share * f.mean_normal);
   }
 } // namespace squeal

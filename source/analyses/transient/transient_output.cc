@@ -273,8 +273,7 @@ namespace squeal
               v * (1. + (p.transient.final_speed_ratio - 1.) * share),
               or_missing(s.macroscopic_friction()),
               s.mean_normal,
-              rms_of_pressure(
-            statistics_of(record.stretches_of(loudest.number), first, end))};
+              rms_of_pressure(loudest, record, first, end)};
         if (has_several)
           row.emplace_back(loudest.name);
         table.add_row(row);

@@ -26,18 +26,17 @@ namespace squeal
      * large. */
     constexpr double squeal_level = 0.01, large_level = 0.1;
 
-    /** A force of a pair from one time to another. */
+    /** Those of @p all, one a sample, from one time to another. */
     std::vector<double>
-    values_between(const TransientRecord &record,
-                   const unsigned int     pair,
-                   double PairSample::*const of,
-                   const double              from,
-                   const double              to)
+    values_between(const TransientRecord     &record,
+                   const std::vector<double> &all,
+                   const double               from,
+                   const double               to)
     {
       std::vector<double> values;
       for (std::size_t k = 0; k < record.samples.size(); ++k)
         if (record.samples[k].time >= from && record.samples[k].time <= to)
-          values.push_back(record.pair(k, pair).*of);
+          values.push_back(all[k]);
       return values;
     }
 
@@ -184,15 +183,19 @@ namespace squeal
       const double begin = trigger.first, end = trigger.second;
       const auto  &samples = record.samples;
       const double last    = samples.back().time;
+      const auto   all     = samples_of(record, pair);
       const auto   values  = [&](const double from, const double to) {
-        return values_between(
-          record, pair.number, sample_of(pair.force), from, to);
+        return values_between(record, all, from, to);
       };
       const auto rms = [&](const double from, const double to) {
         return rms_beside(values(from, to), 2);
       };
-      const double   mean = mean_value(values_between(
-        record, pair.number, &PairSample::normal, 0.9 * last, last));
+      const double mean =
+        pair.share * mean_value(values_between(
+                       record,
+                       record.forces_of(pair.number, &PairSample::normal),
+                       0.9 * last,
+                       last));
       TriggerOutcome r;
       r.pair               = pair;
       r.before             = rms(0.75 * begin, begin);
@@ -221,6 +224,31 @@ namespace squeal
       return {r, mean > 0. ? std::max(r.after, r.end) / mean : 0.};
     }
 
+    /** The combination of the moments of @p pair that vibrates most from one
+     * time to another. */
+    MomentParts
+    parts_between(const JudgedPair      &pair,
+                  const TransientRecord &record,
+                  const double           from,
+                  const double           to)
+    {
+      const auto vibration = [&](double PairSample::*const of) {
+        return without_slow_part(
+          values_between(record, record.forces_of(pair.number, of), from, to),
+          2);
+      };
+      const std::vector<double> a = vibration(&PairSample::first_moment),
+                                b = vibration(&PairSample::second_moment);
+      double first = 0., second = 0., mixed = 0.;
+      for (std::size_t k = 0; k < a.size(); ++k)
+        {
+          first += a[k] * a[k];
+          second += b[k] * b[k];
+          mixed += a[k] * b[k];
+        }
+      return loudest_moment(first, second, mixed);
+    }
+
     /** The outcome by the force that is judged, or by a moment that the trigger
      * leaves by far more of: what dies out is not judged by the end. */
     PairOutcome
@@ -231,13 +259,15 @@ namespace squeal
     {
       const PairOutcome judged = outcome_of(pair, trigger, record, f);
       PairOutcome       result = judged;
-      if (pair.is_by_moment())
+      if (pair.is_beside_sums())
         return result;
-      for (const JudgedForce moment :
-           {JudgedForce::first_moment, JudgedForce::second_moment})
+      const double last = record.samples.back().time, end = trigger.second;
+      for (const auto &[from, to] : {std::make_pair(end, end + 0.1 * last),
+                                     std::make_pair(0.9 * last, last)})
         {
           JudgedPair by_moment = pair;
-          by_moment.force      = moment;
+          by_moment.force      = JudgedForce::moment;
+          by_moment.parts      = parts_between(pair, record, from, to);
           by_moment.force_name = "moment of the normal forces";
           if (const PairOutcome next =
                 outcome_of(by_moment, trigger, record, f);
@@ -281,21 +311,21 @@ namespace squeal
     const auto &samples = record.samples;
     if (samples.size() < 2)
       return table;
-    const unsigned int pair      = f.loudest.number;
-    const bool         by_moment = f.loudest.is_by_moment();
-    const PhaseHistory h         = phase_history(
-      record.forces_of(
-        pair, by_moment ? sample_of(f.loudest.force) : &PairSample::pressing),
-      record.forces_of(pair, &PairSample::pulling),
-      samples.front().time,
-      samples[1].time - samples[0].time,
-      f.largest_line,
-      least_amplitude * f.mean_normal);
+    const unsigned int pair        = f.loudest.number;
+    const bool         beside_sums = f.loudest.is_beside_sums();
+    const PhaseHistory h =
+      phase_history(beside_sums ? samples_of(record, f.loudest)
+                                : record.forces_of(pair, &PairSample::pressing),
+                    record.forces_of(pair, &PairSample::pulling),
+                    samples.front().time,
+                    samples[1].time - samples[0].time,
+                    f.largest_line,
+                    least_amplitude * f.mean_normal);
     for (std::size_t i = 0; i < h.time.size(); ++i)
       table.add_row({h.time[i],
                      h.amplitude_a[i],
                      h.amplitude_b[i],
-                     by_moment ? Cell() : or_missing(h.phase[i])});
+                     beside_sums ? Cell() : or_missing(h.phase[i])});
     return table;
   }
 

@@ -65,10 +65,10 @@ namespace squeal
     Chart
     spectrum_chart(const TransientRecord &record, const TransientFigures &f)
     {
-      const bool          by_moment = f.loudest.is_by_moment();
-      std::vector<double> normal    = record.forces_of(
-        f.loudest.number,
-        sample_of(by_moment ? f.loudest.force : JudgedForce::normal));
+      const bool          beside_sums = f.loudest.is_beside_sums();
+      std::vector<double> normal =
+        beside_sums ? samples_of(record, f.loudest)
+                    : record.forces_of(f.loudest.number, &PairSample::normal);
       std::vector<double> tangential =
         record.forces_of(f.loudest.number, &PairSample::pulling);
       for (auto *signal : {&normal, &tangential})
@@ -83,8 +83,8 @@ namespace squeal
       double largest = 0., least = 1e300;
       for (const auto &[signal, label, ink] :
            {std::make_tuple(&normal,
-                            by_moment ? f.loudest.force_name
-                                      : std::string("normal"),
+                            beside_sums ? f.loudest.force_name
+                                        : std::string("normal"),
                             Ink::blue),
             std::make_tuple(
               &tangential, std::string("tangential"), Ink::vermillion)})
@@ -302,8 +302,8 @@ namespace squeal
            {branch_chart(record, f)},
            "Pairs of the largest sigma; shaded: the linear phase, in which "
            "growth rates are fitted");
-    // The sums do not have the period of a moment that is judged.
-    if (!f.loudest.is_by_moment())
+    // The sums do not have the period of a moment or a node that is judged.
+    if (!f.loudest.is_beside_sums())
       draw("limit_cycle",
            portraits(end),
            "Every step of the last periods" + of_judged(f.loudest) +

@@ -123,6 +123,7 @@ namespace squeal
     const auto &pairs          = model.nodes().pairs();
     kept.nodes.resize(n_nodes);
     kept.stretches.resize(n_force_stretches);
+    kept.watched = WatchedNodes(model.nodes());
     if (pairs.size() > 1)
       kept.pair_stretches.resize(pairs.size() * n_force_stretches);
     kept.square_accelerations.assign(pairs.size(), 0.);
@@ -277,6 +278,9 @@ namespace squeal
     for (std::size_t i = 0; i < of_pairs.size(); ++i)
       kept.pair_stretches[i * n_force_stretches + stretch].add(of_pairs[i],
                                                                false);
+    kept.watched.add_step(motion->forces(),
+                          stretch,
+                          n_steps_left() < WatchedNodes::most_last_steps);
     if (of_pairs.empty())
       of_pairs = {force};
     if (n_steps_left() < most_last_steps)
@@ -357,6 +361,7 @@ namespace squeal
     s.time      = motion->time();
     s.is_linear = is_linear;
     take_pair_samples(s);
+    kept.watched.add_sample(lambda);
     for (std::size_t j = 0; j < status.size(); ++j)
       {
         s.n_open += status[j] == ContactStatus::open;

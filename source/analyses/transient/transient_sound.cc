@@ -22,15 +22,14 @@ namespace squeal
       if (samples.size() < 2)
         return;
       const ContactFrame frame = mean_frame(pair.geometry);
-      const bool         by_moment =
-        f.loudest.is_by_moment() && number == f.loudest.number;
+      const bool         beside_sums =
+        f.loudest.is_beside_sums() && number == f.loudest.number;
       const auto &along = f.loudest.force == JudgedForce::tangential
                             ? frame.sliding
                             : frame.normal;
-      const std::vector<double> moment =
-        by_moment ? without_slow_part(
-                      record.forces_of(number, sample_of(f.loudest.force)))
-                  : std::vector<double>();
+      const std::vector<double> force =
+        beside_sums ? without_slow_part(samples_of(record, f.loudest))
+                    : std::vector<double>();
       std::vector<double> acceleration;
       for (std::size_t k = 0; k < samples.size(); ++k)
         {
@@ -38,9 +37,10 @@ namespace squeal
           // A file is as loud as it can be: noise would be, too.
           acceleration.push_back(
             f.is_silent ? 0.
-            // The centre of a body that wobbles hardly moves.
-            : by_moment ? moment[k]
-                        : along[0] * a[0] + along[1] * a[1] + along[2] * a[2]);
+            // The centre of a body that wobbles or carries a wave hardly moves.
+            : beside_sums
+              ? force[k]
+              : along[0] * a[0] + along[1] * a[1] + along[2] * a[2]);
         }
       const double rate =
         (samples.size() - 1) / (samples.back().time - samples.front().time);

@@ -184,7 +184,7 @@ namespace squeal
   {
     Table table(with_reduction_columns(transient_columns()));
     table.add_row(transient_cells(f));
-    if (f.loudest.is_by_moment())
+    if (f.loudest.is_beside_sums())
       {
         table.add_column(
           {"judged_force", Type::text, "", "whose vibration this is"});

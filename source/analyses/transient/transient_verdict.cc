@@ -78,6 +78,9 @@ namespace squeal
              (f.loudest.is_by_moment()
                 ? ", of the " + f.loudest.force_name + of_judged(f.loudest) +
                     ": in their sum it cancels"
+              : f.loudest.force == JudgedForce::node
+                ? ", of the " + f.loudest.force_name + of_judged(f.loudest) +
+                    ": in the sum over the nodes and in both moments it cancels"
               : f.loudest.force == JudgedForce::tangential
                 ? ", of the tangential force" + of_judged(f.loudest) +
                     ": the normal force is steady"
@@ -92,6 +95,13 @@ namespace squeal
   std::string
   text_of_moment(const TransientFigures &f)
   {
+    if (f.loudest.force == JudgedForce::node)
+      return "the " + f.loudest.force_name + of_judged(f.loudest) +
+             " vibrates by up to " + rounded_text(f.most_rms, 3) +
+             " N rms, the sum over all nodes by up to " +
+             rounded_text(f.most_rms_of_sum, 3) +
+             " N, and both moments are as steady: rms, lines, repetition and "
+             "limit cycle are those of the node, and the phase is left empty";
     if (!f.loudest.is_by_moment())
       return "";
     return "the " + f.loudest.force_name + of_judged(f.loudest) +

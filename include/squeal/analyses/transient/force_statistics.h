@@ -4,6 +4,7 @@
 
 #include <squeal/transient/slow_part.h>
 
+#include <array>
 #include <vector>
 
 namespace squeal
@@ -23,15 +24,26 @@ namespace squeal
     double first_moment = 0., second_moment = 0.;
   };
 
-  /** A force of a pair whose vibration is judged: the sums and the two of
-   * PressureMoments. */
+  /** A force of a pair whose vibration is judged: the sums, a combination of
+   * both PressureMoments and the normal force of a node. */
   enum class JudgedForce
   {
     normal,
     tangential,
-    first_moment,
-    second_moment
+    moment,
+    node
   };
+
+  /** Parts of both PressureMoments in a combination of them, whose squares add
+   * up to 1. */
+  using MomentParts = std::array<double, 2>;
+
+  /** The combination that vibrates most, where both vibrate by the mean squares
+   * @p first and @p second and their product has the mean @p mixed, N^2. A
+   * wobble that goes round vibrates alike along all: then the first one. */
+  MomentParts loudest_moment(const double first,
+                             const double second,
+                             const double mixed);
 
   /** Mean pressure at the leading edge over that of the face; NaN where nothing
    * presses. */
@@ -59,6 +71,8 @@ namespace squeal
     /** The same of both PressureMoments of a pair, N. */
     double mean_first = 0., square_first = 0., moment_first = 0.;
     double mean_second = 0., square_second = 0., moment_second = 0.;
+    /** Sum of the products of what both are beside their means, N^2. */
+    double mixed_moments = 0.;
 
     /** Adds one step. */
     void add(const StepSums &sums, const bool is_apart);
@@ -73,14 +87,22 @@ namespace squeal
     /** The forces of the steps, N. */
     SignalPiece normal() const;
     SignalPiece tangential() const;
-    SignalPiece of(const JudgedForce force) const;
-    /** Root of the mean square about the mean, N; 0 without steps. */
-    double rms(const JudgedForce force) const;
+    SignalPiece first_moment() const;
+    SignalPiece second_moment() const;
+    /** A combination of both. */
+    SignalPiece moment(const MomentParts &parts) const;
     /** Mean friction over mean normal force of the nodes, of the leading edge's
      * pressure over the mean one; NaN where nothing presses. */
     double macroscopic_friction() const;
     double leading_edge_factor() const;
   };
+
+  /** Puts the values of @p other behind those of @p piece. */
+  void join(const SignalPiece &other, SignalPiece &piece);
+
+  /** Root of the mean square about the mean, in the unit of the signal; 0
+   * without values. */
+  double rms_of(const SignalPiece &piece);
 
   /** Equally long stretches that a run is cut into: its second half, the
    * quarters of that and the fifty stretches of a speed that changes are whole
@@ -97,9 +119,11 @@ namespace squeal
    * friction that follows a speed, are no vibration. */
   struct QuarterVibrations
   {
-    std::vector<double> normal, tangential, first_moment,
-      second_moment; /**< four each */
+    std::vector<double> normal, tangential; /**< four each */
+    MomentParts parts{{1., 0.}}; /**< of the moment that vibrates most */
+    std::vector<double> moment;  /**< what that does */
 
+    /** Of one of these, not of a node. */
     const std::vector<double> &of(const JudgedForce force) const;
   };
 

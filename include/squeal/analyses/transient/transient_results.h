@@ -65,13 +65,27 @@ namespace squeal
     std::string  name; /**< empty: it is the only one of the scene */
     /** The one whose vibration is judged: the tangential force where the normal
      * one is steady, as in pure stick-slip; a moment of the normal forces where
-     * it vibrates by far more than that one, as in a wobble that goes round. */
+     * it vibrates by far more than that one, as in a wobble that goes round;
+     * that of a node where sums and moments are steady, as in a wave with
+     * several wave lengths round a ring. */
     JudgedForce force = JudgedForce::normal;
     /** What it is called in a sentence. */
     std::string force_name = "normal force";
+    MomentParts parts{{1., 0.}}; /**< of a moment that is judged */
+    std::size_t watched = 0; /**< the node that is judged, in WatchedNodes */
+    /** What the force has of the mean normal force of the pair, against which
+     * its vibration is large or noise: of a node one part of as many as there
+     * are, else all. */
+    double share = 1.;
 
     bool is_by_moment() const;
+    /** A moment or a node is judged. */
+    bool is_beside_sums() const;
   };
+
+  /** The force of @p pair that is judged in every sample, N. */
+  std::vector<double> samples_of(const TransientRecord &record,
+                                 const JudgedPair      &pair);
 
   /** " of the pair upper"; empty where it is the only one. */
   std::string of_judged(const JudgedPair &pair);
@@ -133,10 +147,10 @@ namespace squeal
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
     double              repetition  = 0.; /**< of what is judged (spectrum.h) */
     double              mean_normal = 0.; /**< N */
-    double rms_normal = 0.; /**< N, about the mean; of the moment where that
-                               is judged */
-    /** What the quarters of the sum of the normal forces vibrate by at most
-     * where a moment is judged, as `most_rms`, N. */
+    double rms_normal = 0.; /**< N, about the mean; of the moment or the node
+                               where that is judged */
+    /** What the quarters of the sum of the normal forces vibrate by at most,
+     * as `most_rms`, N. */
     double most_rms_of_sum = 0.;
     double min_normal = 0., max_normal = 0.;
     double mean_tangential = 0., rms_tangential = 0.;
@@ -144,7 +158,8 @@ namespace squeal
     double macroscopic_friction = 0.; /**< mean friction over mean normal of
                                          that sum */
     double phase = 0.; /**< of the tangential against the normal force at the
-                          largest line, deg; NaN where a moment is judged */
+                          largest line, deg; NaN where a moment or a node is
+                          judged */
     bool   separates            = false; /**< all nodes open at a time */
     double stick_fraction       = 0.;    /**< of closed node-time */
     double max_slip_speed_ratio = 0.;
@@ -196,8 +211,15 @@ namespace squeal
    * vibrates by far more. */
   double rms_of_pressure(const ForceStatistics &pair);
 
-  /** The one of @p pairs with the largest rms_of_pressure() over its mean normal
-   * force, in the stretch number @p first up to the one before @p end; the first
+  /** The same of a pair that is judged, of the node where that is: in the
+   * stretch number @p first up to the one before @p end. */
+  double rms_of_pressure(const JudgedPair      &pair,
+                         const TransientRecord &record,
+                         const unsigned int     first,
+                         const unsigned int     end);
+
+  /** The one of @p pairs with the largest rms_of_pressure() over its share of
+   * its mean normal force, in the stretch number @p first up to the one before @p end; the first
    * of equal ones. */
   JudgedPair loudest_in(const std::vector<JudgedPair> &pairs,
                         const TransientRecord         &record,
@@ -260,8 +282,8 @@ namespace squeal
   Table probe_table(const PreparedTransient &prepared,
                     const TransientRecord   &record);
   /** Phase between tangential and normal force of the loudest pair at the
-   * largest line of the run, over time; none where a moment is judged, whose
-   * amplitude stands for that of the normal force. */
+   * largest line of the run, over time; none where a moment or a node is
+   * judged, whose amplitude stands for that of the normal force. */
   Table phase_table(const TransientRecord  &record,
                     const TransientFigures &figures);
   Table zone_table(const PreparedTransient &prepared,

@@ -3,6 +3,7 @@
 #define squeal_analyses_transient_transient_run_h
 
 #include <squeal/analyses/transient/force_sums.h>
+#include <squeal/analyses/transient/watched_nodes.h>
 #include <squeal/contact/contact_resultant.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/results/history_stream.h>
@@ -57,9 +58,6 @@ namespace squeal
     double acceleration[3] = {}; /**< m/s^2 */
   };
 
-  /** The member of a sample that a judged force is. */
-  double PairSample::*sample_of(const JudgedForce force);
-
   /** What a node has done since a time. */
   struct NodeShares
   {
@@ -100,6 +98,8 @@ namespace squeal
     /** Pairs x stretches, resultants of each of several pairs: pads that move
      * against each other cancel in the sums. Empty with one pair. */
     std::vector<ForceStatistics> pair_stretches;
+    /** Of every step and sample; none where nodes were not looked at. */
+    WatchedNodes watched;
     /** Of the source of each pair: squares of the acceleration of its centre,
      * added up over the steps of the second half of the run, (m/s^2)^2. */
     std::vector<double> square_accelerations;

@@ -55,8 +55,8 @@ namespace squeal
                                const double interval,
                                const bool   is_in_steps);
 
-  /** Where a moment of the normal forces is judged: that it is, and by how much
-   * their plain sum vibrates; else empty. */
+  /** Where a moment of the normal forces or that of a node is judged: that it
+   * is, and by how much their plain sum vibrates; else empty. */
   std::string text_of_moment(const TransientFigures &figures);
 
   /** Why the leading pair has no growth rate. */
