@@ -38,6 +38,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/history/clipped_sine.cc
     source/history/contact_grid.cc
     source/history/csv_import.cc
+    source/history/face_areas.cc
     source/images/agreement.cc
     source/images/area_evidence.cc
     source/images/areas.cc

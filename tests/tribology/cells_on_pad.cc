@@ -163,6 +163,32 @@ namespace
       }
   }
 
+  /** The mean of an element map is by area on the pad. The map of the place
+   * along x over an image that is narrower at its right edge: x of the centroid
+   * of the trapezoid. */
+  void
+  check_covariate_by_area()
+  {
+    const double      bend = 4e-3;
+    const cv::Matx33d matrix(1., 0., -80., 0., 1., -80., bend, 0., 1.);
+    const Placement   placement{matrix, 0.};
+    cv::Mat           along(height, width, CV_32F);
+    for (int x = 0; x < width; ++x)
+      along.col(x).setTo(placement({x + .5, .5}).x);
+    CellGrid grid({2000., 2000.}, 1, 1);
+    grid.add(drawn({40, 30}, {120, 76}), placement, 0.);
+    grid.add_covariate("along", along, placement);
+    Table table(grid.columns());
+    grid.append_rows(table, "pad");
+    const double left = placement({0., 0.}).x,
+                 base = placement({double(width), 0.}).x - left,
+                 edge = 1. / (1. + bend * width); // over the left one
+    check_close(table.real(0, "along") - left,
+                base * (1. + 2. * edge) / (3. * (1. + edge)),
+                1e-4,
+                "mean of an element map");
+  }
+
   void
   check_overlap()
   {
@@ -357,6 +383,7 @@ main()
   check_stretched();
   check_turned();
   check_stretched_pixels();
+  check_covariate_by_area();
   check_overlap();
   check_part_of_overlap();
   check_headline();

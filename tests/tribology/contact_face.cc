@@ -2,10 +2,13 @@
 
 // The face of a pad as the damage maps take it: how far a node of a face that
 // is no rectangle lies from its edge, where the leading edge is whatever the
-// direction of sliding, and which criteria have a limit of their own.
+// direction of sliding, which criteria have a limit of their own, and that
+// areas must fit the places of their nodes.
 
+#include <squeal/base/exceptions.h>
 #include <squeal/tribology/criteria/multiaxial.h>
 #include <squeal/tribology/history/contact_grid.h>
+#include <squeal/tribology/history/face_areas.h>
 
 #include "check.h"
 #include "worst.h"
@@ -151,6 +154,95 @@ namespace
           "between nodes there are as many as before");
   }
 
+  /** 7 x 5 nodes of a mesh, or middles of cells, 1 mm apart. */
+  HistoryLayout
+  rectangular_face(const bool are_middles)
+  {
+    HistoryLayout layout;
+    for (unsigned int j = 0; j < 5; ++j)
+      for (unsigned int i = 0; i < 7; ++i)
+        {
+          const double x = are_middles || i % 6 != 0 ? 1. : .5,
+                       y = are_middles || j % 4 != 0 ? 1. : .5;
+          layout.points.push_back({{1e-3 * i, 1e-3 * j, 0.}});
+          layout.areas.push_back(1e-6 * x * y);
+        }
+    return layout;
+  }
+
+  /** Nodes on a ring of @p width about a circle of 100 mm. */
+  HistoryLayout
+  thin_ring(const double width)
+  {
+    constexpr unsigned int n = 600;
+    HistoryLayout          layout;
+    for (unsigned int k = 0; k < n; ++k)
+      for (const double r : {.1 - .25 * width, .1 + .25 * width})
+        {
+          const double a = 2. * M_PI * k / n;
+          layout.points.push_back({{r * std::cos(a), r * std::sin(a), 0.}});
+          layout.areas.push_back(M_PI * .1 * width / n);
+        }
+    return layout;
+  }
+
+  HistoryLayout
+  scaled(HistoryLayout layout, const double length, const double area)
+  {
+    for (auto &point : layout.points)
+      for (double &x : point)
+        x *= length;
+    for (double &a : layout.areas)
+      a *= area;
+    return layout;
+  }
+
+  /** Areas in m^2 belong to places in m, on grids and elsewhere. */
+  void
+  check_areas()
+  {
+    const auto refused = [](const HistoryLayout &layout,
+                            const std::string   &what) {
+      check_throws<InputError>([&] { require_areas_of_face(layout, "a.h5"); },
+                               "a.h5: the areas of the contact nodes add up to",
+                               what);
+    };
+    for (const HistoryLayout &face : {rectangular_face(false),
+                                      rectangular_face(true),
+                                      round_face(false),
+                                      thin_ring(1e-3)})
+      {
+        require_areas_of_face(face, "a.h5");
+        refused(scaled(face, 1e3, 1.), "coordinates in mm");
+        refused(scaled(face, 1., 1e6), "areas in mm^2");
+        require_areas_of_face(scaled(face, 1e3, 1e6), "both in mm");
+      }
+    for (const double factor : {.5, 2.})
+      refused(scaled(rectangular_face(factor > 1.), 1., factor),
+              "another area of a grid");
+
+    // A node of a half cylinder stands for more than its shadow.
+    HistoryLayout curved;
+    for (unsigned int j = 0; j < 6; ++j)
+      for (unsigned int i = 0; i < 9; ++i)
+        {
+          const double a = M_PI * i / 8.;
+          curved.points.push_back(
+            {{.01 * std::cos(a), 2e-3 * j, .01 * std::sin(a)}});
+          curved.areas.push_back(.01 * M_PI / 8. * 2e-3);
+        }
+    require_areas_of_face(curved, "a half cylinder");
+
+    HistoryLayout beam;
+    for (unsigned int i = 0; i < 5; ++i)
+      beam.points.push_back({{1e-3 * i, 0., 0.}});
+    beam.areas.assign(5, 1e-3 * 1.);
+    require_areas_of_face(beam, "nodes on a line have any width");
+    beam.points.resize(1);
+    beam.areas = {1.};
+    require_areas_of_face(beam, "one node");
+  }
+
   void
   check_limits()
   {
@@ -175,5 +267,6 @@ main()
   check_leading_edge();
   check_drawn_face(true);
   check_drawn_face(false);
+  check_areas();
   check_limits();
 }

@@ -98,6 +98,19 @@ namespace
     check(narrow.code != 0 &&
             narrow.errors.find("has its shape") != std::string::npos,
           "a map of another shape is refused: " + narrow.errors);
+    // A map of the picture above a data bar that is lower than the tolerance.
+    cv::Mat height(756, 1024, CV_8U);
+    for (int y = 0; y < height.rows; ++y)
+      height.row(y).setTo(y / 3);
+    write_png("height.png", height);
+    run("set Images = whole.png\nset Output directory = bar\n"
+        "subsection Segmentation\n  set Cells = 1, 3\n"
+        "  set Data bar = 12\n  set Element maps = height.png\nend\n");
+    for (unsigned int i = 0; i < 3; ++i)
+      check_close(read_csv("bar/cells.csv").real(i, "height"),
+                  41.5 + 84. * i,
+                  1e-3,
+                  "a map of the picture without its data bar");
     const cv::Mat joined = read_grey("mosaic/mosaic.png");
     check(std::abs(joined.cols - 1024) <= 1 && std::abs(joined.rows - 768) <= 1,
           "the mosaic has the size of the picture");

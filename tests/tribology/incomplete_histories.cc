@@ -236,6 +236,25 @@ namespace
 
 
 
+  /** Of runs that slide other ways nodes do not correspond. */
+  void
+  runs_that_slide_other_ways()
+  {
+    const std::vector<double> times = {0., 1e-3, 2e-3}, p = {1e6, 2e6, 1e6};
+    write_history("forth.h5", times, p, true);
+    write_history("back.h5", times, p, true, -.5, false, -2., "", -1.);
+    run_damage("  set File = back.h5\n");
+    run_damage("  set File = forth.h5\n  set Silent file = forth.h5\n");
+    const Outcome other = run_program(
+      {program, "test.prm", "--set", "History/Silent file = back.h5"});
+    check(other.code == 2 &&
+            has(other.errors, "back.h5' slides along (0, -1.0) by") &&
+            has(other.errors, "forth.h5' along (0, 1.0)"),
+          "the other way is refused: " + other.errors);
+  }
+
+
+
   /** A history alone is called what it calls itself. */
   void
   names_of_runs()
@@ -432,6 +451,7 @@ main(int argc, char **argv)
   without_slip_rate();
   pauses();
   contradictions();
+  runs_that_slide_other_ways();
   names_of_runs();
   tension();
   worst_node_of_two_slopes();

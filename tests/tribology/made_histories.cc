@@ -246,7 +246,20 @@ namespace
         const HistoryReader reader("punch.h5");
         const ContactGrid   grid(reader.layout());
         const HistoryDamage damage = count_history(reader, {}, f, {}, grid);
-        const std::size_t   edge   = n * (n / 2);
+        FatigueParameters   narrow = f;
+        narrow.averaging_length    = step;
+        for (const auto &[fatigue, is_said] :
+             {std::pair(f, false), std::pair(narrow, true)})
+          {
+            bool is_found = false;
+            for (const std::string &note :
+                 count_history(reader, {}, fatigue, {}, grid).notes)
+              is_found = is_found ||
+                         note.find("'Averaging length'") != std::string::npos;
+            check(is_found == is_said,
+                  "a length of the distance of nodes averages nothing");
+          }
+        const std::size_t edge = n * (n / 2);
         local.push_back(damage.nodes[edge].damage[1]);
         averaged.push_back(damage.nodes[edge].averaged[1]);
         std::cout << n << " nodes: damage at the edge " << local.back()

@@ -20,6 +20,30 @@ namespace squeal::tribology
     /** Windows of the spectra: samples. */
     constexpr std::size_t n_window = 1024;
 
+    /** Part of an average that is the node's own stress from which on nothing
+     * is averaged: where nodes are about as far apart as the averaging length
+     * is long. */
+    constexpr double own_alone = 0.95;
+
+
+
+    /** "" where the averages of @p weights reach the neighbours. */
+    std::string
+    note_of_averaging(const RowMajor &weights, const double length)
+    {
+      const double own = weights.diagonal().mean();
+      if (weights.rows() < 2 || length <= 0. || own < own_alone)
+        return "";
+      return "'Averaging length', " + rounded_text(1e3 * length, 3) +
+             " mm, does not reach from node to node: " +
+             rounded_text(100. * own, 3) +
+             " % of each average is the stress of the node itself, and the "
+             "columns 'averaged' depend on the mesh as the others do; take at "
+             "least twice the distance of the nodes";
+    }
+
+
+
     /** Stress of all nodes: a row for each node. */
     RowMajor
     stresses(const HistorySamples    &s,
@@ -332,7 +356,8 @@ namespace squeal::tribology
     for (const std::string &note : contradictions.notes(summer.sums()))
       result.notes.push_back(note);
     for (const std::string &note :
-         {spacing.note(),
+         {note_of_averaging(weights, fatigue.averaging_length),
+          spacing.note(),
           note_of_order(result, fatigue),
           PeakLoss::note(result.lost_share,
                          fatigue.exponents[loss.exponent()])})

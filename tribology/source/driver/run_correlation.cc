@@ -259,6 +259,8 @@ namespace squeal::tribology
       context.log.warning(line);
     for (const std::string &line : warnings_of_assumed_places(pads, p))
       context.log.warning(line);
+    for (const std::string &line : warnings_of_texts(pads, p))
+      context.log.warning(line);
     for (const std::string &line : warnings_of_lacking_covariates(pads))
       context.log.warning(line);
     for (const std::string &line : warnings_of_assumed_edges(pads, p))

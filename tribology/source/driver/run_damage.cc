@@ -17,6 +17,13 @@ namespace squeal::tribology
      * has the most. */
     constexpr double alike = 0.005;
 
+    /** Of the face of two histories of one contact mesh; areas of mortar
+     * elements change a little as the bodies deform. */
+    constexpr double alike_areas = 0.1;
+
+    /** Of the angle from which on two histories slide other ways. */
+    constexpr double least_cosine = 0.5;
+
 
 
     void
@@ -38,6 +45,37 @@ namespace squeal::tribology
 
 
 
+    double
+    total_area(const ContactGrid &grid)
+    {
+      double area = 0.;
+      for (std::size_t k = 0; k < grid.n_nodes(); ++k)
+        area += grid.area(k);
+      return area;
+    }
+
+
+
+    /** Two histories are compared node by node: of runs that slide other ways
+     * the leading edge of one would be held against another edge of the
+     * other. */
+    void
+    require_same_sliding_of_runs(const DamageStudy &a, const DamageStudy &b)
+    {
+      const std::array<double, 2> &s = a.grid.sliding(), &t = b.grid.sliding();
+      if (std::hypot(s[0], s[1]) > 0. && std::hypot(t[0], t[1]) > 0. &&
+          s[0] * t[0] + s[1] * t[1] < least_cosine)
+        throw InputError(
+          "'" + b.reader.path() + "' slides along (" + rounded_text(t[0], 2) +
+          ", " + rounded_text(t[1], 2) + ") by 'nodes/sliding', '" +
+          a.reader.path() + "' along (" + rounded_text(s[0], 2) + ", " +
+          rounded_text(s[1], 2) +
+          "): their leading edges differ; compare runs that slide the same "
+          "way");
+    }
+
+
+
     void
     require_same_nodes(const DamageStudy &a, const DamageStudy &b)
     {
@@ -46,10 +84,14 @@ namespace squeal::tribology
         same = std::hypot(a.grid.place(k)[0] - b.grid.place(k)[0],
                           a.grid.place(k)[1] - b.grid.place(k)[1]) <
                1e-3 * std::sqrt(a.grid.area(k));
+      same = same && std::abs(total_area(b.grid) / total_area(a.grid) - 1.) <=
+                       alike_areas;
       if (!same)
         throw InputError("'" + b.reader.path() +
                          "' has other contact nodes than '" + a.reader.path() +
-                         "': compare runs of the same contact mesh");
+                         "', or other areas of them: compare runs of the same "
+                         "contact mesh");
+      require_same_sliding_of_runs(a, b);
     }
 
 

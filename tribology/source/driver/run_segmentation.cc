@@ -194,24 +194,24 @@ namespace squeal::tribology
       }
 
       /** An element map with the pixels of the frame of @p m. It may show the
-       * data bar or not: its shape tells. */
+       * data bar or not: the nearer shape tells. */
       cv::Mat
       on_frame(const std::string &path, const Micrograph &m) const
       {
         cv::Mat values =
           read_element_map(path, context.parameters.images.largest_image);
-        const auto has_shape_of = [&](const cv::Size &size) {
+        const auto difference_from = [&](const cv::Size &size) {
           return std::abs(values.cols * double(size.height) /
                             (values.rows * double(size.width)) -
-                          1.) <= shape_agreement;
+                          1.);
         };
         const cv::Size whole = m.grey.size(), frame = m.frame.size();
-        if (!has_shape_of(whole) && !has_shape_of(frame))
+        const bool with_bar = difference_from(whole) <= difference_from(frame);
+        if (difference_from(with_bar ? whole : frame) > shape_agreement)
           throw InputError(path + " has " + size_text(values.size()) +
                            " pixels, the view of " + m.path + " " +
                            size_text(whole) +
                            ": an element map of that view has its shape");
-        const bool with_bar = has_shape_of(whole);
         cv::resize(
           values, values, with_bar ? whole : frame, 0., 0., cv::INTER_AREA);
         return with_bar ? values(m.frame) : values;

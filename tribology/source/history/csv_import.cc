@@ -7,6 +7,7 @@
 #include <squeal/results/csv_dialect.h>
 #include <squeal/results/table.h>
 #include <squeal/tribology/history/csv_import.h>
+#include <squeal/tribology/history/face_areas.h>
 
 #include <algorithm>
 #include <fstream>
@@ -144,6 +145,7 @@ namespace squeal::tribology
         }
       if (layout.n_nodes() == 0)
         throw InputError("'" + path + "' has no nodes");
+      require_areas_of_face(layout, path);
       return layout;
     }
 

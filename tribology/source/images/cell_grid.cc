@@ -177,11 +177,13 @@ namespace squeal::tribology
     for (int y = 0; y < values.rows; ++y)
       for (int x = 0; x < values.cols; ++x)
         {
-          const int i = index(placement(cv::Point2d(x + 0.5, y + 0.5)));
+          const cv::Point2d centre(x + 0.5, y + 0.5);
+          const int         i = index(placement(centre));
           if (i < 0 || !is_shown(seen, {x, y}))
             continue;
-          c.sum[i] += values.at<float>(y, x);
-          c.weight[i] += 1.;
+          const double area = PixelOnPad(placement, centre).area();
+          c.sum[i] += area * values.at<float>(y, x);
+          c.weight[i] += area;
         }
     covariates.push_back(c);
   }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/parameters/numbers.h>
+#include <squeal/parameters/text.h>
 #include <squeal/tribology/setup/feature_columns.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace squeal::tribology
 {
@@ -20,6 +23,7 @@ namespace squeal::tribology
                                 "sliding_x",
                                 "sliding_y",
                                 "coverage",
+                                "image",
                                 "images",
                                 "pad",
                                 "synthetic"})
@@ -34,6 +38,17 @@ namespace squeal::tribology
     is_named(const std::vector<std::string> &names, const std::string &name)
     {
       return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+
+
+    /** Whether a text is a number, or would be one but for a decimal comma. */
+    bool
+    is_meant_as_number(std::string text)
+    {
+      if (const std::size_t comma = text.find(','); comma != std::string::npos)
+        text[comma] = '.';
+      return prm::parse_number(text).has_value();
     }
 
 
@@ -70,6 +85,50 @@ namespace squeal::tribology
       if (column.type != Table::Type::text && !is_place(column.name) &&
           column.name != angle_of_lines && !is_named(p.covariates, column.name))
         names.push_back(column.name);
+    return names;
+  }
+
+
+
+  void
+  require_finite_numbers(const Table       &table,
+                         const std::string &column,
+                         const std::string &file)
+  {
+    const bool is_text =
+      table.columns()[table.column_index(column)].type == Table::Type::text;
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      if (!table.is_missing(row, column) &&
+          (is_text ? !prm::parse_number(table.text(row, column))
+                   : !std::isfinite(table.real(row, column))))
+        throw InputError(file + ":" + std::to_string(row + 2) + ": column '" +
+                         column +
+                         "': " + prm::in_quotes(table.text(row, column)) +
+                         " is not a finite number; leave the cell empty where "
+                         "a value is missing");
+  }
+
+
+
+  std::vector<std::string>
+  columns_of_texts(const Table                 &table,
+                   const CorrelationParameters &p,
+                   const std::string           &file)
+  {
+    std::vector<std::string> names;
+    if (!p.features.empty())
+      return names;
+    for (const Table::Column &column : table.columns())
+      {
+        if (column.type != Table::Type::text || is_place(column.name) ||
+            column.name == angle_of_lines ||
+            is_named(p.covariates, column.name))
+          continue;
+        for (std::size_t row = 0; row < table.n_rows(); ++row)
+          if (is_meant_as_number(table.text(row, column.name)))
+            require_finite_numbers(table, column.name, file);
+        names.push_back(column.name);
+      }
     return names;
   }
 } // namespace squeal::tribology

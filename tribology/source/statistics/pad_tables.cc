@@ -313,9 +313,10 @@ namespace squeal::tribology
             pad.crack_length.values[k] *= pad.seen.values[k];
         }
       pad.is_synthetic = is_any_synthetic(features, rows.rows);
+      pad.texts        = columns_of_texts(features, p, feature_file);
       for (const std::string &name : names)
         {
-          features.column_index(name);
+          require_finite_numbers(features, name, feature_file);
           pad.features[name] = map_of_feature(name);
         }
       if (pad.features.empty() || pad.indices.empty())
@@ -329,10 +330,13 @@ namespace squeal::tribology
             throw InputError("'Covariates': neither '" + damage_file +
                              "' nor '" + feature_file + "' has a column '" +
                              name + "'");
+          const bool of_damage = damage.has_column(name);
+          require_finite_numbers(of_damage ? damage : features,
+                                 name,
+                                 of_damage ? damage_file : feature_file);
           measured.push_back({name,
-                              damage.has_column(name)
-                                ? on_grid(*pad.grid, damage.reals(name))
-                                : map_of_feature(name)});
+                              of_damage ? on_grid(*pad.grid, damage.reals(name))
+                                        : map_of_feature(name)});
         }
       if (pad.features.count(along_sliding_column) > 0 ||
           is_among(p.covariates, along_sliding_column))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
+#include <squeal/parameters/text.h>
 #include <squeal/tribology/statistics/feature_rows.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
@@ -70,6 +71,22 @@ namespace squeal::tribology
           "taken as they stand, and every link is wrong if they count from "
           "the centre; then give the table a column 'image' with 'pad' in "
           "each row");
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_texts(const std::vector<PadMaps>  &pads,
+                    const CorrelationParameters &p)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      if (!pads[i].texts.empty())
+        warnings.push_back("pad " + std::to_string(i + 1) +
+                           ": these columns of '" + p.feature_tables[i] +
+                           "' hold no numbers and are no features: " +
+                           prm::join(pads[i].texts, ", "));
     return warnings;
   }
 

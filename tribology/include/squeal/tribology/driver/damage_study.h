@@ -6,13 +6,15 @@
 #include <squeal/tribology/damage/damage_files.h>
 #include <squeal/tribology/damage/damage_table.h>
 #include <squeal/tribology/driver/context.h>
+#include <squeal/tribology/history/face_areas.h>
 
 namespace squeal::tribology
 {
   /** One pair of a history with all that is computed from it. */
   struct DamageStudy
   {
-    /** @p pair: empty where the history has but one. */
+    /** @p pair: empty where the history has but one. Throws InputError where
+     * the areas of the nodes contradict their places. */
     DamageStudy(const std::string       &file,
                 const std::string       &pair,
                 const HistoryParameters &history)
@@ -20,6 +22,7 @@ namespace squeal::tribology
       , window(history_window(reader, history))
       , grid(reader.layout())
     {
+      require_areas_of_face(reader.layout(), file);
     }
 
     /** What stands behind the names of files: "_<pair>". */

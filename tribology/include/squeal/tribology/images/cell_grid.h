@@ -28,8 +28,8 @@ namespace squeal::tribology
              double              sliding,
              bool                is_synthetic = false);
 
-    /** Adds the mean of a covariate (CV_32F, size of the image) over what is
-     * @p seen. */
+    /** Adds the mean of a covariate (CV_32F, size of the image) over the area
+     * on the pad of what is @p seen. */
     void add_covariate(const std::string &name,
                        const cv::Mat     &values,
                        const Placement   &placement,

@@ -23,6 +23,21 @@ namespace squeal::tribology
   std::vector<std::string> feature_columns(
     const Table                 &table,
     const CorrelationParameters &parameters);
+
+  /** Throws InputError "@p file:line: ..." for the first value of a column of
+   * @p table that is no finite number. Values may be missing. */
+  void require_finite_numbers(const Table       &table,
+                              const std::string &column,
+                              const std::string &file);
+
+  /** The columns of a table of features that hold texts alone (remarks) and are
+   * neither features nor covariates. Throws InputError where such a column
+   * holds numbers beside texts: a mark for a missing value must not take a
+   * feature out. */
+  std::vector<std::string> columns_of_texts(
+    const Table                 &table,
+    const CorrelationParameters &parameters,
+    const std::string           &file);
 } // namespace squeal::tribology
 
 #endif

@@ -36,6 +36,8 @@ namespace squeal::tribology
     /** Whether a row of the features that counts is of made images, by a column
      * "synthetic" that is positive there. */
     bool is_synthetic = false;
+    /** Columns of the features that hold no numbers and are left out. */
+    std::vector<std::string> texts;
   };
 
   /**
@@ -47,9 +49,10 @@ namespace squeal::tribology
    * The damage table must cover a rectangular grid. Columns that are covariates
    * are shared causes, and neither indices nor features. The leading edge is
    * that of each table, see sliding_of_pad(). Throws InputError for a missing
-   * column, for a place that lies in no cell, for a coverage that is no part
-   * of a cell and for 'crack_along_sliding' against another direction than that
-   * of the damage table, see require_same_sliding().
+   * column, for a feature or covariate that is no finite number, see
+   * columns_of_texts(), for a place that lies in no cell, for a coverage that
+   * is no part of a cell and for 'crack_along_sliding' against another
+   * direction than that of the damage table, see require_same_sliding().
    */
   std::vector<PadMaps> read_pads(const CorrelationParameters &parameters);
 
@@ -84,6 +87,11 @@ namespace squeal::tribology
 
   /** Pads whose features may as well be counted from the centre of the face. */
   std::vector<std::string> warnings_of_assumed_places(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Pads whose table of features has columns without numbers. */
+  std::vector<std::string> warnings_of_texts(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
 
