@@ -188,6 +188,10 @@ main(int argc, char **argv)
       run({"--set",
            "Synthetic specimen/Link strength = 0",
            "--set",
+           "Synthetic specimen/Damage table =",
+           "--set",
+           "Synthetic specimen/Damage column =",
+           "--set",
            "Synthetic specimen/Seed = " + seed,
            "prm/tribobrake/fatigue_study/5_squealing_images.prm"});
       run({"--set",
