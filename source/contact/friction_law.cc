@@ -69,6 +69,18 @@ namespace squeal
 
 
   bool
+  FrictionLaw::is_frictionless() const
+  {
+    if (kind == ContactParameters::FrictionLaw::table)
+      return std::all_of(coefficients.begin(),
+                         coefficients.end(),
+                         [](const double mu) { return mu == 0.; });
+    return kinetic == 0. && (is_constant() || static_excess == 0.);
+  }
+
+
+
+  bool
   FrictionLaw::is_constant_in_slip() const
   {
     return is_constant() ||

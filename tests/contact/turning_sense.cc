@@ -25,6 +25,7 @@ namespace
     ContactParameters c  = coarse_brake(sign * mu).contacts[0];
     c.friction_direction = ContactParameters::FrictionDirection::slip;
     c.friction_law       = law;
+    c.sliding_speed      = 1.075; // of 10 rad/s, m/s
     if (law == Law::constant)
       return c;
     c.friction_coefficient        = sign < 0. ? -1e-3 : 0.;

@@ -42,6 +42,8 @@ namespace squeal
     explicit FrictionLaw(const ContactParameters &contact);
 
     bool is_constant() const;
+    /** Whether nothing rubs at any slip rate. */
+    bool is_frictionless() const;
     /** Whether all nodes that slip have one coefficient, those that stick the
      * same or a larger one. */
     bool is_constant_in_slip() const;
