@@ -75,6 +75,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/entry_traits.cc
     source/parameters/face_geometry.cc
     source/parameters/glued_bodies.cc
+    source/parameters/idle_entries.cc
     source/parameters/names.cc
     source/parameters/number_access.cc
     source/parameters/numbers.cc
@@ -356,6 +357,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/open_scene_output.cc
     source/output/open_signs.cc
     source/output/pair_table.cc
+    source/output/record_unknowns.cc
     source/output/shape_output.cc)
 
 set(SQUEAL_SOURCES_ANALYSES

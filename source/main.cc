@@ -87,7 +87,11 @@ namespace
             take_modulus_tables(parameters);
             check_meshes(parameters.scene);
             if (is_root)
-              std::cout << file << ": valid\n";
+              {
+                std::cout << file << ": valid\n";
+                for (const std::string &note : parameters.notes)
+                  std::cout << "  " << note << '\n';
+              }
           }
       }
     else

@@ -65,14 +65,19 @@ namespace squeal
                              const std::vector<dealii::Point<3>> &points,
                              const std::vector<ContactFrame>     &frames)
   {
-    double mean = 0.;
+    // Of a law the sign alone is the coefficient's; zero is no backward
+    // turning.
+    const double sense = FrictionLaw(contact).is_frictionless() ? 0.
+                         : contact.friction_coefficient < 0.    ? -1.
+                                                                : 1.;
+    double       mean  = 0.;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const Vector velocity =
           turning_velocity(scene, contact.target_body, points[i]) -
           turning_velocity(scene, contact.source_body, points[i]);
         mean += velocity.norm() / points.size();
-        if (velocity * frames[i].sliding * contact.friction_coefficient >= 0.)
+        if (sense * (velocity * frames[i].sliding) >= 0.)
           continue;
         throw InputError(
           "contact " + contact.name + ": by its 'Rotation speed' the body '" +

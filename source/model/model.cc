@@ -56,6 +56,28 @@ namespace squeal
       return text;
     }
 
+    /** Says so where the loads press a pair with another force than its
+     * `Normal force`, which steady sliding does not use; else empty. */
+    std::string
+    remark_on_normal_force(const ContactParameters &contact,
+                           const ContactState      &state)
+    {
+      constexpr double allowed = 0.1; // relative
+      if (!state.in_newtons ||
+          contact.normal_force == ContactParameters().normal_force)
+        return "";
+      double force = 0.;
+      for (const double f : state.force_share)
+        force += f;
+      if (std::abs(contact.normal_force - force) <= allowed * force)
+        return "";
+      return "'Scene/Contact " + contact.name +
+             "/Normal force' = " + rounded_text(contact.normal_force, 4) +
+             " N has no effect with 'Contact state = preload': the loads press "
+             "the pair with " +
+             rounded_text(force, 4) + " N";
+    }
+
     /** Columns of sum 1; what does not move has no energy and no shares. */
     Eigen::MatrixXd
     shares_of(Eigen::MatrixXd energy)
@@ -355,6 +377,12 @@ namespace squeal
       log.warning(remark);
     for (const ContactParameters &c : scene.contacts)
       if (const std::string remark = remark_on_kink(c); !remark.empty())
+        log.warning(remark);
+    // Given states are those of other numbers than the scene's.
+    for (unsigned int i = 0; i < scene.contacts.size(); ++i)
+      if (const std::string remark =
+            remark_on_normal_force(scene.contacts[i], system.states[i]);
+          given_states.empty() && !remark.empty())
         log.warning(remark);
     RunLog::Lines lines;
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)

@@ -28,6 +28,7 @@ namespace squeal
     };
     std::vector<Open> open;
     OpenSigns         result;
+    result.is_open.assign(pairs.n_rows(), false);
     for (std::size_t i = 0; i < pairs.n_rows(); ++i)
       {
         if (pairs.is_missing(i, "sigma_error_mesh_per_s"))
@@ -38,6 +39,7 @@ namespace squeal
         if (!(error > rounding_of_rates * size) || error < std::abs(sigma))
           continue;
         open.push_back({i, sigma, error});
+        result.is_open[i] = true;
         ++(sigma > 0. ? result.n_growing : result.n_decaying);
       }
     if (open.empty())

@@ -182,6 +182,31 @@ namespace squeal
 
 
 
+      /** The mesh file of a body that reads none, the mass of a meshed one. */
+      void
+      refuse_entries_of_shapes(const BodyParameters &body,
+                               const std::string    &section)
+      {
+        const BodyParameters plain;
+        const bool           reads = body.has_mesh_file();
+        const std::string    of    = "is for 'Shape = ",
+                          ignored  = "' and would be ignored by a " +
+                                    choice_name(body.shape) + ": remove it";
+        for (const auto &[entry, is_set] :
+             {std::make_pair("Mesh file", body.mesh_file != plain.mesh_file),
+              std::make_pair("Physical volume",
+                             body.physical_volume != plain.physical_volume),
+              std::make_pair("Mesh length unit",
+                             body.mesh_length_unit != plain.mesh_length_unit)})
+          if (is_set && !reads)
+            refuse_entry(
+              section, entry, of + "gmsh', 'abaqus' or 'nastran" + ignored);
+        if (body.mass != plain.mass && body.shape != Shape::rigid)
+          refuse_entry(section, "Mass", of + "rigid" + ignored);
+      }
+
+
+
       /** Entries of layers and modulus tables that the body does not use. */
       void
       check_layer_entries(const BodyParameters &body,
@@ -358,6 +383,7 @@ namespace squeal
                      "surroundings");
       check_shape(body, section);
       check_mesh_file_entries(body, section);
+      refuse_entries_of_shapes(body, section);
       check_layer_entries(body, section);
       check_modulus_table(body, section);
       if (body.shape == Shape::rigid)

@@ -166,7 +166,9 @@ namespace squeal
         .add("Normal force",
              c.normal_force,
              Allowed::number(0.),
-             "Resultant of the contact pressure p0 in steady sliding.",
+             "Resultant of the contact pressure p0 in steady sliding, which "
+             "the terms of the slip rate have with 'Contact state = full', "
+             "whatever 'Loads' press; with 'preload' the loads give it.",
              "N")
         .affine();
       schema

@@ -12,6 +12,8 @@
 
 #include <unordered_set>
 
+#include "idle_entries.h"
+
 namespace squeal
 {
   namespace prm
@@ -30,6 +32,15 @@ namespace squeal
                path             = section_of(path))
             sections.insert(path);
         return sections;
+      }
+
+      UsedEntries
+      used_entries(const Schema &schema)
+      {
+        UsedEntries used;
+        for (const Schema::Entry &entry : schema.entries())
+          used.emplace_back(entry.path(), schema.value(entry));
+        return used;
       }
     } // namespace
 
@@ -69,10 +80,7 @@ namespace squeal
       for (const RawEntry &entry : tree.entries)
         schema.set(entry);
       schema.assign();
-      UsedEntries used;
-      for (const Schema::Entry &entry : schema.entries())
-        used.emplace_back(entry.path(), schema.value(entry));
-      return used;
+      return used_entries(schema);
     }
 
 
@@ -97,6 +105,8 @@ namespace squeal
 
       const GenericSchema generic;
       parameters.used = fill_schema(tree, schema, *generic);
+      if (settle_idle_entries(tree, schema, parameters))
+        parameters.used = used_entries(schema);
       return parameters;
     }
   } // namespace prm

@@ -40,6 +40,21 @@ namespace squeal
       return values;
     }
 
+    /** Names of places leave the panel more than half of what the chart may
+     * use. */
+    AxisSettings
+    with_short_names(AxisSettings    settings,
+                     const PixelBox &outer,
+                     const double    font)
+    {
+      const double all = outer.x_max - outer.x_min,
+                   room =
+                     std::min(0.35 * all, 0.5 * all - 5. * text_height(font));
+      for (AxisSettings::Mark &mark : settings.marks)
+        mark.text = shortened(mark.text, room, font);
+      return settings;
+    }
+
     /** Small boxes along a line. */
     void
     block_line(std::vector<PixelBox> &boxes,
@@ -83,7 +98,8 @@ namespace squeal
     : outer(outer)
     , inner(outer)
     , x_axis(chart.x, values_along(chart, true))
-    , y_axis(chart.y, values_along(chart, false))
+    , y_axis(with_short_names(chart.y, outer, font_size),
+             values_along(chart, false))
     , chart(chart)
     , font(font_size)
   {

@@ -225,6 +225,35 @@ namespace squeal
 
 
 
+  std::string
+  shortened(const std::string &text, const double width, const double font_size)
+  {
+    if (text_width(text, font_size) <= width)
+      return text;
+    std::vector<std::string> letters;
+    for (const char c : text)
+      if ((c & 0xc0) == 0x80 && !letters.empty()) // goes on with a letter
+        letters.back() += c;
+      else
+        letters.emplace_back(1, c);
+    std::string       start, end;
+    const std::string ellipsis = "\u2026";
+    for (std::size_t i = 0, j = letters.size(); i < j;)
+      {
+        const bool        at_start = i + j <= letters.size();
+        const std::string longer =
+          at_start ? start + letters[i++] : letters[--j] + end;
+        if (text_width(at_start ? longer + ellipsis + end
+                                : start + ellipsis + longer,
+                       font_size) > width)
+          break;
+        (at_start ? start : end) = longer;
+      }
+    return start + ellipsis + end;
+  }
+
+
+
   double
   text_height(const double font_size)
   {

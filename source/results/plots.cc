@@ -147,13 +147,15 @@ namespace squeal
     ChartSeries         stable = series("stable", Ink::blue, Marker::circle);
     ChartSeries         unstable =
       series("unstable", Ink::vermillion, Marker::triangle);
-    unstable.marker_size = 2.2;
+    ChartSeries open =
+      series("growth open by the mesh", Ink::orange, Marker::diamond, true);
+    unstable.marker_size = open.marker_size = 2.2;
     std::vector<double> sigmas;
     for (const PlottedPair &pair : pairs)
       {
         sigmas.push_back(pair.sigma);
-        if (pair.is_unstable)
-          add(unstable,
+        if (pair.is_open || pair.is_unstable)
+          add(pair.is_open ? open : unstable,
               pair.sigma,
               unit.factor * pair.frequency,
               pair_text(pair));
@@ -168,7 +170,7 @@ namespace squeal
     chart.x.linear_width = inner_decade(sigmas);
     chart.y.label        = unit.label;
     chart.y.lower        = 0.;
-    chart.series         = {stable, unstable};
+    chart.series         = {stable, open, unstable};
     chart.lines          = {{true, 0., "", Ink::black, false}};
     Strip growth;
     growth.lower = 0.;

@@ -142,6 +142,36 @@ namespace
           "without them Margin is what helps");
   }
 
+  /** 1 cm^2 under 2 MPa: 200 N, whatever the pad is said to be pressed with. */
+  void
+  forces_of_loads()
+  {
+    const auto pressed = [](const std::string &force) {
+      std::string text =
+        in_scene("  set Loads = back\n  subsection Load back\n    set Body = "
+                 "pad\n    set Face = z_max\n    set Pressure = 2e6\n  end\n  "
+                 "subsection Contact pad_disc\n    set Contact state = "
+                 "preload\n    set Normal force = " +
+                 force + "\n  end\n");
+      return run(text);
+    };
+    const Outcome other = pressed("1500");
+    check(other.code == 0, "a pressed pad runs: " + other.errors);
+    check(has(other.output,
+              "'Scene/Contact pad_disc/Normal force' = 1500 N has no effect "
+              "with 'Contact state = preload': the loads press the pair with "
+              "200.0 N"),
+          "a force that the loads contradict is named");
+    for (const char *force : {"205", "100"}) // the latter is the default
+      check(!has(pressed(force).output, "Normal force' ="),
+            std::string("not so ") + force + " N");
+    // 8 x 2 x 2 nodes with one ring of 16 held, and 8 nodes with 4 along z
+    check(has(text_of("out/run.json"), "\"disc\": 48") &&
+            has(text_of("out/run.json"), "\"pad\": 16") &&
+            has(text_of("out/run.json"), "\"dofs\": 64"),
+          "run.json has the unknowns of each body");
+  }
+
   void
   turning_bodies()
   {
@@ -168,5 +198,6 @@ main(int argc, char **argv)
   single_points();
   friction_laws();
   responses();
+  forces_of_loads();
   turning_bodies();
 }

@@ -41,6 +41,15 @@ main()
   check(text_width("µµµµ", font) == text_width("oooo", font) &&
           text_width("WWWW", font) > text_width("iiii", font),
         "the width counts letters, not bytes");
+  const std::string longest = "2345 Hz  µ pad_u 12 = pad_l 34";
+  const std::string cut     = shortened(longest, 200., font);
+  check(text_width(cut, font) <= 200. && text_width(cut, font) > 170. &&
+          cut.substr(0, 7) == "2345 Hz" && cut.substr(cut.size() - 2) == "34" &&
+          cut.find("…") != std::string::npos,
+        "a long name keeps its start and its end: " + cut);
+  check(shortened(longest, 1000., font) == longest &&
+          shortened("µµµ", 1., font) == "…",
+        "one that fits stays, and of nothing an ellipsis is left");
 
   std::vector<PointLabel> one = {{600., 400., "5004 Hz  (0,4)+", {}, false}};
   place_labels(one, {}, panel, font);

@@ -4,7 +4,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/run_log.h>
-#include <squeal/results/chart.h>
+#include <squeal/results/chart_layout.h>
 #include <squeal/results/plots.h>
 
 #include <cmath>
@@ -128,6 +128,60 @@ namespace
     check_png("decay", 1400, 900);
   }
 
+  /** Pads that are alike tie in their names, which are as long as all bodies
+   * are many; the bars keep their room. */
+  void
+  test_long_names(const Plotter &plotter)
+  {
+    const std::string name =
+      "lining_u rocks, lining_l rocks, plate_u rocks, plate_l rocks "
+      "(lining_u, lining_l, plate_u, plate_l) number 7";
+    PlottedPair long_name   = pair(2345., 3., name);
+    long_name.energy_shares = {.25, .25, .25, .25};
+    PlottedPair stable      = long_name;
+    stable.is_unstable      = false;
+    check(plot_energy_shares(plotter,
+                             {"lining_u", "lining_l", "plate_u", "plate_l"},
+                             {long_name, stable},
+                             folder + "long"),
+          "bars of long names");
+    check(svg_says("long", "2345 Hz  lining_u") && svg_says("long", "…") &&
+            svg_says("long", "number 7") && !svg_says("long", name),
+          "are cut in their middle");
+    for (const double width : {1400., 700., 300.})
+      {
+        Chart chart;
+        chart.y.lower = 0.;
+        chart.y.upper = 1.;
+        chart.y.label = "pair";
+        chart.y.marks = {{.5, name, true}};
+        const ChartLayout layout(chart, {0., 0., width, 500.}, 14.);
+        check(layout.inner.x_max - layout.inner.x_min > .5 * width,
+              "the panel has more than half of " + std::to_string(width));
+      }
+  }
+
+  /** Of pairs that the mesh leaves open nothing else is said. */
+  void
+  test_open_growth(const Plotter &plotter)
+  {
+    std::vector<PlottedPair> pairs = {pair(913., -2., "decays"),
+                                      pair(2000., 3., "grows")};
+    const auto               drawn = [&]() {
+      return plot_spectrum(plotter, pairs, folder + "open");
+    };
+    check(drawn() && !svg_says("open", "growth open by the mesh"),
+          "nothing is open");
+    for (PlottedPair &p : pairs)
+      p.is_open = true;
+    check(drawn() && svg_says("open", "growth open by the mesh") &&
+            svg_says("open", "913 Hz  decays") &&
+            svg_says("open", "2000 Hz  grows"),
+          "open pairs are named as such");
+    check(!svg_says("open", ">stable<") && !svg_says("open", ">unstable<"),
+          "and neither stable nor unstable");
+  }
+
   /** A lumped scene with frequencies far below those of a brake. */
   void
   test_low_frequencies(const Plotter &plotter)
@@ -227,6 +281,8 @@ main()
   const Plotter      plotter(log, [&](const std::string &) { ++n_announced; });
   check(plotter.is_available(), "gnuplot is there: " + console.str());
   test_charts(plotter);
+  test_long_names(plotter);
+  test_open_growth(plotter);
   test_low_frequencies(plotter);
   test_nothing(plotter);
   test_general_chart(plotter);

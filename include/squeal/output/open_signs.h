@@ -22,6 +22,8 @@ namespace squeal
     std::string text;
     /** The list in that clause. */
     std::string pairs;
+    /** Whether a pair is one of these, in the order of the pairs. */
+    std::vector<bool> is_open;
 
     bool
     any() const

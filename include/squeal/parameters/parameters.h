@@ -63,7 +63,8 @@ namespace squeal
      * for the printed table, run.json and the parameters_used.prm. */
     std::vector<std::pair<std::string, std::string>> used;
 
-    /** One line for each entry that was given by its former name. */
+    /** One line for each entry that was given by its former name, and one that
+     * names entries without effect. */
     std::vector<std::string> notes;
 
     /** Checks that span several entries (names that must exist, faces of a

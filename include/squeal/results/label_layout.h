@@ -22,6 +22,12 @@ namespace squeal
   /** Pixels that @p text takes in the font of charts at @p font_size points. */
   double text_width(const std::string &text, double font_size);
 
+  /** @p text or, where it is wider than @p width pixels, as much of its start
+   * and its end as fits about an ellipsis; never less than the ellipsis. */
+  std::string shortened(const std::string &text,
+                        double             width,
+                        double             font_size);
+
   /** Pixels from one line of text to the next. */
   double text_height(double font_size);
 

@@ -17,7 +17,9 @@ namespace squeal
     double      frequency = 0.; /**< Hz; 0 for a real eigenvalue */
     std::string name;           /**< "(0,3)+", "support 2" */
     bool        is_unstable = false;
-    double      residual    = std::numeric_limits<double>::quiet_NaN();
+    /** Whether the mesh leaves open that it grows, or that it decays. */
+    bool   is_open  = false;
+    double residual = std::numeric_limits<double>::quiet_NaN();
     /** Estimated |d lambda|/|lambda| of the reduction. */
     double error_estimate = std::numeric_limits<double>::quiet_NaN();
     /** Estimated relative frequency error of the mesh. */
@@ -31,7 +33,8 @@ namespace squeal
   // out. @p title stands above the panel.
 
   /** The (sigma, f) plane: sigma on a scale that is logarithmic on both sides
-   * of zero, f in kHz; unstable pairs carry their names. */
+   * of zero, f in kHz; unstable pairs carry their names, and so do those whose
+   * growth is open, which are hollow. */
   bool plot_spectrum(const Plotter                  &plotter,
                      const std::vector<PlottedPair> &pairs,
                      const std::string              &path,

@@ -8,6 +8,7 @@
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/results/chart.h>
 
 #include <algorithm>
@@ -63,8 +64,8 @@ namespace squeal
       const ModeSolution  &modes      = cea.modes;
       const ComplexPairs  &pairs      = cea.solution.pairs;
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
-      context.record.n_dofs           = model.n_unknowns();
-      const LoudestPairs listed       = loudest_pairs(pairs);
+      record_unknowns(model, context.record);
+      const LoudestPairs listed = loudest_pairs(pairs);
       growth.add(
         rounded_text(angle, 5) + " deg",
         open_signs(pairs, quantities.names, cea.errors.lambda),

@@ -14,6 +14,7 @@
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/results/compare.h>
 #include <squeal/results/plots.h>
 
@@ -24,7 +25,9 @@ namespace squeal
   namespace
   {
     std::vector<PlottedPair>
-    plotted_pairs(const ComplexPairs &pairs, const PairQuantities &q)
+    plotted_pairs(const ComplexPairs   &pairs,
+                  const PairQuantities &q,
+                  const OpenSigns      &open)
     {
       std::vector<PlottedPair> result;
       for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -34,6 +37,7 @@ namespace squeal
           pair.frequency            = pairs.frequency(i);
           pair.name                 = q.names[i].text;
           pair.is_unstable          = is_unstable(pairs, i);
+          pair.is_open              = open.is_open[i];
           pair.residual             = pairs.residual[i];
           pair.error_estimate       = pairs.error_estimate[i];
           pair.discretisation_error = q.discretisation_error[i];
@@ -326,7 +330,7 @@ namespace squeal
       context.log.warning(open.text +
                           ": refine the mesh, raise 'Discretization/Degree' or "
                           "let 'Discretization/Refinement' do it");
-    context.record.n_dofs  = model.n_unknowns();
+    record_unknowns(model, context.record);
     context.record.figures = {
       {"unstable pairs", std::to_string(unstable.number)},
       {"which", unstable.number ? unstable.text : "none"},
@@ -367,7 +371,7 @@ namespace squeal
         Timers::Section section(context.timers, "Write: charts");
         draw_charts(context,
                     model,
-                    plotted_pairs(pairs, quantities),
+                    plotted_pairs(pairs, quantities, open),
                     solution.history,
                     report);
       }

@@ -5,6 +5,7 @@
 #include <squeal/base/worst_of.h>
 #include <squeal/eigen/modal_response.h>
 #include <squeal/model/cea_solution.h>
+#include <squeal/output/record_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,8 +166,10 @@ namespace squeal
       solve_cea(model, modes, context.log, context.timers);
 
     StateResponse result;
-    result.state            = state;
-    result.n_unknowns       = model.n_unknowns();
+    result.state      = state;
+    result.n_unknowns = model.n_unknowns();
+    if (context.record.n_dofs == 0)
+      record_unknowns(model, context.record);
     result.has_loss_factors = modes.pencil->has_structural_damping();
     result.names = pair_quantities(model, modes, solution.pairs).names;
     const MeasuredPoints points(model);

@@ -243,7 +243,6 @@ namespace squeal
         n_modes = std::max(n_modes, state.pairs.size());
         state_list += (state_list.empty() ? "" : ", ") + state.state;
       }
-    context.record.n_dofs  = states.front().n_unknowns;
     context.record.figures = {
       {"contact states", state_list},
       {"responses",

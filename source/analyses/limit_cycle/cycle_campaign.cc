@@ -11,6 +11,7 @@
 #include <squeal/base/stop_request.h>
 #include <squeal/model/pressed_scene.h>
 #include <squeal/model/reduced_motions.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/column_title.h>
 #include <squeal/results/html_report.h>
@@ -57,7 +58,7 @@ namespace squeal
         : context(c)
         , scene(p, c.timers)
       {
-        context.record.n_dofs = scene.model.n_unknowns();
+        record_unknowns(scene.model, context.record);
       }
 
       /** Tables of a point without the values of its axes. */

@@ -14,6 +14,7 @@
 #include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
+#include <squeal/output/record_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,7 +207,7 @@ namespace squeal
                                 .steady(p.preload.tolerance, context.timers);
     const PressedModel  &pressed = about.pressed;
     const SteadySliding &steady  = about.sliding;
-    context.record.n_dofs        = model.n_unknowns();
+    record_unknowns(model, context.record);
     LinearizedMotion linear;
     {
       Timers::Section section(context.timers, "Solve: linearised motion");

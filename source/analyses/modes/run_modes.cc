@@ -7,6 +7,7 @@
 #include <squeal/model/doublets.h>
 #include <squeal/output/headline_error.h>
 #include <squeal/output/moving_pictures.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/results/plots.h>
 
 #include <sstream>
@@ -50,7 +51,7 @@ namespace squeal
     context.log.info(text.str());
     const std::string error =
       headline_error({error_of_column("mesh", table, "error_estimate_rel")});
-    context.record.n_dofs  = model.n_unknowns();
+    record_unknowns(model, context.record);
     context.record.figures = {
       {"modes in the band", std::to_string(table.n_rows())},
       {"largest error of a frequency, relative", error},

@@ -11,6 +11,7 @@
 #include <squeal/output/headline_error.h>
 #include <squeal/output/loudest_pairs.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/output/record_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +135,7 @@ namespace squeal
                            model.parameters().eigen,
                            text_of(c) + ": ",
                            context.log);
-      context.record.n_dofs = model.n_unknowns();
+      record_unknowns(model, context.record);
       const PairErrors errors =
         model.parameters().discretization.estimate_error
           ? loudest_pair_errors(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/preload/preload_tables.h>
 #include <squeal/contact/contact_resultant.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/contact/pressure_moments.h>
 #include <squeal/contact/summed_pairs.h>
 #include <squeal/output/contact_output.h>
@@ -262,7 +263,7 @@ namespace squeal
     for (const auto &contact : contacts)
       {
         const nlohmann::ordered_json pair = {
-          {"friction_coefficient", contact.friction_coefficient},
+          {"friction_coefficient", signed_coefficient(contact, 1.)},
           {"sliding_speed_m_per_s", contact.sliding_speed}};
         if (names.empty())
           json.update(pair);

@@ -11,6 +11,7 @@
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/contact_output.h>
 #include <squeal/output/open_scene_output.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 
@@ -381,7 +382,7 @@ namespace squeal
 
     const bool is_at_rest = pressed.speed() == 0.;
     log_steps(context, steps, is_at_rest);
-    context.record.n_dofs  = model.n_unknowns();
+    record_unknowns(model, context.record);
     context.record.figures = full_load_figures(
       steps, pressed, full.sliding, p.scene, model.n_unknowns());
 

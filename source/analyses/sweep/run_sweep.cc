@@ -7,6 +7,7 @@
 #include <squeal/output/headline_error.h>
 #include <squeal/output/headlines.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/sweep/sweep_grid.h>
 
 #include <algorithm>
@@ -374,9 +375,9 @@ namespace squeal
         warn_of_doubtful_branches(model, solution, context);
         warn_of_doubtful_ranges(model, solution, context);
         add(model, solution, totals);
-        has_shapes            = model.model().namer().n_coordinates() > 0;
-        context.record.n_dofs = std::max<std::size_t>(
-          context.record.n_dofs, model.model().n_unknowns());
+        has_shapes = model.model().namer().n_coordinates() > 0;
+        if (model.model().n_unknowns() > context.record.n_dofs)
+          record_unknowns(model.model(), context.record);
         std::vector<ChartGroup> charts;
         SweepTables own = tables_of(model, solution, charts, context);
         if (p.output.plots)

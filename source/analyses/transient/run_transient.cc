@@ -12,6 +12,7 @@
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/output/open_scene_output.h>
+#include <squeal/output/record_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -414,7 +415,7 @@ namespace squeal
                     p.transient.interface_cut_off),
       p,
       context.timers);
-    context.record.n_dofs = model.n_unknowns();
+    record_unknowns(model, context.record);
     context.log.key_values(
       {{"modes up to the cut-off",
         std::to_string(prepared.pressed.model().n_modes())},

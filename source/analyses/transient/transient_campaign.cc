@@ -10,6 +10,7 @@
 #include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_scene.h>
 #include <squeal/output/headlines.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/column_title.h>
@@ -38,7 +39,7 @@ namespace squeal
         : context(c)
         , scene(p, c.timers)
       {
-        context.record.n_dofs = scene.model.n_unknowns();
+        record_unknowns(scene.model, context.record);
       }
 
       struct Outcome

@@ -11,6 +11,7 @@
 #include <squeal/model/pressed_scene.h>
 #include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/campaign_file.h>
@@ -67,7 +68,7 @@ namespace squeal
         , forces(
             scene.pressed.forces(MeasuredPoints(scene.model).vectors(places)))
       {
-        context.record.n_dofs = scene.model.n_unknowns();
+        record_unknowns(scene.model, context.record);
         warn_of_frozen_rotors(scene.model, context.log);
       }
 

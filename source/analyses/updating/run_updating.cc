@@ -2,6 +2,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/analyses/updating/updating_model.h>
 #include <squeal/base/files.h>
+#include <squeal/output/record_unknowns.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/parameters/text.h>
@@ -314,14 +315,14 @@ namespace squeal
       n_unknown += !n.is_identified;
     const std::string before = rounded_text(rms_percent(model, fit.first), 4),
                       after  = rounded_text(rms_percent(model, fit.best), 4);
-    context.record.n_dofs    = model.model().n_unknowns();
-    context.record.figures   = {
-        {"rms error before", before + " %"},
-        {"rms error after", after + " %; mesh error not estimated"},
-        {"evaluations", std::to_string(fit.history.size())},
-        {"ended", fit.ended},
-        {"numbers that the data do not identify", std::to_string(n_unknown)},
-        {"unknowns", std::to_string(model.model().n_unknowns())}};
+    record_unknowns(model.model(), context.record);
+    context.record.figures = {
+      {"rms error before", before + " %"},
+      {"rms error after", after + " %; mesh error not estimated"},
+      {"evaluations", std::to_string(fit.history.size())},
+      {"ended", fit.ended},
+      {"numbers that the data do not identify", std::to_string(n_unknown)},
+      {"unknowns", std::to_string(model.model().n_unknowns())}};
 
     HtmlReport report("Updating of " + p.scene.name,
                       "numbers of the scene fitted to measured frequencies");
