@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/results/open_growth.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@ namespace squeal
 {
   namespace
   {
-    /** Of |lambda|; an error below it is rounding. */
-    constexpr double rounding_of_rates = 1e-8;
     /** So many pairs are named. */
     constexpr std::size_t most_named = 3;
   } // namespace
@@ -33,9 +32,8 @@ namespace squeal
         if (pairs.is_missing(i, "sigma_error_mesh_per_s"))
           continue;
         const double sigma = pairs.real(i, "sigma_per_s"),
-                     error = std::abs(pairs.real(i, "sigma_error_mesh_per_s")),
-                     size  = 2. * M_PI * pairs.real(i, "frequency_hz");
-        if (!(error > rounding_of_rates * size) || error < std::abs(sigma))
+                     error = std::abs(pairs.real(i, "sigma_error_mesh_per_s"));
+        if (!is_growth_open(sigma, error, pairs.real(i, "frequency_hz")))
           continue;
         open.push_back({i, sigma, error});
         ++(sigma > 0. ? result.n_growing : result.n_decaying);
