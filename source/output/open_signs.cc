@@ -100,9 +100,12 @@ namespace squeal
   GrowthOfMany::add(const std::string &where,
                     const OpenSigns   &open,
                     const unsigned int n_unstable,
-                    const bool         is_estimated)
+                    const bool         is_estimated,
+                    const std::string &outside)
   {
     ++n_places;
+    if (!outside.empty() && n_outside++ == 0)
+      first_outside = where + ": " + outside;
     n_decided += n_unstable > open.n_growing;
     n_unstable_places += n_unstable > 0;
     all_estimated = all_estimated && is_estimated;
@@ -113,19 +116,31 @@ namespace squeal
   }
 
   std::string
+  GrowthOfMany::at(const unsigned int n) const
+  {
+    return preposition + " " + std::to_string(n) + " of " +
+           std::to_string(n_places) + " " + noun + " ";
+  }
+
+  std::string
   GrowthOfMany::left_open() const
   {
     if (n_open == 0)
       return "";
-    return preposition + " " + std::to_string(n_open) + " of " +
-           std::to_string(n_places) + " " + noun +
-           " the mesh leaves open whether a pair grows (" + first_open + ")";
+    return at(n_open) + "the mesh leaves open whether a pair grows (" +
+           first_open + ")";
   }
 
   std::string
   GrowthOfMany::reservations() const
   {
-    std::string text = n_open == 0 ? "" : "; " + left_open();
+    std::string text;
+    if (n_outside > 0)
+      text += "; " + at(n_outside) +
+              "something grows that is not in the tables (" + first_outside +
+              ")";
+    if (n_open > 0)
+      text += "; " + left_open();
     if (n_unstable_places == 0 && !all_estimated)
       text += std::string("; ") + growth_error_unknown;
     if (!is_complete)
@@ -136,7 +151,7 @@ namespace squeal
   HtmlReport::Verdict
   GrowthOfMany::verdict() const
   {
-    if (n_decided > 0)
+    if (n_decided > 0 || n_outside > 0)
       return HtmlReport::Verdict::bad;
     return n_open > 0 || !all_estimated || !is_complete
              ? HtmlReport::Verdict::neutral
