@@ -289,7 +289,10 @@ namespace squeal
           warn_of_free_motions(model, result.modes, log);
         result.solution = solve_cea(model, result.modes, log, timers);
         if (result.solution.pairs.size() == 0)
-          refuse_empty_band(model.parameters(), result.modes);
+          {
+            warn_of_growth_left_out(result.solution, "", log);
+            refuse_empty_band(model.parameters(), result.modes);
+          }
         const ComplexPairs &pairs = result.solution.pairs;
         if (p.estimate_error || is_adaptive(p))
           {

@@ -105,9 +105,6 @@ namespace squeal
       solution.history         = solver.history();
       solution.basis_size      = solver.basis().size();
       solution.growth_left_out = solver.growth_left_out();
-      if (const std::string text = text_of_growth_left_out(solution);
-          !text.empty())
-        log.warning(text);
       return solution;
     }
 
@@ -301,14 +298,47 @@ namespace squeal
 
 
 
-  void
-  warn_of_growth_below(const CeaSolution     &solution,
-                       const EigenParameters &p,
-                       const std::string     &where,
-                       RunLog                &log)
+  namespace
   {
-    if (solution.lowest_frequency > 0. && solution.growth_below.real() > 0.)
+    bool
+    grows_below(const CeaSolution &solution)
+    {
+      return solution.lowest_frequency > 0. &&
+             solution.growth_below.real() > 0.;
+    }
+  } // namespace
+
+  std::string
+  text_of_growth_outside(const CeaSolution &solution, const EigenParameters &p)
+  {
+    const std::string below    = grows_below(solution)
+                                   ? text_below_band(solution, p)
+                                   : "",
+                      left_out = text_of_growth_left_out(solution);
+    return below + (below.empty() || left_out.empty() ? "" : "; ") + left_out;
+  }
+
+
+
+  void
+  warn_of_growth_left_out(const CeaSolution &solution,
+                          const std::string &where,
+                          RunLog            &log)
+  {
+    if (const std::string text = text_of_growth_left_out(solution);
+        !text.empty())
+      log.warning(where + text);
+  }
+
+  void
+  warn_of_growth_outside(const CeaSolution     &solution,
+                         const EigenParameters &p,
+                         const std::string     &where,
+                         RunLog                &log)
+  {
+    if (grows_below(solution))
       log.warning(where + text_below_band(solution, p));
+    warn_of_growth_left_out(solution, where, log);
   }
 
 

@@ -33,7 +33,10 @@ namespace squeal
         found = solve_cea(own_model, modes, log, timers, &solver);
       }
     if (found.pairs.size() == 0)
-      refuse_empty_band(parameters, shared_pencil ? earlier->modes : modes);
+      {
+        warn_of_growth_left_out(found, "", log);
+        refuse_empty_band(parameters, shared_pencil ? earlier->modes : modes);
+      }
   }
 
   std::unique_ptr<const Pencil>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
 #include <squeal/output/open_signs.h>
+#include <squeal/results/open_growth.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@ namespace squeal
 {
   namespace
   {
-    /** Of |lambda|; an error below it is rounding. */
-    constexpr double rounding_of_rates = 1e-8;
     /** So many pairs are named. */
     constexpr std::size_t most_named = 3;
   } // namespace
@@ -34,9 +33,8 @@ namespace squeal
         if (pairs.is_missing(i, "sigma_error_mesh_per_s"))
           continue;
         const double sigma = pairs.real(i, "sigma_per_s"),
-                     error = std::abs(pairs.real(i, "sigma_error_mesh_per_s")),
-                     size  = 2. * M_PI * pairs.real(i, "frequency_hz");
-        if (!(error > rounding_of_rates * size) || error < std::abs(sigma))
+                     error = std::abs(pairs.real(i, "sigma_error_mesh_per_s"));
+        if (!is_growth_open(sigma, error, pairs.real(i, "frequency_hz")))
           continue;
         open.push_back({i, sigma, error});
         result.is_open[i] = true;
@@ -104,9 +102,12 @@ namespace squeal
   GrowthOfMany::add(const std::string &where,
                     const OpenSigns   &open,
                     const unsigned int n_unstable,
-                    const bool         is_estimated)
+                    const bool         is_estimated,
+                    const std::string &outside)
   {
     ++n_places;
+    if (!outside.empty() && n_outside++ == 0)
+      first_outside = where + ": " + outside;
     n_decided += n_unstable > open.n_growing;
     n_unstable_places += n_unstable > 0;
     all_estimated = all_estimated && is_estimated;
@@ -117,19 +118,31 @@ namespace squeal
   }
 
   std::string
+  GrowthOfMany::at(const unsigned int n) const
+  {
+    return preposition + " " + std::to_string(n) + " of " +
+           std::to_string(n_places) + " " + noun + " ";
+  }
+
+  std::string
   GrowthOfMany::left_open() const
   {
     if (n_open == 0)
       return "";
-    return preposition + " " + std::to_string(n_open) + " of " +
-           std::to_string(n_places) + " " + noun +
-           " the mesh leaves open whether a pair grows (" + first_open + ")";
+    return at(n_open) + "the mesh leaves open whether a pair grows (" +
+           first_open + ")";
   }
 
   std::string
   GrowthOfMany::reservations() const
   {
-    std::string text = n_open == 0 ? "" : "; " + left_open();
+    std::string text;
+    if (n_outside > 0)
+      text += "; " + at(n_outside) +
+              "something grows that is not in the tables (" + first_outside +
+              ")";
+    if (n_open > 0)
+      text += "; " + left_open();
     if (n_unstable_places == 0 && !all_estimated)
       text += std::string("; ") + growth_error_unknown;
     if (!is_complete)
@@ -140,7 +153,7 @@ namespace squeal
   HtmlReport::Verdict
   GrowthOfMany::verdict() const
   {
-    if (n_decided > 0)
+    if (n_decided > 0 || n_outside > 0)
       return HtmlReport::Verdict::bad;
     return n_open > 0 || !all_estimated || !is_complete
              ? HtmlReport::Verdict::neutral

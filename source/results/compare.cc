@@ -2,6 +2,7 @@
 #include <squeal/base/assignment.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/results/compare.h>
+#include <squeal/results/open_growth.h>
 #include <squeal/results/run_record.h>
 
 #include <algorithm>
@@ -62,6 +63,24 @@ namespace squeal
              std::all_of(b.begin(), b.end(), fits);
     }
 
+    /** Of the row @p r of eigenvalues.csv. */
+    ComparedPair::Growth
+    growth_of(const ComparedPair &pair, const Table &table, const std::size_t r)
+    {
+      const auto value_or = [&](const char *column, const double otherwise) {
+        return table.has_column(column) && !table.is_missing(r, column)
+                 ? table.real(r, column)
+                 : otherwise;
+      };
+      if (is_growth_open(
+            pair.sigma, value_or("sigma_error_mesh_per_s", 0.), pair.frequency))
+        return ComparedPair::Growth::open;
+      const double error = std::max(1e-10, value_or("error_estimate_rel", 0.));
+      return pair.sigma > error * std::abs(eigenvalue(pair))
+               ? ComparedPair::Growth::unstable
+               : ComparedPair::Growth::stable;
+    }
+
     Run
     read_run(const std::string &directory, const bool with_sigma)
     {
@@ -98,15 +117,8 @@ namespace squeal
           if (!std::isfinite(pair.frequency) || !std::isfinite(pair.sigma))
             throw InputError(path + ": row " + std::to_string(r + 1) +
                              " has no eigenvalue");
-          double error = 1e-10;
-          if (table.has_column("error_estimate_rel") &&
-              !table.is_missing(r, "error_estimate_rel"))
-            error = std::max(error, table.real(r, "error_estimate_rel"));
-          pair.is_unstable = pair.sigma > error * std::abs(eigenvalue(pair));
-          const std::string by_mesh = "sigma_error_mesh_per_s";
-          pair.is_open              = table.has_column(by_mesh) &&
-                         !table.is_missing(r, by_mesh) &&
-                         std::abs(pair.sigma) < table.real(r, by_mesh);
+          if (with_sigma)
+            pair.growth = growth_of(pair, table, r);
           const long point =
             table.has_column("point") ? table.integer(r, "point") : 0;
           run.points[point].push_back(pair);
@@ -200,6 +212,43 @@ namespace squeal
       return table;
     }
 
+    /** What became of the growth of a pair from A to B, one of which may be
+     * null, for the column note; it is entered in the lists of @p result. */
+    std::string
+    change_of_growth(RunComparison      &result,
+                     const ComparedPair *a,
+                     const ComparedPair *b,
+                     const std::string  &at_point)
+    {
+      using Growth     = ComparedPair::Growth;
+      const Growth was = a != nullptr ? a->growth : Growth::stable,
+                   is  = b != nullptr ? b->growth : Growth::stable;
+      const auto label = [&](const ComparedPair &pair) {
+        return rounded_text(pair.frequency, 6) + " Hz " + pair.name + at_point;
+      };
+      if (is == Growth::open || (b == nullptr && was == Growth::open))
+        {
+          result.open_growth.push_back(label(b != nullptr ? *b : *a));
+          return "growth open by the mesh";
+        }
+      if (is == Growth::unstable && was == Growth::unstable)
+        return "unstable";
+      if (is == Growth::unstable)
+        {
+          const bool was_open = was == Growth::open;
+          result.new_instabilities.push_back(
+            label(*b) + (was_open ? ", open by the mesh in A" : ""));
+          return std::string("NEW INSTABILITY") +
+                 (was_open ? "; open by the mesh in A" : "");
+        }
+      if (was == Growth::unstable)
+        {
+          result.vanished_instabilities.push_back(label(*a));
+          return "instability gone";
+        }
+      return was == Growth::open ? "growth decided: stable in B" : "";
+    }
+
     /** Adds a row; one of @p a and @p b may be null. */
     void
     add_comparison(RunComparison      &result,
@@ -239,8 +288,6 @@ namespace squeal
           set("mac", modal_assurance(a->signature, b->signature));
         }
 
-      const bool  was = a != nullptr && a->is_unstable;
-      const bool  is  = b != nullptr && b->is_unstable;
       std::string note;
       if (a == nullptr)
         note = "only in B";
@@ -248,32 +295,12 @@ namespace squeal
         note = "only in A";
       else if (a->name != b->name)
         note = "in B: " + b->name;
-      const auto add_note = [&](const std::string &text) {
-        note += (note.empty() ? "" : "; ") + text;
-      };
-      const ComparedPair &named = is ? *b : (a != nullptr ? *a : *b);
-      const std::string   label =
-        rounded_text(named.frequency, 6) + " Hz " + named.name +
-        (table.has_column("point") ? " at point " + std::to_string(point) : "");
-      const bool is_open =
-        (a != nullptr && a->is_open) || (b != nullptr && b->is_open);
-      if ((is || was) && is_open)
-        {
-          add_note("growth open by the mesh");
-          result.open_growth.push_back(label);
-        }
-      else if (is && !was)
-        {
-          add_note("NEW INSTABILITY");
-          result.new_instabilities.push_back(label);
-        }
-      else if (was && !is)
-        {
-          add_note("instability gone");
-          result.vanished_instabilities.push_back(label);
-        }
-      else if (was)
-        add_note("unstable");
+      const std::string growth = change_of_growth(
+        result,
+        a,
+        b,
+        table.has_column("point") ? " at point " + std::to_string(point) : "");
+      note += (note.empty() || growth.empty() ? "" : "; ") + growth;
       set("note", note);
     }
 

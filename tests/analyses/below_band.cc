@@ -3,7 +3,8 @@
 // What grows below the lowest frequency of the band is named: friction strong
 // enough makes a mass on a belt diverge, which has no frequency. Sweeps say
 // that they see the band only. What grows much faster than the band vibrates is
-// found, or named where the basis does not certify it. Argument: the program.
+// found, or named where the basis does not certify it. An operating matrix
+// names the condition of both and is not good. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -202,6 +203,42 @@ end
     check(growth_rates().size() == 1, "and is not in the table");
     check(has(text_of("wedge/report.html"), named), "the report names it, too");
   }
+
+  /** A verdict of many conditions counts what grows beside the pairs, and names
+   * the first condition where something does. */
+  void
+  growth_of_conditions()
+  {
+    const auto matrix_of = [](const std::string &prm, const bool is_in_both) {
+      write_text("matrix.prm",
+                 "include " + prm +
+                   "\nset Analysis = operating matrix\nset Output directory = "
+                   "matrix\nsubsection Eigenvalues\n set Compare with direct = "
+                   "false\nend\nsubsection Operating matrix\n set Both "
+                   "directions = true\nend\n");
+      const Outcome o = run_program({program, "matrix.prm"});
+      check(o.code == 0, "the operating matrix runs: " + o.errors);
+      const std::string report = text_of("matrix/report.html");
+      check(has(report, "verdict bad") &&
+              has(report,
+                  std::string("under ") + (is_in_both ? "2" : "1") +
+                    " of 2 conditions something grows that is not in the "
+                    "tables (forward: "),
+            "growth beside the pairs is in the verdict");
+      check(has(o.output, "warning: forward: ") &&
+              has(o.output, "warning: backward: ") == is_in_both,
+            "and warnings name their conditions");
+      return unbroken(report);
+    };
+    run("cea", "3", "0.1");
+    check(
+      has(matrix_of("mass.prm", false), "(forward: divergence: a motion grows"),
+      "a mass that diverges below the band forwards alone");
+    wedged("1000", "4");
+    check(
+      has(matrix_of("wedge.prm", true), "faster than the band vibrates"),
+      "a block that wedges in both directions, stable backwards by its table");
+  }
 } // namespace
 
 int
@@ -251,4 +288,5 @@ main(int argc, char **argv)
         "a sweep says that it sees the band only");
   check(has(text_of("out/run.json"), unseen), "in run.json, too");
   fast_growth();
+  growth_of_conditions();
 }

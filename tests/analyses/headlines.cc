@@ -113,6 +113,16 @@ namespace
     growth.add("30 deg", growing, 2, true);
     check(growth.verdict() == Verdict::bad, "one grows for certain");
 
+    GrowthOfMany outside("under", "conditions", true);
+    outside.add("forward", {}, 0, true);
+    outside.add("backward", {}, 0, true, "a motion grows");
+    outside.add("faster", {}, 0, true, "another one grows");
+    check(outside.verdict() == Verdict::bad &&
+            outside.reservations() ==
+              "; under 2 of 3 conditions something grows that is not in the "
+              "tables (backward: a motion grows)",
+          "what grows beside the pairs counts: " + outside.reservations());
+
     GrowthOfMany unknown("under", "conditions", true);
     unknown.add("forward", {}, 0, false);
     check(unknown.verdict() == Verdict::neutral &&

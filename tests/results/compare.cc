@@ -204,6 +204,71 @@ namespace
             out.str());
   }
 
+  /** Each side is judged by itself: stable, open and unstable in A against the
+   * same in B, in one table of nine pairs. */
+  void
+  test_changes_of_growth()
+  {
+    const struct
+    {
+      double      sigma, error;
+      std::string in_a;
+    } sides[] = {
+      {-400., 2., "stable"}, {-1., -2., "open"}, {500., 2., "grows"}};
+    const std::string notes[3][3] = {
+      {"", "growth open by the mesh", "NEW INSTABILITY"},
+      {"growth decided: stable in B",
+       "growth open by the mesh",
+       "NEW INSTABILITY; open by the mesh in A"},
+      {"instability gone", "growth open by the mesh", "unstable"}};
+    for (const double sign : {1., -1.}) // of what is open
+      {
+        std::vector<Mode> a, b;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            {
+              const std::string name = "x " + std::to_string(a.size());
+              const auto        mode = [&](const int k) {
+                return Mode{1000. * (a.size() + 1.),
+                            (k == 1 ? sign : 1.) * sides[k].sigma,
+                            name,
+                            0,
+                            sides[k].error};
+              };
+              const Mode in_a = mode(i), in_b = mode(j);
+              a.push_back(in_a);
+              b.push_back(in_b);
+            }
+        write_run("nine_a", a, 0., "0.3");
+        write_run("nine_b", b, 0., "0.3");
+        std::ostringstream out;
+        const auto         result =
+          compare_runs(folder + "nine_a", folder + "nine_b", out);
+        for (int k = 0; k < 9; ++k)
+          {
+            const int row = row_of(result.table, k + 1);
+            check(result.table.text(row, "note") == notes[k / 3][k % 3],
+                  sides[k / 3].in_a + " in A, " + sides[k % 3].in_a +
+                    " in B: " + result.table.text(row, "note"));
+          }
+        check(
+          result.new_instabilities ==
+              std::vector<std::string>(
+                {"3000.00 Hz x 2", "6000.00 Hz x 5, open by the mesh in A"}) &&
+            result.vanished_instabilities ==
+              std::vector<std::string>({"7000.00 Hz x 6"}) &&
+            result.open_growth ==
+              std::vector<std::string>(
+                {"2000.00 Hz x 1", "5000.00 Hz x 4", "8000.00 Hz x 7"}),
+          "the lists say the same: " + out.str());
+      }
+    write_run("rounding_a", {{1000., 1e-9, "x 1", 0, 3e-9}}, 0., "0.3");
+    std::ostringstream out;
+    check(compare_runs(folder + "rounding_a", folder + "rounding_a", out)
+            .open_growth.empty(),
+          "rounding of undamped pairs is no error");
+  }
+
   /** Who writes a signature.csv, and in which order of the bodies. */
   enum class Samples
   {
@@ -504,6 +569,7 @@ main()
   test_assurance();
   test_by_shape();
   test_open_growth();
+  test_changes_of_growth();
   test_order_of_bodies();
   test_by_name();
   test_modes_only();

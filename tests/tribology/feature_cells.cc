@@ -139,6 +139,22 @@ namespace
           "points beside the middle are points");
   }
 
+  /** One row in the middle of the face is as large as the face. */
+  void
+  one_cell()
+  {
+    write_cells(1, 1.);
+    const auto lines =
+      warnings_of_coarse_features(read_pads(parameters()), parameters());
+    check(lines.size() == 1 &&
+            lines[0].find("are 4.0 times as long") != std::string::npos,
+          "one cell is told: " + (lines.empty() ? "" : lines[0]));
+    std::ofstream("features.csv") << "x_m,y_m,feature\n0,0.001,1\n";
+    check(warnings_of_coarse_features(read_pads(parameters()), parameters())
+            .empty(),
+          "a point beside the middle is a point");
+  }
+
   /** Rows that are no lattice, and rows at nodes. */
   void
   points()
@@ -169,5 +185,6 @@ main()
   cells_beside_nodes();
   coarse_cells();
   cells_in_one_column();
+  one_cell();
   points();
 }

@@ -97,8 +97,10 @@ namespace
   void
   check_size_in_metadata()
   {
-    for (const bool is_jeol : {true, false})
+    for (const char *maker : {"JEOL", "FEI", "Zeiss"})
       {
+        const bool is_jeol        = std::string(maker) == "JEOL",
+                   is_fei         = std::string(maker) == "FEI";
         const std::string name    = is_jeol ? "sized.png" : "sized.tif";
         const auto        read_of = [&](const cv::Size &size) {
           const cv::Mat values(size, CV_8U, cv::Scalar(90));
@@ -108,14 +110,19 @@ namespace
           if (is_jeol)
             write_png(name, values);
           else
-            write_text(name,
-                       tiff_file({{values,
-                                   1,
-                                   0,
-                                   34682,
-                                   "[Image]\r\nResolutionX=640\r\n"
+            write_text(
+              name,
+              tiff_file({{values,
+                          1,
+                          0,
+                          is_fei ? 34682u : 34118u,
+                          is_fei ? "[Image]\r\nResolutionX=640\r\n"
                                           "ResolutionY=480\r\n[Scan]\r\n"
-                                          "PixelWidth=1e-6\r\n"}}));
+                                          "PixelWidth=1e-6\r\n"
+                                        : "AP_IMAGE_PIXEL_SIZE\r\n"
+                                          "Image Pixel Size = 1 um\r\n"
+                                          "DP_IMAGE_STORE\r\n"
+                                          "Store resolution = 640 * 480\r\n"}}));
           return read_micrograph(name, 0.);
         };
         for (const cv::Size &size :
@@ -149,6 +156,29 @@ namespace
                     "unless its pixel size is given");
       }
   }
+
+  /** Where metadata state no size, that is noted. */
+  void
+  check_note_of_no_size()
+  {
+    const auto n_notes = [](const std::string &size) {
+      write_text("unsized.tif",
+                 tiff_file({{cv::Mat(480, 640, CV_8U, cv::Scalar(90)),
+                             1,
+                             0,
+                             34118u,
+                             "Image Pixel Size = 1 um\r\n" + size}}));
+      const Micrograph m = read_micrograph("unsized.tif", 0.);
+      check_close(m.pixel_size, 1., 1e-12, "the size of its pixels is taken");
+      unsigned int n = 0;
+      for (const std::string &note : m.notes)
+        n += note.find("do not state how many pixels") != std::string::npos;
+      return n;
+    };
+    check(n_notes("") == 1 && n_notes("Store resolution = high\r\n") == 1 &&
+            n_notes("Store resolution = 640 * 480\r\n") == 0,
+          "the log tells where nothing tells copies");
+  }
 } // namespace
 
 
@@ -159,5 +189,6 @@ main()
   check_scale_bars();
   check_labelled_scale_bars();
   check_size_in_metadata();
+  check_note_of_no_size();
   return 0;
 }

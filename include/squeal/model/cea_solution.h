@@ -40,15 +40,26 @@ namespace squeal
   std::string text_below_band(const CeaSolution     &solution,
                               const EigenParameters &parameters);
 
-  /** Warns where one of them grows; the text follows @p where. */
-  void warn_of_growth_below(const CeaSolution     &solution,
-                            const EigenParameters &parameters,
-                            const std::string     &where,
-                            RunLog                &log);
-
   /** That motions grow so fast that the basis does not certify them, and are
    * left out; empty where there are none. */
   std::string text_of_growth_left_out(const CeaSolution &solution);
+
+  /** Clauses of both kinds of growth that the tables do not have, below the
+   * band and left out, "; " between them; empty where nothing grows there. A
+   * verdict that nothing grows does not hold beside them. */
+  std::string text_of_growth_outside(const CeaSolution     &solution,
+                                     const EigenParameters &parameters);
+
+  /** Warns of the growth that is left out; the text follows @p where. */
+  void warn_of_growth_left_out(const CeaSolution &solution,
+                               const std::string &where,
+                               RunLog            &log);
+
+  /** Warns of both kinds; the text follows @p where. */
+  void warn_of_growth_outside(const CeaSolution     &solution,
+                              const EigenParameters &parameters,
+                              const std::string     &where,
+                              RunLog                &log);
 
   /** That nobody has looked, for analyses that see the band alone; empty where
    * it starts at 0. */

@@ -76,29 +76,37 @@ namespace squeal
     }
 
     /** @p is_estimated: the errors of growth rates by the mesh are known, or
-     * there is no mesh. */
+     * there is no mesh. @p outside tells what grows there beside the pairs,
+     * text_of_growth_outside(); nothing where nothing does. */
     void add(const std::string &where,
              const OpenSigns   &open,
              const unsigned int n_unstable,
-             const bool         is_estimated);
+             const bool         is_estimated,
+             const std::string &outside = "");
 
     /** At how many of the places growth is left open, with the pairs of the
      * first; nothing where it is at none. */
     std::string left_open() const;
 
-    /** Clauses that a verdict is to be read with, each behind "; ": what is
-     * left open, not estimated, or may be missing. */
+    /** Clauses that a verdict is to be read with, each behind "; ": what
+     * grows beside the pairs, is left open, not estimated, or may be missing.
+     */
     std::string reservations() const;
 
-    /** Bad where a pair grows whatever its error, good where none may. */
+    /** Bad where a pair grows whatever its error or something beside the pairs
+     * grows, good where nothing may. */
     HtmlReport::Verdict verdict() const;
 
   private:
     std::string  preposition, noun;
     bool         is_complete;
     bool         all_estimated = true;
-    unsigned int n_places = 0, n_open = 0, n_decided = 0, n_unstable_places = 0;
-    std::string  first_open;
+    unsigned int n_places = 0, n_open = 0, n_decided = 0, n_unstable_places = 0,
+                 n_outside = 0;
+    std::string first_open, first_outside;
+
+    /** "at 2 of 3 angles ". */
+    std::string at(const unsigned int n) const;
   };
 } // namespace squeal
 

@@ -15,13 +15,19 @@ namespace squeal
   /** One eigenpair of a run as the comparison sees it. */
   struct ComparedPair
   {
+    enum class Growth
+    {
+      stable,
+      open, /**< is_growth_open() */
+      unstable
+    };
+
     long long   index     = 0;
     double      frequency = 0.; /**< Hz */
     double      sigma     = 0.; /**< 1/s */
     std::string name;
-    bool        is_unstable = false;
-    bool        is_open = false; /**< |sigma| within its error by the mesh */
-    Signature   signature;       /**< may be empty; of both runs in one order */
+    Growth      growth = Growth::stable;
+    Signature   signature; /**< may be empty; of both runs in one order */
   };
 
   /**
@@ -41,8 +47,8 @@ namespace squeal
     Table                    table; /**< matched pairs, then those alone */
     std::vector<std::string> new_instabilities;
     std::vector<std::string> vanished_instabilities;
-    /** Pairs that grow in one run at least, where the mesh leaves the sign of
-     * sigma open in one at least: neither new nor vanished. */
+    /** Pairs of which the mesh leaves open whether they grow in B, or in A
+     * where B has none: neither new nor vanished. */
     std::vector<std::string> open_growth;
     bool                     by_shape = false; /**< matched by MAC */
     /** Why the signatures of both runs are not used, else empty. */
@@ -55,8 +61,11 @@ namespace squeal
    * of equal `point`, by their shapes whatever the order of the bodies, and
    * prints the table of frequency and sigma changes, the
    * parameters that differ, and new and vanished instabilities. A pair counts
-   * as unstable if sigma exceeds its own error estimate. What would take more
-   * than 40 lines is summed up in as many: how many pairs are equal, those that
+   * as unstable if sigma exceeds its own error estimate and the mesh does not
+   * leave that open. An instability is new where the pair is unstable in B and
+   * not in A, or open there; it has vanished where the pair is unstable in A
+   * and stable or missing in B. What would take more than 40 lines is summed up
+   * in as many: how many pairs are equal, those that
    * differ most, the first of every list; with @p all everything is printed.
    * Throws InputError for what is missing or cannot be read.
    */

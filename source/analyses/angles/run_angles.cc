@@ -57,10 +57,10 @@ namespace squeal
       Model           model(p, context.timers);
       const MeshedCea cea =
         solve_cea_adaptively(model, context.log, context.timers);
-      warn_of_growth_below(cea.solution,
-                           p.eigen,
-                           "angle " + rounded_text(angle, 5) + ": ",
-                           context.log);
+      warn_of_growth_outside(cea.solution,
+                             p.eigen,
+                             "angle " + rounded_text(angle, 5) + ": ",
+                             context.log);
       const ModeSolution  &modes      = cea.modes;
       const ComplexPairs  &pairs      = cea.solution.pairs;
       const PairQuantities quantities = pair_quantities(model, modes, pairs);
@@ -70,7 +70,8 @@ namespace squeal
         rounded_text(angle, 5) + " deg",
         open_signs(pairs, quantities.names, cea.errors.lambda),
         listed.n_unstable,
-        is_growth_error_known(model, cea.errors.lambda[listed.numbers.back()]));
+        is_growth_error_known(model, cea.errors.lambda[listed.numbers.back()]),
+        text_of_growth_outside(cea.solution, p.eigen));
       Table table(columns());
       for (const unsigned int i : listed.numbers)
         {

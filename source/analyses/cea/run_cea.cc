@@ -320,10 +320,9 @@ namespace squeal
     log_eigenvalues(context.log, table, model.namer().n_coordinates() > 0);
     const UnstablePairs unstable = unstable_pairs(solution, quantities);
     const std::string   below    = text_below_band(solution, p.eigen),
-                      left_out   = text_of_growth_left_out(solution);
-    const bool grows_below =
-      solution.growth_below.real() > 0. && solution.lowest_frequency > 0.;
-    warn_of_growth_below(solution, p.eigen, "", context.log);
+                      left_out   = text_of_growth_left_out(solution),
+                      outside    = text_of_growth_outside(solution, p.eigen);
+    warn_of_growth_outside(solution, p.eigen, "", context.log);
     warn_of_residuals(p.eigen, solution, context.log);
     const OpenSigns open = open_signs(table);
     if (open.any())
@@ -360,9 +359,8 @@ namespace squeal
     HtmlReport report("Complex eigenvalue analysis of " + p.scene.name,
                       "lambda = sigma + i omega, sigma > 0 unstable");
     report.set_verdict(
-      verdict_on(unstable, grows_below || !left_out.empty(), open),
-      unstable.verdict() + (grows_below ? "; " + below : "") +
-        (left_out.empty() ? "" : "; " + left_out) +
+      verdict_on(unstable, !outside.empty(), open),
+      unstable.verdict() + (outside.empty() ? "" : "; " + outside) +
         (open.any() ? "; " + open.text : "") +
         "; largest error of a pair: " + largest_error(model, pairs, table),
       context.record.figures);

@@ -164,6 +164,8 @@ namespace squeal
                               "Scene/Supports or Scene/Springs");
     const CeaSolution solution =
       solve_cea(model, modes, context.log, context.timers);
+    warn_of_growth_left_out(
+      solution, "contact state " + state + ": ", context.log);
 
     StateResponse result;
     result.state      = state;

@@ -65,6 +65,7 @@ namespace squeal
       unsigned int n_unstable;
       OpenSigns    open;
       bool         is_estimated; /**< the growth error, where there is a mesh */
+      std::string  outside;      /**< text_of_growth_outside() */
     };
 
     ConditionPairs
@@ -129,19 +130,20 @@ namespace squeal
              const OperatingCondition &c,
              RunContext               &context)
     {
-      const Model        &model = scene.model();
-      const ComplexPairs &pairs = scene.solution().pairs;
-      warn_of_growth_below(scene.solution(),
-                           model.parameters().eigen,
-                           text_of(c) + ": ",
-                           context.log);
+      const Model           &model = scene.model();
+      const ComplexPairs    &pairs = scene.solution().pairs;
+      const EigenParameters &eigen = model.parameters().eigen;
+      warn_of_growth_outside(
+        scene.solution(), eigen, text_of(c) + ": ", context.log);
       record_unknowns(model, context.record);
       const PairErrors errors =
         model.parameters().discretization.estimate_error
           ? loudest_pair_errors(
               model, scene.pencil(), pairs, context.log, context.timers)
           : PairErrors::unknown(pairs.size());
-      return condition_pairs(model, pairs, c, errors.lambda);
+      ConditionPairs result = condition_pairs(model, pairs, c, errors.lambda);
+      result.outside        = text_of_growth_outside(scene.solution(), eigen);
+      return result;
     }
 
     /** Of all conditions, in their order. */
@@ -252,7 +254,8 @@ namespace squeal
         growth.add(text_of(all_conditions[k]),
                    condition.open,
                    condition.n_unstable,
-                   condition.is_estimated);
+                   condition.is_estimated,
+                   condition.outside);
       }
     context.write_table("operating_matrix.csv", loudest);
     context.write_table("operating_pairs.csv", all);

@@ -414,7 +414,9 @@ namespace squeal
                     Timers                           &timers)
   {
     Model        model(parameters, timers, states);
-    ModeSolution modes = solve_modes(model, log, timers);
-    return solve_cea(model, modes, log, timers).pairs;
+    ModeSolution modes    = solve_modes(model, log, timers);
+    CeaSolution  solution = solve_cea(model, modes, log, timers);
+    warn_of_growth_left_out(solution, "pairs of the whole model: ", log);
+    return std::move(solution.pairs);
   }
 } // namespace squeal

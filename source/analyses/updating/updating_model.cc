@@ -408,6 +408,7 @@ namespace squeal
                               "or hold them");
     const CeaSolution solution =
       solve_cea(*full, modes, context.log, context.timers);
+    warn_of_growth_left_out(solution, "", context.log);
     if (solution.pairs.size() < data.size())
       throw InputError("Eigenvalues: " + std::to_string(solution.pairs.size()) +
                        " modes are in the band, " +

@@ -101,6 +101,8 @@ namespace squeal
       if (p.work_precision.quantity != "frequency" || ladder == Ladder::basis)
         {
           cea = solve_cea(model, modes, context.log, context.timers);
+          warn_of_growth_left_out(
+            *cea, setting_text(ladder, value) + ": ", context.log);
           for (unsigned int i = 0; i < cea->pairs.size(); ++i)
             {
               rung.values.push_back(cea->pairs.lambda[i]);

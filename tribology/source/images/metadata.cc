@@ -183,6 +183,22 @@ namespace squeal::tribology
 
 
 
+    /** Two whole numbers and a sign of multiplication: "1024 * 768". */
+    std::optional<cv::Size>
+    size_in(const std::optional<std::string> &value)
+    {
+      if (!value)
+        return std::nullopt;
+      int                columns, rows;
+      char               sign;
+      std::istringstream words(*value);
+      if (!(words >> columns >> sign >> rows) || (sign != '*' && sign != 'x'))
+        return std::nullopt;
+      return size_of(columns, rows);
+    }
+
+
+
     /** Zeiss: the angle of the scan stays in the file when it is off. */
     ImageMetadata
     from_zeiss(const std::string &text)
@@ -193,6 +209,7 @@ namespace squeal::tribology
         m.pixel_size = length_of(text, "Pixel Size", 1.);
       if (m.pixel_size)
         m.source = "Zeiss tags";
+      m.size           = size_in(value_of(text, "Store resolution"));
       m.stage_rotation = angle_of(text, "Stage at R");
       const auto state = value_of(text, "Scan Rot");
       if (!state || state->find("Off") == std::string::npos)

@@ -438,6 +438,10 @@ namespace squeal::tribology
         m.scale_source = m.metadata.source;
         if (!other_size.empty())
           m.warnings.push_back(other_size);
+        if (!m.metadata.size && !m.metadata.is_synthetic)
+          m.notes.push_back("its metadata do not state how many pixels it had: "
+                            "nothing tells whether it is a copy of another "
+                            "size");
       }
     else
       throw InputError(

@@ -18,16 +18,17 @@ namespace squeal::tribology
   {
     const char *const correlation_section = "Correlation";
 
-    /** Whether no feature of a table varies, as on a pad without any crack. */
+    /** Whether nothing that is measured varies in a table, as on a pad without
+     * any crack: features that are not asked for tell pads apart, too. */
     bool
     are_features_constant(const std::string           &file,
                           const CorrelationParameters &c)
     {
-      const Table table = read_csv(file);
-      for (const std::string &name : feature_columns(table, c))
+      const Table           table    = read_csv(file);
+      CorrelationParameters measured = c;
+      measured.features.clear();
+      for (const std::string &name : feature_columns(table, measured))
         {
-          if (!table.has_column(name))
-            return false;
           std::set<std::string> values;
           for (std::size_t row = 0; row < table.n_rows(); ++row)
             if (!table.is_missing(row, name))

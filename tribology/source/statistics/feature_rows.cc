@@ -109,7 +109,7 @@ namespace squeal::tribology
 
     /** Steps of the lattice of the rows along x and y, see even_step(). Rows in
      * one column or one row in the middle of the face are as long across it as
-     * the face is: images in cells of 1 x n or n x 1. */
+     * the face is: images in cells of 1 x n or n x 1, or in one cell. */
     std::array<double, 2>
     lattice_steps(const ContactGrid &grid, const RowPlaces &places)
     {
@@ -122,7 +122,7 @@ namespace squeal::tribology
         {
           const double length = highs[axis] - lows[axis],
                        middle = .5 * (lows[axis] + highs[axis]);
-          if (std::isfinite(steps[1 - axis]) &&
+          if ((places.size() == 1 || std::isfinite(steps[1 - axis])) &&
               std::all_of(places.begin(), places.end(), [&](const auto &at) {
                 return std::abs(at[axis] - middle) <= same_place * length;
               }))
@@ -183,7 +183,7 @@ namespace squeal::tribology
       return result;
     const std::array<double, 2> steps = lattice_steps(grid, places);
     if (std::isfinite(steps[0]) && std::isfinite(steps[1]) &&
-        !are_nodes(grid, places))
+        (places.size() == 1 || !are_nodes(grid, places)))
       {
         const Patch &face = grid.face();
         result.coarseness =

@@ -93,7 +93,9 @@ namespace squeal::tribology
    * Reads an image with its scale: @p pixel_size (um) if it is not 0, else the
    * scale bar if one is given, else the metadata. Where these state another
    * size in pixels, the image is a copy of that size if its rows say so, with a
-   * warning, and has no scale if they do not. @p data_bar: rows at the
+   * warning, and has no scale if they do not; where they state none, a note
+   * says
+   * so. @p data_bar: rows at the
    * bottom that are no picture, -1 for rows_above_data_bar(). @p least_bits:
    * files of 16 bit have the range of so many at least, so that images of one
    * exposure keep one brightness. Throws InputError when there is no scale or

@@ -39,7 +39,8 @@ namespace squeal::tribology
    * rectangular. Rows that stand at nodes belong to them as a whole. Rows on a
    * lattice with even steps along x and y, of which some may be missing, are
    * rectangles as large as the steps, in one column in the middle of the face
-   * as wide as the face, and each node takes the part of its cell
+   * as wide as the face, a single row there as large as the face even where it
+   * stands at a node, and each node takes the part of its cell
    * that a rectangle covers. Rectangles that are coarse and other rows are
    * points that tell of the whole cell in which they lie, on a border of those
    * on both sides.
