@@ -350,6 +350,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/force_charts.cc
     source/output/headline_error.cc
     source/output/headlines.cc
+    source/output/judged_force.cc
     source/output/loudest_pairs.cc
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
