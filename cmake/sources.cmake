@@ -428,6 +428,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc
     source/analyses/triggers/run_triggers.cc
+    source/analyses/triggers/trial_tables.cc
     source/analyses/triggers/trigger_charts.cc
     source/analyses/triggers/trigger_search.cc
     source/analyses/triggers/trigger_tables.cc
