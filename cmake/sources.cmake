@@ -351,6 +351,7 @@ set(SQUEAL_SOURCES_OUTPUT
     source/output/force_charts.cc
     source/output/headline_error.cc
     source/output/headlines.cc
+    source/output/judged_force.cc
     source/output/loudest_pairs.cc
     source/output/matrix_output.cc
     source/output/moving_pictures.cc
@@ -430,6 +431,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_verdict.cc
     source/analyses/transient/watched_nodes.cc
     source/analyses/triggers/run_triggers.cc
+    source/analyses/triggers/trial_tables.cc
     source/analyses/triggers/trigger_charts.cc
     source/analyses/triggers/trigger_search.cc
     source/analyses/triggers/trigger_tables.cc

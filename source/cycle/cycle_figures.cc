@@ -3,7 +3,6 @@
 // What a periodic motion does at the contacts.
 
 #include <squeal/cycle/cycle_figures.h>
-#include <squeal/cycle/orbit_forces.h>
 #include <squeal/transient/modal_step.h>
 
 #include <algorithm>
@@ -63,21 +62,32 @@ namespace squeal
       return result;
     }
 
+    /** Judged by row @p judged. */
     ForceFigures
-    figures_of_pair(const Eigen::MatrixXd &resultants)
+    figures_of_pair(const Eigen::MatrixXd &resultants,
+                    const Eigen::Index     judged)
     {
       ForceFigures          f;
-      const Eigen::VectorXd normal = resultants.row(0),
-                            along  = resultants.row(1);
+      const Eigen::VectorXd normal = resultants.row(normal_row),
+                            along  = resultants.row(tangential_row);
       f.resultants                 = resultants;
+      f.judged                     = judged;
       f.mean_normal                = normal.mean();
-      f.rms_normal                 = rms_of(normal);
+      f.rms_of_sum                 = rms_of(normal);
+      f.rms_normal                 = rms_of(resultants.row(judged));
       f.min_normal                 = normal.minCoeff();
       f.max_normal                 = normal.maxCoeff();
       f.mean_tangential            = along.mean();
       f.rms_tangential             = rms_of(along);
-      f.normal_harmonics           = amplitudes_of(normal);
-      f.tangential_harmonics       = amplitudes_of(along);
+      f.normal_harmonics           = amplitudes_of(resultants.row(judged));
+      for (const Eigen::Index i : {0, 1})
+        if (const Eigen::VectorXd moment = resultants.row(moment_row + i);
+            !moment.isZero(0.))
+          {
+            f.rms_moments[i]      = rms_of(moment);
+            f.moment_harmonics[i] = amplitudes_of(moment);
+          }
+      f.tangential_harmonics = amplitudes_of(along);
       f.largest_harmonic =
         1 + std::distance(f.normal_harmonics.begin(),
                           std::max_element(f.normal_harmonics.begin(),
@@ -98,10 +108,16 @@ namespace squeal
       return std::sqrt(sum) <= nothing * rms;
     }
 
-    /** The same of both forces of a pair. */
+    /** The same of both forces and both moments of a pair: moments that are
+     * small beside its forces say nothing. */
     bool
     is_repeated(const ForceFigures &pair, const unsigned int times)
     {
+      for (const unsigned int i : {0, 1})
+        if (!is_repeated(pair.moment_harmonics[i],
+                         std::max(pair.rms_moments[i], pair.rms_normal),
+                         times))
+          return false;
       return is_repeated(pair.normal_harmonics, pair.rms_normal, times) &&
              is_repeated(pair.tangential_harmonics, pair.rms_tangential, times);
     }
@@ -119,19 +135,26 @@ namespace squeal
   }
 
   CycleFigures
-  cycle_figures(const PeriodMap &map, const PeriodicMotion &motion)
+  cycle_figures(const PeriodMap      &map,
+                const PeriodicMotion &motion,
+                const CycleFigures   *like)
   {
     const ReducedContactModel &model  = map.reduced_model();
     const Orbit               &orbit  = motion.orbit;
     const unsigned int         n      = orbit.n_steps();
     const PairForces           forces = pair_forces(map, orbit);
-    CycleFigures               f;
-    f.loudest                      = loudest_pair(forces);
-    static_cast<ForceFigures &>(f) = figures_of_pair(forces[f.loudest]);
-    if (forces.size() > 1)
-      for (const Eigen::MatrixXd &pair : forces)
-        f.pairs.push_back(figures_of_pair(pair));
-    f.rms_together = rms_of(sum_of(forces).row(0));
+    const JudgedRows rows = like ? like->judged_rows() : judged_rows(forces);
+    CycleFigures     f;
+    for (std::size_t p = 0; p < forces.size(); ++p)
+      {
+        f.pairs.push_back(figures_of_pair(forces[p], rows[p]));
+        f.pairs.back().judged_force = moment_name(map, p, rows[p]);
+      }
+    f.loudest                      = loudest_pair(forces, rows);
+    static_cast<ForceFigures &>(f) = f.pairs[f.loudest];
+    if (f.pairs.size() == 1)
+      f.pairs.clear();
+    f.rms_together = rms_of(sum_of(forces).row(normal_row));
     f.frequency    = 1. / motion.period;
     std::vector<bool> opens(model.n_nodes()), sticks(model.n_nodes());
     Eigen::VectorXd   lowest = orbit.motions[1], highest = lowest;
@@ -155,14 +178,41 @@ namespace squeal
 
 
 
+  std::vector<const ForceFigures *>
+  CycleFigures::all() const
+  {
+    if (pairs.empty())
+      return {this};
+    std::vector<const ForceFigures *> result;
+    for (const ForceFigures &pair : pairs)
+      result.push_back(&pair);
+    return result;
+  }
+
   std::vector<double>
   CycleFigures::rms_of_pairs() const
   {
-    if (pairs.empty())
-      return {rms_normal};
     std::vector<double> result;
-    for (const ForceFigures &pair : pairs)
-      result.push_back(pair.rms_normal);
+    for (const ForceFigures *pair : all())
+      result.push_back(pair->rms_normal);
+    return result;
+  }
+
+  JudgedRows
+  CycleFigures::judged_rows() const
+  {
+    JudgedRows result;
+    for (const ForceFigures *pair : all())
+      result.push_back(pair->judged);
+    return result;
+  }
+
+  std::vector<double>
+  CycleFigures::moments_of_pairs() const
+  {
+    std::vector<double> result;
+    for (const ForceFigures *pair : all())
+      result.push_back(std::hypot(pair->rms_moments[0], pair->rms_moments[1]));
     return result;
   }
 

@@ -119,9 +119,10 @@ namespace squeal
                             shooting);
       if (result.motion.status != CycleStatus::converged)
         return;
-      result.coarse_figures = cycle_figures(map, result.coarse);
-      result.figures        = cycle_figures(map, result.motion);
-      result.multipliers    = floquet_multipliers(map, result.motion);
+      result.figures = cycle_figures(map, result.motion);
+      result.coarse_figures =
+        cycle_figures(map, result.coarse, &result.figures);
+      result.multipliers = floquet_multipliers(map, result.motion);
       result.multipliers.error =
         std::abs(result.multipliers.largest -
                  floquet_multipliers(map, result.coarse).largest);

@@ -102,7 +102,7 @@ namespace squeal
         for (bool goes_on = true; goes_on && n_held < n_parts;)
           {
             goes_on        = run.advance();
-            result.figures = run.figures();
+            result.figures = run.figures(cycle.figures.judged_rows());
             const double harmonic =
               std::max(1., std::round(result.figures.line / frequency));
             result.frequency = result.figures.line / harmonic;

@@ -81,7 +81,8 @@ namespace squeal
       return result;
     }
 
-    /** Mean and rms of the normal resultant over the last whole periods. */
+    /** Mean of the normal resultant and rms of what is judged over the last
+     * whole periods. */
     void
     set_forces(const PeriodMap &map, EdgeTrajectory &edge)
     {
@@ -95,10 +96,11 @@ namespace squeal
       PairForces forces = pair_forces(map, run);
       for (Eigen::MatrixXd &f : forces)
         f = Eigen::MatrixXd(f.rightCols(n));
-      const Eigen::VectorXd normal = forces[loudest_pair(forces)].row(0);
-      edge.mean_normal             = normal.mean();
-      edge.rms_normal =
-        std::sqrt((normal.array() - edge.mean_normal).square().mean());
+      const JudgedRows  rows    = judged_rows(forces);
+      const std::size_t loudest = loudest_pair(forces, rows);
+      edge.mean_normal          = forces[loudest].row(normal_row).mean();
+      edge.rms_normal           = rms_of(forces[loudest].row(rows[loudest]));
+      edge.judged_force         = moment_name(map, loudest, rows[loudest]);
     }
   } // namespace
 

@@ -93,7 +93,8 @@ namespace squeal
     PairForces result(map.nodes_of_pairs().size());
     for (std::size_t p = 0; p < result.size(); ++p)
       {
-        result[p].resize(3, n_steps * last_forces.size());
+        result[p].resize(last_forces.back()[p].rows(),
+                         n_steps * last_forces.size());
         for (std::size_t i = 0; i < last_forces.size(); ++i)
           result[p].middleCols(i * n_steps, n_steps) = last_forces[i][p];
       }
@@ -103,22 +104,30 @@ namespace squeal
   RunFigures
   LeadingRun::figures() const
   {
+    return figures(last_forces.empty() ? JudgedRows()
+                                       : judged_rows(last_forces.back()));
+  }
+
+  RunFigures
+  LeadingRun::figures(const JudgedRows &rows) const
+  {
     RunFigures result;
     result.time = time;
     if (last_forces.empty())
       return result;
     const PairForces forces = resultants();
     const double     lowest = 2. / (n_steps * dt), highest = .5 / dt;
-    const Spectrum   spectrum = spectrum_of(forces, 0, dt);
-    for (const Eigen::MatrixXd &f : last_forces.back())
-      result.rms_of_pairs.push_back(rms_of(f.row(0)));
-    const std::size_t loudest = loudest_pair(last_forces.back());
+    const Spectrum   spectrum = spectrum_of(forces, rows, dt);
+    for (std::size_t p = 0; p < rows.size(); ++p)
+      result.rms_of_pairs.push_back(rms_of(last_forces.back()[p].row(rows[p])));
+    const std::size_t loudest = loudest_pair(last_forces.back(), rows);
+    result.judged_force       = moment_name(map, loudest, rows[loudest]);
     result.rms_normal         = result.rms_of_pairs[loudest];
     result.line               = spectrum.peak(lowest, highest);
     result.frequency          = spectrum.fundamental(lowest, highest);
     if (result.frequency > 0.)
-      result.repetition =
-        repetition(signal_of(forces[loudest], 0), dt, result.frequency);
+      result.repetition = repetition(
+        signal_of(forces[loudest], rows[loudest]), dt, result.frequency);
     result.recurrence = nearest_return();
     result.lasts      = lasts();
     return result;

@@ -110,10 +110,13 @@ namespace squeal
         result.is_as_steady =
           result.is_as_steady && run.status[i] == steady.status;
       }
-    result.amplitude        = std::sqrt(square);
-    const PairForces forces = pair_forces(map, run);
-    result.rms_normal = std::sqrt(variance_of(forces[loudest_pair(forces)])[0]);
-    result.rms_forces = rms_forces_of(forces);
+    result.amplitude          = std::sqrt(square);
+    const PairForces  forces  = pair_forces(map, run);
+    const JudgedRows  rows    = judged_rows(forces);
+    const std::size_t loudest = loudest_pair(forces, rows);
+    result.rms_normal         = rms_of(forces[loudest].row(rows[loudest]));
+    result.judged_force       = moment_name(map, loudest, rows[loudest]);
+    result.rms_forces         = rms_forces_of(forces);
     return result;
   }
 

@@ -11,6 +11,13 @@ namespace squeal
     constexpr double constant_share = 1e-9;
     /** Pairs whose rms differ by less than this share are equally loud. */
     constexpr double equal_share = 1e-6;
+
+    /** Mean squares of all rows about their means, added up. */
+    double
+    variance_of(const Eigen::MatrixXd &f)
+    {
+      return (f.colwise() - f.rowwise().mean()).squaredNorm() / f.cols();
+    }
   } // namespace
 
 
@@ -22,16 +29,59 @@ namespace squeal
     Eigen::Index first = 0;
     for (const unsigned int n_nodes : map.nodes_of_pairs())
       {
-        result.push_back(Eigen::MatrixXd::Zero(3, orbit.n_steps()));
+        const std::size_t pair = result.size();
+        result.push_back(
+          Eigen::MatrixXd::Zero(moment_row + 2, orbit.n_steps()));
         for (unsigned int i = 0; i < orbit.n_steps(); ++i)
           {
             const Eigen::VectorXd &f = orbit.states[i + 1].forces;
             for (Eigen::Index j = first; j < first + 3 * n_nodes; j += 3)
-              result.back().col(i) += f.segment<3>(j);
+              result.back().col(i).head<3>() += f.segment<3>(j);
+            if (pair < map.moments_of_pairs().size())
+              result.back().col(i).tail<2>() =
+                map.moments_of_pairs()[pair].rows *
+                f.segment(first, 3 * n_nodes);
           }
         first += 3 * n_nodes;
       }
     return result;
+  }
+
+  Eigen::Index
+  judged_row(const Eigen::MatrixXd &forces)
+  {
+    const auto rms = [&](const Eigen::Index row) {
+      return rms_of(forces.row(row));
+    };
+    const double       least = least_vibration * forces.row(normal_row).mean();
+    const Eigen::Index moment =
+      moment_row + (rms(moment_row + 1) > (1. + equal_share) * rms(moment_row));
+    // Pure stick-slip leaves the normal force alone.
+    const bool is_steady =
+      !(rms(normal_row) > least) && rms(tangential_row) > least;
+    const double force = rms(is_steady ? tangential_row : normal_row);
+    return least > 0. && rms(moment) > least && rms(moment) > far_louder * force
+             ? moment
+             : normal_row;
+  }
+
+  JudgedRows
+  judged_rows(const PairForces &forces)
+  {
+    JudgedRows result;
+    for (const Eigen::MatrixXd &f : forces)
+      result.push_back(judged_row(f));
+    return result;
+  }
+
+  std::string
+  moment_name(const PeriodMap   &map,
+              const std::size_t  pair,
+              const Eigen::Index row)
+  {
+    return row < moment_row
+             ? ""
+             : map.moments_of_pairs().at(pair).names[row - moment_row];
   }
 
   Eigen::MatrixXd
@@ -50,22 +100,14 @@ namespace squeal
   }
 
   std::size_t
-  loudest_pair(const PairForces &forces)
+  loudest_pair(const PairForces &forces, const JudgedRows &rows)
   {
     std::size_t result = 0;
     for (std::size_t p = 1; p < forces.size(); ++p)
-      if (rms_of(forces[p].row(0)) >
-          (1. + equal_share) * rms_of(forces[result].row(0)))
+      if (rms_of(forces[p].row(rows[p])) >
+          (1. + equal_share) * rms_of(forces[result].row(rows[result])))
         result = p;
     return result;
-  }
-
-  Eigen::Vector2d
-  variance_of(const Eigen::MatrixXd &forces)
-  {
-    const Eigen::MatrixXd f = forces.topRows<2>();
-    return (f.colwise() - f.rowwise().mean()).rowwise().squaredNorm() /
-           forces.cols();
   }
 
   double
@@ -73,7 +115,11 @@ namespace squeal
   {
     double sum = 0.;
     for (const Eigen::MatrixXd &f : forces)
-      sum += variance_of(f).sum();
+      {
+        sum += variance_of(f.topRows<2>());
+        if (judged_row(f) >= moment_row)
+          sum += variance_of(f.bottomRows<2>());
+      }
     return std::sqrt(sum);
   }
 
@@ -89,14 +135,16 @@ namespace squeal
   }
 
   Spectrum
-  spectrum_of(const PairForces  &forces,
-              const Eigen::Index row,
-              const double       step)
+  spectrum_of(const PairForces &forces,
+              const JudgedRows &rows,
+              const double      step)
   {
-    Spectrum result = power_spectrum(signal_of(forces.front(), row), step);
+    Spectrum result =
+      power_spectrum(signal_of(forces.front(), rows.front()), step);
     for (std::size_t p = 1; p < forces.size(); ++p)
       {
-        const Spectrum next = power_spectrum(signal_of(forces[p], row), step);
+        const Spectrum next =
+          power_spectrum(signal_of(forces[p], rows[p]), step);
         for (std::size_t k = 0; k < result.density.size(); ++k)
           result.density[k] += next.density[k];
       }
@@ -112,18 +160,23 @@ namespace squeal
           const double     highest)
   {
     const PairForces forces = pair_forces(map, orbit);
-    Eigen::Vector2d  spread = Eigen::Vector2d::Zero();
-    for (const Eigen::MatrixXd &f : forces)
-      spread += (f.colwise() - f.rowwise().mean()).rowwise().norm().head<2>();
-    const Eigen::Index row = spread[0] > constant_share * spread[1] ? 0 : 1;
-    OrbitLine          result;
+    JudgedRows       rows   = judged_rows(forces);
+    double           judged = 0., along = 0.;
+    for (std::size_t p = 0; p < forces.size(); ++p)
+      {
+        judged += rms_of(forces[p].row(rows[p]));
+        along += rms_of(forces[p].row(tangential_row));
+      }
+    const std::size_t loudest = loudest_pair(forces, rows);
+    if (!(judged > constant_share * along))
+      rows.assign(forces.size(), tangential_row);
+    OrbitLine result;
     result.frequency =
-      spectrum_of(forces, row, orbit.step).fundamental(lowest, highest);
+      spectrum_of(forces, rows, orbit.step).fundamental(lowest, highest);
     if (result.frequency > 0.)
-      result.repetition =
-        repetition(signal_of(forces[loudest_pair(forces)], row),
-                   orbit.step,
-                   result.frequency);
+      result.repetition = repetition(signal_of(forces[loudest], rows[loudest]),
+                                     orbit.step,
+                                     result.frequency);
     return result;
   }
 } // namespace squeal

@@ -46,17 +46,19 @@ namespace squeal
   {
   }
 
-  PeriodMap::PeriodMap(const ReducedContactModel &m,
-                       CycleFriction              law,
-                       const double               force,
-                       const double               t,
-                       std::vector<unsigned int>  nodes_of_pairs)
+  PeriodMap::PeriodMap(const ReducedContactModel   &m,
+                       CycleFriction                law,
+                       const double                 force,
+                       const double                 t,
+                       std::vector<unsigned int>    nodes_of_pairs,
+                       std::vector<PressureMoments> moments_of_pairs)
     : model(m)
     , drive(constant_drive(law.speed))
     , friction(std::move(law))
     , nodal_force(force)
     , tolerance(t)
     , pairs(std::move(nodes_of_pairs))
+    , moments(std::move(moments_of_pairs))
   {
     if (pairs.empty())
       pairs = {model.n_nodes()};

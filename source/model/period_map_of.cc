@@ -14,16 +14,21 @@ namespace squeal
   PeriodMap
   period_map_of(const SteadyModel &about)
   {
-    const PressedModel       &pressed = about.pressed;
-    std::vector<unsigned int> nodes_of_pairs;
+    const PressedModel          &pressed = about.pressed;
+    std::vector<unsigned int>    nodes_of_pairs;
+    std::vector<PressureMoments> moments;
     for (const ContactPair &pair : pressed.nodes().pairs())
-      nodes_of_pairs.push_back(pair.n_nodes());
+      {
+        nodes_of_pairs.push_back(pair.n_nodes());
+        moments.push_back(pressure_moments(pair.geometry));
+      }
     return {pressed.model(),
             CycleFriction::of_laws(pressed.nodes().laws(),
                                    pressed.model().n_nodes(),
                                    pressed.speed()),
             about.sliding.resultant()[0] / pressed.model().n_nodes(),
             contact_tolerance,
-            nodes_of_pairs};
+            nodes_of_pairs,
+            moments};
   }
 } // namespace squeal

@@ -48,6 +48,16 @@ namespace squeal
   };
 
   PressureMoments pressure_moments(const ContactGeometry &geometry);
+
+  /** Vibration of a force, over the mean normal force, that is more than the
+   * noise of the solver. */
+  constexpr double least_vibration = 1e-4;
+
+  /** A moment of the normal forces is judged where it vibrates by more than
+   * this many times what their sum does: a pad that rocks has the lines of its
+   * sum, which is of the size of its moments; a wobble that goes round cancels
+   * in the sum, and what it leaves there has other lines. */
+  constexpr double far_louder = 30.;
 } // namespace squeal
 
 #endif

@@ -52,7 +52,8 @@ namespace squeal
      * which is not smaller than that of the rms: harmonics that grow and others
      * that fall with the steps leave an rms that hardly changes by chance. */
     double rms_normal_error() const;
-    /** N: of @p number of the normal force. */
+    /** N: of @p number of the normal force, of the rms that of the force which
+     * is judged. */
     double force_error(double ForceFigures::*number) const;
     //@}
 

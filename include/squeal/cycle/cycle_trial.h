@@ -24,12 +24,13 @@ namespace squeal
   /**
    * Motions from other starts beside a limit cycle, by the plain steps of
    * transients. In parts of twelve of the cycle's shortest periods the largest
-   * line of its normal force, over the nearest harmonic of the cycle, and its
-   * rms are compared with those of the cycle: they may be off by its errors and
-   * 0.1 % and 1 %, and by 1 % and 5 % at most. A motion ends in the cycle if it
-   * is there in four parts one after the other and, where the largest
-   * multiplier may be above 1, in as many as a disturbance takes to become a
-   * hundred times as large, at most 480 periods.
+   * line of its normal force, or of the moment that the cycle is judged by,
+   * over the nearest harmonic of the cycle, and its rms are compared with those
+   * of the cycle: they may be off by its errors and 0.1 % and 1 %, and by 1 %
+   * and 5 % at most. A motion ends in the cycle if it is there in four parts
+   * one after the other and, where the largest multiplier may be above 1, in as
+   * many as a disturbance takes to become a hundred times as large, at most 480
+   * periods.
    */
   class CycleTrials
   {

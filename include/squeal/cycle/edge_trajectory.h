@@ -37,8 +37,10 @@ namespace squeal
     /** Of the tail: 1/period, Hz, 0: none; how well it repeats itself with it,
      * 1: exactly. */
     double frequency = 0., repetition = 0.;
-    double rms_normal  = 0.; /**< N, of the normal resultant, whole periods */
-    double mean_normal = 0.; /**< N */
+    double rms_normal = 0.; /**< N, of the normal resultant or the moment that
+                               is judged, whole periods */
+    double      mean_normal = 0.; /**< N, of the normal resultant */
+    std::string judged_force;     /**< that moment; empty: there is none */
   };
 
   std::string edge_text(const EdgeTrajectory::Status status);

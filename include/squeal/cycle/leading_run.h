@@ -5,6 +5,7 @@
 #include <squeal/cycle/motion_fate.h>
 #include <squeal/cycle/orbit_forces.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,11 @@ namespace squeal
   struct RunFigures
   {
     double time       = 0.; /**< s, that it was followed for; 0: not */
-    double rms_normal = 0.; /**< of the normal resultant in the last part, N, of
-                               the pair where that is largest */
-    std::vector<double> rms_of_pairs; /**< the same of every pair */
+    double rms_normal = 0.; /**< of the normal resultant in the last part, N, or
+                               of the moment that is judged, of the pair where
+                               that is largest */
+    std::string         judged_force; /**< that moment; empty: there is none */
+    std::vector<double> rms_of_pairs; /**< the same rms of every pair */
     double              line = 0.; /**< Hz, largest of their spectra; 0: none */
     double frequency         = 0.; /**< Hz, of its period by the spectrum */
     double repetition        = 0.; /**< as repetition() of a signal */
@@ -72,10 +75,12 @@ namespace squeal
       return place;
     }
 
-    /** Resultants of the last three parts at most, N. */
+    /** Forces of the last three parts at most, N. */
     PairForces resultants() const;
 
+    /** Judged by what the last part vibrates by, or by @p rows. */
     RunFigures figures() const;
+    RunFigures figures(const JudgedRows &rows) const;
 
   private:
     const PeriodMap   &map;
@@ -83,8 +88,7 @@ namespace squeal
     const double       dt;
     const unsigned int n_steps; /**< of a part */
     const double       longest, shortest;
-    /** Root of the mean squares of the normal and the tangential resultants of
-     * all pairs about their means in each part, N. */
+    /** See rms_forces_of(), of each part, N. */
     std::vector<double>                    rms_forces;
     std::vector<PairForces>                last_forces; /**< of three parts */
     std::vector<std::pair<double, double>> last_returns;

@@ -37,10 +37,11 @@ namespace squeal
     /** Root mean square of the norm of the energy away from steady sliding,
      * sqrt(J). */
     double amplitude  = 0.;
-    double rms_normal = 0.; /**< of the normal resultant about its mean, N, of
-                               the pair where that is largest */
-    /** Root of the mean squares of the normal and the tangential resultants of
-     * all pairs about their means, N. */
+    double rms_normal = 0.;   /**< of the normal resultant about its mean, N, or
+                                 of the moment that is judged, of the pair where
+                                 that is largest */
+    std::string judged_force; /**< that moment; empty: there is none */
+    /** See rms_forces_of(), N. */
     double rms_forces   = 0.;
     bool   is_as_steady = false; /**< every node keeps its status of steady
                                     sliding in all steps */

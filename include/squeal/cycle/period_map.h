@@ -2,6 +2,7 @@
 #ifndef squeal_cycle_period_map_h
 #define squeal_cycle_period_map_h
 
+#include <squeal/contact/pressure_moments.h>
 #include <squeal/cycle/period_derivative.h>
 #include <squeal/transient/transient_integrator.h>
 
@@ -21,17 +22,19 @@ namespace squeal
     /** References are kept. @p friction: mu >= 0 at all nodes. @p speed: that
      * the nodes' are measured by, m/s. @p nodal_force: N, that residuals of the
      * contact are measured in. @p nodes_of_pairs: how many nodes the first pair
-     * has, the second one and so on; empty: there is one pair. */
+     * has, the second one and so on; empty: there is one pair. @p moments: of
+     * each pair; empty: their moments are not looked at. */
     PeriodMap(const ReducedContactModel &model,
               const double               friction,
               const double               speed,
               const double               nodal_force,
               const double               tolerance = 1e-10);
-    PeriodMap(const ReducedContactModel &model,
-              CycleFriction              friction,
-              const double               nodal_force,
-              const double               tolerance      = 1e-10,
-              std::vector<unsigned int>  nodes_of_pairs = {});
+    PeriodMap(const ReducedContactModel   &model,
+              CycleFriction                friction,
+              const double                 nodal_force,
+              const double                 tolerance      = 1e-10,
+              std::vector<unsigned int>    nodes_of_pairs = {},
+              std::vector<PressureMoments> moments        = {});
 
     /** @p past: of the start; changes of status in the first steps are located
      * where it is known, or are those of @p held. @p neighbour: a motion nearby,
@@ -89,6 +92,11 @@ namespace squeal
     {
       return pairs;
     }
+    const std::vector<PressureMoments> &
+    moments_of_pairs() const
+    {
+      return moments;
+    }
 
   private:
     Orbit run_by(const TransientDrive  &drive,
@@ -100,11 +108,12 @@ namespace squeal
                  const Orbit           *neighbour,
                  const double           contact_tolerance) const;
 
-    const ReducedContactModel &model;
-    TransientDrive             drive;
-    CycleFriction              friction;
-    const double               nodal_force, tolerance;
-    std::vector<unsigned int>  pairs; /**< their numbers of nodes */
+    const ReducedContactModel   &model;
+    TransientDrive               drive;
+    CycleFriction                friction;
+    const double                 nodal_force, tolerance;
+    std::vector<unsigned int>    pairs;   /**< their numbers of nodes */
+    std::vector<PressureMoments> moments; /**< of each; empty: not known */
   };
 } // namespace squeal
 

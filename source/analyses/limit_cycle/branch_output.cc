@@ -18,6 +18,18 @@ namespace squeal
     /** Multipliers beyond this are drawn on a logarithmic axis. */
     constexpr double wide_range = 10.;
 
+    /** Whose rms the points state. */
+    std::string
+    force_along(const CycleBranch &branch)
+    {
+      const bool has_moments = std::any_of(
+        branch.points.begin(), branch.points.end(), [](const BranchPoint &x) {
+          return !x.figures.judged_force.empty();
+        });
+      return has_moments ? "normal force or of the moment that is judged"
+                         : "normal force";
+    }
+
     /** The points of each stability over the parameter, and a line through all
      * of them. */
     Chart
@@ -74,6 +86,7 @@ namespace squeal
                              "dominant_line_hz",
                              "mean_normal_n",
                              "rms_normal_n",
+                             "judged_force",
                              "rms_tangential_n",
                              "stability",
                              "largest_multiplier",
@@ -151,7 +164,7 @@ namespace squeal
            rounded_text(low->parameter, 5) + " to " +
            rounded_text(high->parameter, 5) + ": " +
            span([](const BranchPoint &x) { return x.figures.rms_normal; }) +
-           " N rms of the normal force at " +
+           " N rms of the " + force_along(branch) + " at " +
            span([](const BranchPoint &x) { return x.figures.frequency; }) +
            " Hz; " + std::to_string(branch.points.size()) + " points, " +
            count("stable") + " stable, " + count("unstable") + " unstable, " +
@@ -178,7 +191,7 @@ namespace squeal
     Chart amplitude =
             branch_chart(branch,
                          parameter,
-                         "rms of the normal force, N",
+                         "rms of the " + force_along(branch) + ", N",
                          [](const auto &x) { return x.figures.rms_normal; }),
           frequency =
             branch_chart(branch,

@@ -85,16 +85,22 @@ namespace squeal
           context.log.info("  " + place_of(run));
         report_cut_off_damping(
           about->pressed, about->sliding, linear, growing, p, context.log);
-        std::vector<CycleResult> cycles;
+        std::vector<CycleResult>       cycles;
+        const std::vector<std::string> pairs = names_of_pairs(p.scene);
         for (const Eigen::Index k : growing)
-          cycles.push_back(cycle_of(*about, linear, k, p.limit_cycle));
+          {
+            cycles.push_back(cycle_of(*about, linear, k, p.limit_cycle));
+            if (const std::string text =
+                  text_of_moment(cycles.back().figures, pairs);
+                !text.empty())
+              context.log.warning(place_of(run) + text);
+          }
         Timers::Section   section(context.timers, "Solve: other starts");
-        const PointTrials trials             = trials_of(*about,
+        const PointTrials trials = trials_of(*about,
                                              period_map_of(*about),
                                              cycles,
                                              p.limit_cycle,
                                              p.transient.time_step);
-        const std::vector<std::string> pairs = names_of_pairs(p.scene);
         return {outcome_table(cycles, trials, pairs, growth_outside(linear, p)),
                 cycle_table(cycles, p.limit_cycle.harmonics, pairs),
                 trial_table_of(trials, cycles)};
@@ -288,9 +294,9 @@ namespace squeal
       context.plotter.draw(draw_charts({chart}), path);
       report.section("What is heard");
       report.figure(path + ".png",
-                    "The largest line of the normal force in the stable limit "
-                    "cycle, or in the only one whose stability is left open "
-                    "(hollow)",
+                    "The largest line of the normal force, or of the moment of "
+                    "it that is judged, in the stable limit cycle, or in the "
+                    "only one whose stability is left open (hollow)",
                     true);
     }
   } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/output/judged_force.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +53,11 @@ namespace squeal
           "N",
           "of the normal force about its mean"},
          figure(&CycleFigures::rms_normal)},
+        {judged_force_column("judged_force"),
+         [](const CycleRow &row) {
+           return judged_force_cell(row.is_found ? row.figures.judged_force
+                                                 : "");
+         }},
         {{"rms_tangential_n",
           Type::real,
           "N",
@@ -124,6 +131,30 @@ namespace squeal
 
 
 
+  std::string
+  judged_force_text(const CycleFigures             &figures,
+                    const std::vector<std::string> &pairs)
+  {
+    return (figures.judged_force.empty() ? "normal force"
+                                         : figures.judged_force) +
+           (pairs.empty() ? "" : " of " + pairs[figures.loudest]);
+  }
+
+  std::string
+  text_of_moment(const CycleFigures             &figures,
+                 const std::vector<std::string> &pairs)
+  {
+    if (figures.judged_force.empty())
+      return "";
+    return "the " + judged_force_text(figures, pairs) + " vibrates by " +
+           rounded_text(figures.rms_normal, 3) +
+           " N rms over the radius of gyration of the face, their sum by " +
+           rounded_text(figures.rms_of_sum, 3) +
+           " N: rms, lines, harmonics and repetition are those of the former";
+  }
+
+
+
   std::vector<std::string>
   names_of_pairs(const SceneParameters &scene)
   {
@@ -139,7 +170,7 @@ namespace squeal
   {
     const auto of_forces = [](double ForceFigures::*number) {
       return [number](const CycleFigures &, const ForceFigures &pair) {
-        return pair.*number;
+        return Cell(pair.*number);
       };
     };
     static const std::vector<PairColumn> columns = {
@@ -148,12 +179,16 @@ namespace squeal
         "Hz",
         "largest harmonic of the normal force"},
        [](const CycleFigures &cycle, const ForceFigures &pair) {
-         return pair.largest_harmonic * cycle.frequency;
+         return Cell(pair.largest_harmonic * cycle.frequency);
        }},
       {{"mean_normal_n", Type::real, "N", "mean normal force"},
        of_forces(&ForceFigures::mean_normal)},
       {{"rms_normal_n", Type::real, "N", "of the normal force about its mean"},
        of_forces(&ForceFigures::rms_normal)},
+      {judged_force_column("judged_force"),
+       [](const CycleFigures &, const ForceFigures &pair) {
+         return judged_force_cell(pair.judged_force);
+       }},
       {{"min_normal_n", Type::real, "N", "least normal force"},
        of_forces(&ForceFigures::min_normal)},
       {{"max_normal_n", Type::real, "N", "largest normal force"},

@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
+#include <squeal/output/judged_force.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +33,15 @@ namespace squeal
              share * std::max(std::abs(a), std::abs(b)) + error;
     }
 
-    /** Whether the forces of every pair, and of all together, are as large. */
+    /** Whether the forces and moments of every pair, and the forces of all
+     * together, are as large. */
     bool
     have_same_forces(const CycleResult &a, const CycleResult &b)
     {
       const auto forces = [](const CycleFigures &f) {
-        std::vector<double> result = f.rms_of_pairs();
+        std::vector<double>       result  = f.rms_of_pairs();
+        const std::vector<double> moments = f.moments_of_pairs();
+        result.insert(result.end(), moments.begin(), moments.end());
         result.push_back(f.rms_together);
         return result;
       };
@@ -250,6 +254,11 @@ namespace squeal
               3},
            &PointRow::heard,
            [](const CycleResult &c) { return c.rms_normal_error(); }),
+          {judged_force_column("judged_force"),
+           [](const PointRow &row) {
+           const CycleResult *c = row.heard();
+           return judged_force_cell(c ? c->figures.judged_force : "");
+         }},
           of({"min_normal_n", Type::real, "N", "least normal force"},
            &PointRow::heard,
            [](const CycleResult &c) { return c.figures.min_normal; }),

@@ -3,7 +3,9 @@
 // Whether motions from other starts end in the cycle that is heard.
 
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
+#include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/base/number_text.h>
+#include <squeal/output/judged_force.h>
 #include <squeal/results/column_of.h>
 #include <squeal/transient/modal_step.h>
 
@@ -87,6 +89,9 @@ namespace squeal
         {{"cycle_rms_normal_n", Type::real, "N", "of the cycle's normal force"},
          [](const TrialRow &row) {
            return Cell(row.cycle.figures.rms_normal);
+         }},
+        {judged_force_column("judged_force"), [](const TrialRow &row) {
+           return judged_force_cell(row.cycle.figures.judged_force);
          }}};
     }
 

@@ -2,6 +2,7 @@
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 #include <squeal/output/force_charts.h>
+#include <squeal/output/judged_force.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/run_context.h>
 
@@ -73,6 +74,7 @@ namespace squeal
                      "twice the difference of the harmonics to half the steps",
                      3},
                     [](const CycleResult &c) { return c.rms_normal_error(); }),
+              common<CycleResult>("judged_force"),
               found({"min_normal_n", Type::real, "N", "least normal force"},
                     [](const CycleResult &c) { return c.figures.min_normal; }),
               force_error("min_normal_error_n", &ForceFigures::min_normal),
@@ -169,6 +171,10 @@ namespace squeal
                 "N",
                 "of the normal force in its last part"},
                &RunFigures::rms_normal),
+        {judged_force_column("run_judged_force"),
+         [](const CycleResult &c) {
+           return judged_force_cell(c.run.judged_force);
+         }},
         of_run({"run_repetition",
                 Type::real,
                 "",
@@ -260,9 +266,9 @@ namespace squeal
           }
         Eigen::Vector3d f = Eigen::Vector3d::Zero();
         if (figures.pairs.empty())
-          f = figures.resultants.col(i);
+          f = figures.resultants.col(i).head<3>();
         for (const ForceFigures &pair : figures.pairs)
-          f += pair.resultants.col(i);
+          f += pair.resultants.col(i).head<3>();
         table.add_row({(i + 1) * orbit.step,
                        f[0],
                        f[1],
@@ -359,8 +365,7 @@ namespace squeal
           : (c.multipliers.stability() == "stable" ? "a stable" : "an unstable") +
             std::string(" limit cycle at ");
     return kind + with_error(f.frequency, c.frequency_error()) +
-           " Hz, rms of the normal force " +
-           (pairs.empty() ? "" : "of " + pairs[f.loudest] + " ") +
+           " Hz, rms of the " + judged_force_text(f, pairs) + " " +
            with_error(f.rms_normal, c.rms_normal_error()) +
            " N (errors by half the steps; mesh and cut-off not estimated)" +
            (c.multipliers.is_unstable() ? "; " + way_of_leaving(c.multipliers)
@@ -393,10 +398,14 @@ namespace squeal
     report.section("One period");
     draw("period",
          {forces_over_time(steps(n), "One period")},
-         f.pairs.empty() ? "Resultants, every step"
-                         : "Resultants of the pair whose normal force has the "
-                           "largest rms, every step");
+         std::string(f.pairs.empty()
+                       ? "Resultants, every step"
+                       : "Resultants of the pair whose vibration is largest, "
+                         "every step") +
+           (f.judged_force.empty() ? "" : "; the motion cancels in them"));
+    // Where a moment is judged the portrait of the sums is not of the motion.
     // The rate at the ends of the period needs the steps around them.
-    draw("limit_cycle", portraits(steps(n + 2)), "Every step of the period");
+    if (f.judged_force.empty())
+      draw("limit_cycle", portraits(steps(n + 2)), "Every step of the period");
   }
 } // namespace squeal

@@ -74,6 +74,21 @@ namespace squeal
       log.info(text.str());
     }
 
+    void
+    warn_of_moments(RunLog &log, const CycleBranch &branch)
+    {
+      const auto n = std::count_if(
+        branch.points.begin(), branch.points.end(), [](const BranchPoint &x) {
+          return !x.figures.judged_force.empty();
+        });
+      if (n > 0)
+        log.warning("rms and line of " + std::to_string(n) + " of " +
+                    std::to_string(branch.points.size()) +
+                    " points of the branch are those of a moment of the normal "
+                    "forces, which cancel in their sum: 'judged_force' in "
+                    "branch.csv");
+    }
+
     std::vector<std::pair<std::string, std::string>>
     figures_of_run(const Table                    &table,
                    const CycleResult              &first,
@@ -128,6 +143,12 @@ namespace squeal
       if (p.limit_cycle.every_pair)
         context.write_table("competition.csv", all);
       log_cycles(context.log, all);
+      for (const CycleResult &c : cycles)
+        if (const std::string text = text_of_moment(c.figures, pairs);
+            !text.empty())
+          context.log.warning("the cycle from the pair at " +
+                              rounded_text(c.pair.imag() / (2. * M_PI), 6) +
+                              " Hz: " + text);
       context.record.figures = figures_of_run(table, first, pairs);
       HtmlReport report("Limit cycle of " + p.scene.name,
                         "periodic motion of the reduced model");
@@ -159,7 +180,9 @@ namespace squeal
                           report);
             }
           report.section("Harmonics");
-          report.table(harmonics, "Amplitudes of the resultants");
+          report.table(harmonics,
+                       "Amplitudes of the resultants, of the " +
+                         judged_force_text(first.figures, pairs));
           report.section("Floquet multipliers");
           report.table(multipliers, "Multipliers above a thousandth");
         }
@@ -169,6 +192,7 @@ namespace squeal
           const Table        along = branch_table(*branch, pairs);
           context.write_table("branch.csv", along);
           context.log.info(branch_sentence(*branch, name));
+          warn_of_moments(context.log, *branch);
           report.section("Branch");
           if (p.output.plots && context.is_root)
             draw_branch(context, *branch, p.sweep.axes.front(), report);

@@ -4,6 +4,7 @@
 // speed, the friction that is measured from outside, and ladders.
 
 #include <squeal/analyses/transient/campaign_table.h>
+#include <squeal/output/judged_force.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/column_title.h>
@@ -128,7 +129,7 @@ namespace squeal
       growth.title           = "Growth rate over " + over;
       growth.y.label         = "growth rate in 1/s";
       amplitude.title        = "Vibration over " + over;
-      amplitude.y.label      = "rms of the normal force in N";
+      amplitude.y.label      = rms_label(table, {"judged_force"});
       for (Chart *chart : {&growth, &amplitude})
         chart->x.label = over;
       const std::size_t n =
@@ -166,7 +167,7 @@ namespace squeal
     Chart over_sigma;
     over_sigma.title   = "Amplitude of the limit cycle over growth rate";
     over_sigma.x.label = "largest sigma about steady sliding in 1/s";
-    over_sigma.y.label = "rms of the normal force in N";
+    over_sigma.y.label = rms_label(table, {"judged_force"});
     over_sigma.y.lower = 0.;
     over_sigma.lines   = {{true, 0., "", Ink::grey, true}};
     report.section("Limit cycles");
@@ -200,7 +201,7 @@ namespace squeal
         Chart      amplitude, friction;
         amplitude.title   = "Vibration over sliding speed";
         amplitude.x.label = "sliding speed in m/s";
-        amplitude.y.label = "rms of the normal force in N";
+        amplitude.y.label = rms_label(table, {"judged_force"});
         amplitude.y.lower = 0.;
         friction.title    = "Macroscopic friction over sliding speed";
         friction.x.label  = "sliding speed in m/s";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/campaign_table.h>
+#include <squeal/output/judged_force.h>
 #include <squeal/parameters/choices.h>
 
 #include <cmath>
@@ -219,6 +220,12 @@ namespace squeal
               trigger.lasting};
     }
 
+    Cell
+    judged_moment(const JudgedPair &pair)
+    {
+      return judged_force_cell(pair.is_by_moment() ? pair.force_name : "");
+    }
+
     bool
     has_several_pairs(const Parameters &p)
     {
@@ -248,6 +255,10 @@ namespace squeal
     if (!compares && has_several_pairs(p) && has_trigger(p.transient))
       table.add_column(
         {"outcome_pair", Type::text, "", "whose outcome this is"});
+    if (!compares)
+      table.add_column(judged_force_column("judged_force"));
+    if (!compares && has_trigger(p.transient))
+      table.add_column(judged_force_column("outcome_judged_force"));
     return table;
   }
 
@@ -276,6 +287,9 @@ namespace squeal
       row.emplace_back(f.loudest.name);
     if (has_several_pairs(run.parameters) && has_trigger(t))
       row.emplace_back(trigger.pair.name);
+    row.push_back(judged_moment(f.loudest));
+    if (has_trigger(t))
+      row.push_back(judged_moment(trigger.pair));
     return row;
   }
 

@@ -82,8 +82,10 @@ namespace squeal
         return transient.record();
       }
 
+      /** @p label: of the run, for warnings. */
       Outcome
       evaluate(const CampaignRun       &run,
+               const std::string       &label,
                const PreparedTransient &prepared,
                const TransientRecord   &record)
       {
@@ -95,13 +97,14 @@ namespace squeal
                                   context.timers);
         const TransientFigures f = evaluate_transient(
           prepared, record, run.parameters, cea.size() > 0 ? &cea : nullptr);
+        const std::string place = label.empty() ? "" : label + ": ";
         if (const std::string text = text_of_moment(f); !text.empty())
-          context.log.warning(text);
+          context.log.warning(place + text);
         if (f.beyond_samples > 0.)
           context.log.warning(
-            text_of_sampling(f.beyond_samples,
-                             run.parameters.transient.sample_interval,
-                             f.is_beyond_in_steps));
+            place + text_of_sampling(f.beyond_samples,
+                                     run.parameters.transient.sample_interval,
+                                     f.is_beyond_in_steps));
         return {campaign_row(run, prepared, record, f), phase_table(record, f)};
       }
 
@@ -298,7 +301,8 @@ namespace squeal
                              "runs that are left");
             stop.repeat();
           }
-        const auto outcome = group->evaluate(run, *started[i].prepared, record);
+        const auto outcome = group->evaluate(
+          run, run_label(run, results.table), *started[i].prepared, record);
         keep(run, outcome.row, all_cells(outcome.phases));
       }
 

@@ -57,6 +57,23 @@ namespace squeal
       return result;
     }
 
+    /** A moment of the normal forces that some motion of @p r is judged by;
+     * empty where there is none. */
+    std::string
+    moment_in(const TriggerResult &r)
+    {
+      for (const std::string &moment :
+           {r.strongest.windows.empty()
+              ? std::string()
+              : r.strongest.windows.back().judged_force,
+            r.stable.figures.judged_force,
+            r.edge.judged_force,
+            r.unstable.figures.judged_force})
+        if (!moment.empty())
+          return moment;
+      return "";
+    }
+
     /** All points of scenes with one set of bodies. */
     class StruckScene
     {
@@ -130,8 +147,15 @@ namespace squeal
       {
         try
           {
-            return find_trigger(
-              about, linear, name, forces[i], p, context.timers);
+            const TriggerResult result =
+              find_trigger(about, linear, name, forces[i], p, context.timers);
+            if (const std::string moment = moment_in(result); !moment.empty())
+              context.log.warning(
+                name + ": the normal forces cancel in their sum, and rms and " +
+                "lines are those of the " + moment +
+                " where columns of triggers.csv and trigger_motions.csv that "
+                "end in 'judged_force' name one");
+            return result;
           }
         catch (const ComputationError &e)
           {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/triggers/trigger_charts.h>
+#include <squeal/output/judged_force.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/campaign_runs.h>
@@ -49,7 +50,7 @@ namespace squeal
       Chart chart;
       chart.title   = "Struck at " + point;
       chart.x.label = "time from the blow in ms";
-      chart.y.label = "rms of the normal force in N";
+      chart.y.label = rms_label(motions, {"judged_force"});
       chart.y.scale = AxisSettings::Scale::logarithmic;
       for (const MotionLook &look : motion_looks)
         {
@@ -135,8 +136,9 @@ namespace squeal
     const auto        &axis = context.parameters.sweep.axes.front();
     const std::string  x    = axis.name;
     std::vector<Chart> charts(2);
-    charts[0].title   = "Cycles and thresholds";
-    charts[0].y.label = "rms of the normal force in N";
+    charts[0].title = "Cycles and thresholds";
+    charts[0].y.label =
+      rms_label(triggers, {"squeal_judged_force", "unstable_judged_force"});
     charts[1].y.label = "smallest impulse in N s";
     for (Chart &chart : charts)
       chart.x.label = shown_title(axis, context.parameters.scene);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/triggers/trigger_tables.h>
+#include <squeal/output/judged_force.h>
 #include <squeal/results/column_of.h>
 
 #include <algorithm>
@@ -189,6 +190,8 @@ namespace squeal
         where({"edge_rms_normal_n", Type::real, "N", "of its normal force"},
               &R::has_edge,
               [](const R &r) { return r.edge.rms_normal; }),
+        {judged_force_column("edge_judged_force"),
+         [](const R &r) { return judged_force_cell(r.edge.judged_force); }},
         where({"edge_repetition",
                Type::real,
                "",
@@ -220,6 +223,11 @@ namespace squeal
           {"unstable_rms_normal_n", Type::real, "N", "of its normal force"},
           cycle,
           rms),
+        {judged_force_column("unstable_judged_force"),
+         [](const R &r) {
+           return judged_force_cell(
+             r.unstable.has_converged() ? r.unstable.figures.judged_force : "");
+         }},
         of_cycle({"unstable_rms_normal_error_n",
                   Type::real,
                   "N",
@@ -289,6 +297,11 @@ namespace squeal
                "impulse"},
               &R::has_threshold,
               [](const R &r) { return r.strongest.windows.back().rms_normal; }),
+        {judged_force_column("squeal_judged_force"),
+         [](const R &r) {
+           return judged_force_cell(
+             r.has_threshold() ? r.strongest.windows.back().judged_force : "");
+         }},
         {{"stable_status",
           Type::text,
           "",
@@ -320,6 +333,11 @@ namespace squeal
           {"stable_rms_normal_n", Type::real, "N", "of its normal force"},
           cycle,
           rms),
+        {judged_force_column("stable_judged_force"),
+         [](const R &r) {
+           return judged_force_cell(
+             is_of_squeal(r) ? r.stable.figures.judged_force : "");
+         }},
         of_cycle({"stable_rms_normal_error_n",
                   Type::real,
                   "N",
@@ -348,32 +366,6 @@ namespace squeal
           cycle,
           [](const CycleResult &c) { return c.multipliers.uncertainty(); })};
     }
-
-    void
-    add_windows(Table                           &table,
-                const std::string               &point,
-                const std::string               &motion,
-                const std::vector<MotionWindow> &windows)
-    {
-      for (const MotionWindow &w : windows)
-        table.add_row({point,
-                       motion,
-                       w.time,
-                       w.rms_normal,
-                       w.rms_forces,
-                       w.amplitude,
-                       w.is_as_steady ? 1 : 0});
-    }
-
-    void
-    add_trials(Table                  &table,
-               const std::string      &point,
-               const std::string      &steps,
-               const TriggerThreshold &threshold)
-    {
-      for (const auto &trial : threshold.trials)
-        table.add_row({point, steps, trial.impulse, fate_text(trial.fate)});
-    }
   } // namespace
 
 
@@ -387,58 +379,6 @@ namespace squeal
     return table_of(columns, results);
   }
 
-  Table
-  trial_table(const std::vector<TriggerResult> &results)
-  {
-    Table table(
-      {{"point", Type::text, "", "that is struck"},
-       {"steps", Type::text, "", "whole, or half of those of the parameters"},
-       {"impulse_ns", Type::real, "N s", "of the blow"},
-       {"fate", Type::text, "", "what the motion after it ends in"}});
-    for (const TriggerResult &r : results)
-      {
-        add_trials(table, r.point, "whole", r.threshold);
-        add_trials(table, r.point, "half", r.finer);
-      }
-    return table;
-  }
-
-  Table
-  motion_table(const std::vector<TriggerResult> &results)
-  {
-    Table table(
-      {{"point", Type::text, "", "that is struck"},
-       {"motion", Type::text, "", "which one"},
-       {"time_s", Type::real, "s", "from the blow to the end of the window"},
-       {"rms_normal_n", Type::real, "N", "of the normal force in the window"},
-       {"rms_forces_n",
-        Type::real,
-        "N",
-        "root of the squares of normal and tangential force about their means"},
-       {"amplitude_sqrt_j",
-        Type::real,
-        "sqrt(J)",
-        "rms of the norm of the energy away from steady sliding"},
-       {"is_as_steady",
-        Type::integer,
-        "",
-        "1 where every node keeps its status of steady sliding"}});
-    for (const TriggerResult &r : results)
-      {
-        add_windows(table, r.point, "largest impulse", r.strongest.windows);
-        add_windows(table, r.point, "below", r.below.windows);
-        add_windows(table, r.point, "above", r.above.windows);
-        for (const auto &stretch : r.edge.stretches)
-          {
-            add_windows(table, r.point, "edge, below", stretch.lower);
-            add_windows(table, r.point, "edge, above", stretch.upper);
-          }
-      }
-    return table;
-  }
-
-
-
   std::string
   trigger_sentence(const Table &t, const std::size_t row)
   {
@@ -450,11 +390,12 @@ namespace squeal
       const auto of = [&](const std::string &column) {
         return t.real(row, cycle + column);
       };
-      const double times = of("_line_hz") / of("_frequency_hz");
+      const double      times  = of("_line_hz") / of("_frequency_hz");
+      const std::string judged = t.text(row, cycle + "_judged_force");
       return with_error(of("_line_hz"), times * of("_frequency_error_hz")) +
              " Hz, " +
              with_error(of("_rms_normal_n"), of("_rms_normal_error_n")) +
-             " N rms";
+             " N rms" + (judged.empty() ? "" : " of the " + judged);
     };
     const std::string at     = " at " + t.text(row, "point"),
                       status = t.text(row, "trigger_status");

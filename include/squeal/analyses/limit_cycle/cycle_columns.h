@@ -28,14 +28,24 @@ namespace squeal
   /** The common column @p name. */
   const ColumnOf<CycleRow> &common_cycle_column(const std::string &name);
 
+  /** "moment of the normal forces about x of above": what rms and line of @p
+   * figures are of; @p pairs: as names_of_pairs(). */
+  std::string judged_force_text(const CycleFigures             &figures,
+                                const std::vector<std::string> &pairs);
+
+  /** Where a moment of the normal forces is judged: that it is, and by how much
+   * their plain sum vibrates; else empty. */
+  std::string text_of_moment(const CycleFigures             &figures,
+                             const std::vector<std::string> &pairs);
+
   /** The contact pairs of @p scene where there are several. */
   std::vector<std::string> names_of_pairs(const SceneParameters &scene);
 
   /** What tables state of each of several pairs, behind its name. */
   struct PairColumn
   {
-    Table::Column declaration;
-    std::function<double(const CycleFigures &, const ForceFigures &)> value;
+    Table::Column                                                   declaration;
+    std::function<Cell(const CycleFigures &, const ForceFigures &)> value;
   };
 
   const std::vector<PairColumn> &columns_of_pairs();
@@ -54,7 +64,7 @@ namespace squeal
     result.push_back({{"loudest_pair",
                        Table::Type::text,
                        "",
-                       "whose normal force has the largest rms"},
+                       "whose force that is judged has the largest rms"},
                       [names, cycle](const Row &row) {
                         const CycleFigures *f = cycle(row);
                         return f ? Cell(names[f->loudest]) : Cell();
@@ -67,7 +77,7 @@ namespace squeal
           result.push_back(
             {declaration, [p, cycle, value = column.value](const Row &row) {
                const CycleFigures *f = cycle(row);
-               return f ? Cell(value(*f, f->pairs[p])) : Cell();
+               return f ? value(*f, f->pairs[p]) : Cell();
              }});
         }
     return result;

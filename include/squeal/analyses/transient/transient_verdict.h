@@ -3,6 +3,7 @@
 #define squeal_analyses_transient_transient_verdict_h
 
 #include <squeal/analyses/transient/transient_results.h>
+#include <squeal/contact/pressure_moments.h>
 
 #include <string>
 
@@ -33,16 +34,6 @@ namespace squeal
 
   /** Of a run that has none: what it does instead. */
   std::string reason_for_no_cycle(const TransientFigures &figures);
-
-  /** Vibration of a force, over the mean normal force, that is more than the
-   * noise of the solver. */
-  constexpr double least_vibration = 1e-4;
-
-  /** A moment of the normal forces is judged where it vibrates by more than
-   * this many times what their sum does: a pad that rocks has the lines of its
-   * sum, which is of the size of its moments; a wobble that goes round cancels
-   * in the sum, and what it leaves there has other lines. */
-  constexpr double far_louder = 30.;
 
   /** A limit cycle has settled where its rms changes by no more than this share
    * between the halves of the time that it is taken over. */
