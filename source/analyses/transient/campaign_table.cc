@@ -221,9 +221,9 @@ namespace squeal
     }
 
     Cell
-    judged_moment(const JudgedPair &pair)
+    judged_beside_sums(const JudgedPair &pair)
     {
-      return judged_force_cell(pair.is_by_moment() ? pair.force_name : "");
+      return judged_force_cell(pair.is_beside_sums() ? pair.force_name : "");
     }
 
     bool
@@ -287,9 +287,9 @@ namespace squeal
       row.emplace_back(f.loudest.name);
     if (has_several_pairs(run.parameters) && has_trigger(t))
       row.emplace_back(trigger.pair.name);
-    row.push_back(judged_moment(f.loudest));
+    row.push_back(judged_beside_sums(f.loudest));
     if (has_trigger(t))
-      row.push_back(judged_moment(trigger.pair));
+      row.push_back(judged_beside_sums(trigger.pair));
     return row;
   }
 
