@@ -82,13 +82,9 @@ namespace squeal
     , rho_normal(W.rows() / 3)
     , rho_tangential(W.rows() / 3)
   {
+    fill_where_held(W);
     for (Eigen::Index j = 0; j < rho_normal.size(); ++j)
       {
-        // Where a node is held any flexibility of its own serves; without one
-        // W could not be inverted.
-        for (const unsigned int c : {1, 2})
-          if (is_held_along_face(W, j, Eigen::Vector3d::Unit(c)))
-            W(3 * j + c, 3 * j + c) += W(3 * j, 3 * j);
         rho_normal[j] = 1. / W(3 * j, 3 * j);
         rho_tangential[j] =
           1. / std::max(W(3 * j + 1, 3 * j + 1), W(3 * j + 2, 3 * j + 2));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/transient/modal_step.h>
 
 #include <unsupported/Eigen/MatrixFunctions>
@@ -99,6 +100,8 @@ namespace squeal
      * growth a step from which it counts. */
     constexpr unsigned int n_trial_steps  = 400;
     constexpr double       largest_growth = 1.0005;
+    /** Of the step that is asked for: one below is none to compute with. */
+    constexpr double least_share_of_step = 1e-9;
   } // namespace
 
 
@@ -171,9 +174,11 @@ namespace squeal
   bool
   is_stable_step(const ReducedContactModel &model, const double dt)
   {
-    const ModalStep                   step(model, dt);
-    const Eigen::MatrixXd            &Psi = model.participation;
-    const Eigen::LLT<Eigen::MatrixXd> W(step.delassus(model));
+    const ModalStep        step(model, dt);
+    const Eigen::MatrixXd &Psi      = model.participation;
+    Eigen::MatrixXd        delassus = step.delassus(model);
+    fill_where_held(delassus);
+    const Eigen::LLT<Eigen::MatrixXd> W(delassus);
     if (W.info() != Eigen::Success)
       return false;
     const Eigen::Index n = model.n_modes();
@@ -216,6 +221,11 @@ namespace squeal
     double low = asked, high = asked;
     while (!is_stable_step(model, low))
       {
+        if (low < least_share_of_step * asked)
+          throw ComputationError(
+            "the contact gives way nowhere in some direction, so that no time "
+            "step is stable: lower 'Transient/Cut-off', or free the nodes of "
+            "the contact that a support holds along their normals");
         high = low;
         low *= 0.5;
       }

@@ -6,6 +6,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,18 @@ namespace squeal
     const Eigen::Matrix3d own = flexibility.block<3, 3>(3 * node, 3 * node);
     return direction[0] == 0. &&
            !(direction.dot(own * direction) > rounding * own(0, 0));
+  }
+
+  void
+  fill_where_held(Eigen::MatrixXd &W)
+  {
+    // Along the sliding so little that a target that slides reaches friction's
+    // limit in any step; across it as much as the rest has, for the iteration.
+    constexpr std::array<double, 3> share_of_normal = {{0., 1e-6, 1.}};
+    for (Eigen::Index j = 0; j < W.rows() / 3; ++j)
+      for (const unsigned int c : {1, 2})
+        if (is_held_along_face(W, j, Eigen::Vector3d::Unit(c)))
+          W(3 * j + c, 3 * j + c) += share_of_normal[c] * W(3 * j, 3 * j);
   }
 
 

@@ -38,7 +38,8 @@ namespace squeal
    */
   bool is_stable_step(const ReducedContactModel &model, const double time_step);
 
-  /** The largest stable step up to @p asked, to 1 %. */
+  /** The largest stable step up to @p asked, to 1 %. Throws ComputationError
+   * where none above a billionth of it is stable. */
   double largest_stable_step(const ReducedContactModel &model,
                              const double               asked);
 } // namespace squeal

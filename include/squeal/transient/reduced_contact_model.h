@@ -102,6 +102,11 @@ namespace squeal
                           const unsigned int     node,
                           const Eigen::Vector3d &direction);
 
+  /** Gives nodes that are held along the face the flexibility along their
+   * normal there: nothing moves them, so that any serves, and without one
+   * @p flexibility, 3 nodes x 3 nodes, m/N, could not be inverted. */
+  void fill_where_held(Eigen::MatrixXd &flexibility);
+
   /** Throws InputError where the damping of @p pencil is not viscous. */
   void check_time_domain_damping(const Pencil &pencil);
 
