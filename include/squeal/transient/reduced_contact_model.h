@@ -94,17 +94,16 @@ namespace squeal
 
   /** Whether nothing moves @p node in @p direction, of unit size (normal,
    * along and across the sliding), and that lies in the face: a support holds
-   * it, as on a plane of symmetry. Then it neither slips nor takes friction
-   * that
-   * way. @p flexibility: 3 nodes x 3 nodes, m/N; what is below 1e-12 of that
-   * along the normal is rounding. */
+   * it, as on a plane of symmetry. It takes friction that way only where its
+   * target slides past it. @p flexibility: 3 nodes x 3 nodes, m/N; what is below
+   * 1e-12 of that along the normal is rounding. */
   bool is_held_along_face(const Eigen::MatrixXd &flexibility,
                           const unsigned int     node,
                           const Eigen::Vector3d &direction);
 
-  /** Gives nodes that are held along the face the flexibility along their
-   * normal there: nothing moves them, so that any serves, and without one
-   * @p flexibility, 3 nodes x 3 nodes, m/N, could not be inverted. */
+  /** Gives nodes that are held along the face some of the flexibility that
+   * they have along their normal: nothing moves them, so that any serves, and
+   * without one @p flexibility, 3 nodes x 3 nodes, m/N, could not be inverted. */
   void fill_where_held(Eigen::MatrixXd &flexibility);
 
   /** Throws InputError where the damping of @p pencil is not viscous. */
