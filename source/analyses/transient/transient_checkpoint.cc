@@ -267,6 +267,16 @@ namespace squeal
 
 
 
+    /** How many of the first @p n_done steps of @p n_steps are among those that
+     * WatchedNodes keeps one by one. */
+    std::size_t
+    n_of_the_last(const unsigned int n_done, const unsigned int n_steps)
+    {
+      constexpr unsigned int most  = WatchedNodes::most_last_steps;
+      const unsigned int     first = n_steps > most ? n_steps - most : 0;
+      return n_done > first ? n_done - first : 0;
+    }
+
     ContactStatus
     status_from(const double value)
     {
@@ -356,9 +366,8 @@ namespace squeal
       memory.get("watched/samples", n_watched * record.samples.size());
     record.watched.last_steps = memory.get(
       "watched/last_steps",
-      n_watched * std::min<std::size_t>(record.last_steps.size() /
-                                          pressed.nodes().pairs().size(),
-                                        WatchedNodes::most_last_steps));
+      n_watched *
+        n_of_the_last(static_cast<unsigned int>(record.n_steps), n_steps));
     record.square_accelerations =
       memory.get("square_accelerations", pressed.nodes().pairs().size());
     std::vector<double> frame_times;
