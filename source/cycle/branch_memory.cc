@@ -124,7 +124,7 @@ namespace squeal
         const Side  &side = sides[i];
         NamedNumbers numbers;
         numbers.set("n_points", static_cast<double>(side.points.size()));
-        numbers.set("step", side.step);
+        numbers.set("steps", side.steps);
         numbers.set("is_lost", side.is_lost ? 1. : 0.);
         numbers.set("turns", side.turns ? 1. : 0.);
         // The first one is the start, which is there.
@@ -197,7 +197,10 @@ namespace squeal
         const std::size_t  stored  = numbers.count("n_points", most_points),
                           n        = std::min<std::size_t>(stored,
                                                     settings.n_points + 1);
-        side.step                  = numbers.number("step");
+        if (n == 0)
+          throw InputError("n_points: a branch has one at least");
+        side.steps = numbers.get("steps", stored);
+        side.steps.resize(n);
         // With fewer points than before it ends before it was lost.
         const bool is_whole = n == stored;
         side.is_lost        = is_whole && numbers.count("is_lost", 1) == 1;

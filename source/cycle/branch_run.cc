@@ -239,7 +239,8 @@ namespace squeal
                       &before = side.points[side.points.size() - 2];
     const double way          = branch_distance(maps, before, last, settings);
     for (double step =
-           std::min(side.step > 0. ? side.step : way, settings.largest_step);
+           std::min(side.steps.back() > 0. ? side.steps.back() : way,
+                    settings.largest_step);
          step >= settings.smallest_step;
          step *= shorter)
       if (auto next = correct_along(maps, before, last, step, settings))
@@ -249,9 +250,9 @@ namespace squeal
           if (side.turns)
             continue;
           const unsigned int iterations = next->motion.iterations;
-          side.step = iterations <= few_iterations    ? longer * step
-                      : iterations >= many_iterations ? shorter * step
-                                                      : step;
+          side.steps.push_back(iterations <= few_iterations    ? longer * step
+                               : iterations >= many_iterations ? shorter * step
+                                                               : step);
           return within_range(point_of(
             *maps(next->parameter), std::move(next->motion), next->parameter));
         }
@@ -261,11 +262,14 @@ namespace squeal
   void
   BranchRun::add_point(Side &side) const
   {
-    auto next    = side.points.size() == 1
-                     ? neighbour(side.points.front(), side.sign)
-                     : step_along(side);
+    const bool is_first = side.points.size() == 1;
+    auto       next =
+      is_first ? neighbour(side.points.front(), side.sign) : step_along(side);
     side.is_lost = !next;
-    if (next)
-      side.points.push_back(std::move(*next));
+    if (!next)
+      return;
+    if (is_first)
+      side.steps.push_back(0.);
+    side.points.push_back(std::move(*next));
   }
 } // namespace squeal

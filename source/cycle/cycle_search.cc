@@ -23,6 +23,9 @@ namespace squeal
                      shortest_period = .45;
     /** Steps of a period of the pair in it, where more are asked for. */
     constexpr double least_run_steps = 24.;
+    /** Steps of the one period in which amplitudes are scaled up: the largest
+     * of so many is within 2e-4 of that in between. */
+    constexpr unsigned int amplitude_steps = 200;
     /** How often a periodic motion is sought along it: again where it comes
      * back nearer by this share than the time before. */
     constexpr unsigned int most_searches = 3;
@@ -240,19 +243,27 @@ namespace squeal
     }
 
     /** How near node @p j comes to opening (1: it does) or to sticking in the
-     * motion @p orbit; 0 where it is open in steady sliding. */
+     * motion @p orbit, whose growth at the rate @p sigma, 1/s, is taken off: an
+     * amplitude must not depend on the phase that the motion starts with. 0
+     * where the node is open in steady sliding. */
     double
     nearness_to_change(const PeriodMap     &map,
                        const SteadySliding &steady,
                        const Orbit         &orbit,
+                       const double         sigma,
                        const unsigned int   j)
     {
       const double pressing = steady.forces[3 * j];
       if (steady.status[j] == ContactStatus::open || !(pressing > 0.))
         return 0.;
+      const auto without_growth = [&](const double share, const double step) {
+        return share * std::exp(-sigma * step * orbit.step);
+      };
       double share = 0.;
-      for (const MotionState &state : orbit.states)
-        share = std::max(share, 1. - state.forces[3 * j] / pressing);
+      for (unsigned int i = 0; i < orbit.states.size(); ++i)
+        share = std::max(
+          share,
+          without_growth(1. - orbit.states[i].forces[3 * j] / pressing, i));
       const double way = orbit.step * std::abs(map.sliding_speed()) *
                          map.reduced_model().speed_ratio[j];
       // In the first step the forces leave those of steady sliding.
@@ -260,8 +271,10 @@ namespace squeal
         {
           const Eigen::Vector3d moved =
             (orbit.motions[i + 1] - orbit.motions[i]).segment<3>(3 * j);
-          share =
-            std::max(share, 1. - std::hypot(way + moved[1], moved[2]) / way);
+          share = std::max(
+            share,
+            without_growth(1. - std::hypot(way + moved[1], moved[2]) / way,
+                           i + .5));
         }
       return share;
     }
@@ -395,7 +408,8 @@ namespace squeal
       {
         std::vector<double> &of_pair = result.emplace_back();
         for (unsigned int j = first; j < first + n_nodes; ++j)
-          if (const double share = nearness_to_change(map, steady, orbit, j);
+          if (const double share = nearness_to_change(
+                map, steady, orbit, linear.lambda[k].real(), j);
               share > 0.)
             of_pair.push_back(small / share);
         std::sort(of_pair.begin(), of_pair.end());
@@ -422,7 +436,10 @@ namespace squeal
         steady,
         linear,
         k,
-        stable_steps(map.reduced_model(), period, settings.run_steps, 1)),
+        stable_steps(map.reduced_model(),
+                     period,
+                     std::max(settings.run_steps, amplitude_steps),
+                     1)),
       result);
     MotionState start =
       state_of_pair(steady, linear, k, settings.start * result.half_change);

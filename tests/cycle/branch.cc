@@ -26,6 +26,21 @@ using namespace squeal::testing;
 
 namespace
 {
+  /** The vibration that grows fastest. */
+  Eigen::Index
+  fastest_growing(const LinearizedMotion &linear)
+  {
+    Eigen::Index k    = 0;
+    double       best = -1e300;
+    for (Eigen::Index i = 0; i < linear.lambda.size(); ++i)
+      if (linear.lambda[i].imag() > 0. && linear.lambda[i].real() > best)
+        {
+          best = linear.lambda[i].real();
+          k    = i;
+        }
+    return k;
+  }
+
   /** Of the normal force of the linear motion at the critical friction, rms at
    * the amplitude at which the first node opens or sticks. */
   double
@@ -36,15 +51,8 @@ namespace
     const PeriodMap        map(m, mu, speed, 1., 1e-12);
     const SteadySliding    steady = steady_sliding(m, mu);
     const LinearizedMotion linear = linearize(m, steady, mu, speed);
-    Eigen::Index           k      = 0;
-    double                 best   = -1e300;
-    for (Eigen::Index i = 0; i < linear.lambda.size(); ++i)
-      if (linear.lambda[i].imag() > 0. && linear.lambda[i].real() > best)
-        {
-          best = linear.lambda[i].real();
-          k    = i;
-        }
-    const double amplitude =
+    const Eigen::Index     k      = fastest_growing(linear);
+    const double           amplitude =
       change_amplitudes(map, steady, linear, k, 20000).front().front();
     const Eigen::Index    n = m.n_modes();
     const Eigen::VectorXd x = .5 * amplitude * linear.right.col(k).real();
@@ -54,6 +62,34 @@ namespace
     return 2. * figures_of(
                   map.run(start, 2. * M_PI / linear.lambda[k].imag(), 20000))
                   .rms;
+  }
+
+  /** An eigenvector is the same whatever its phase, and so is the amplitude at
+   * which the first node changes its status, however fast the pair grows. */
+  void
+  start_amplitude()
+  {
+    const double              mu = .6, speed = .3;
+    const ReducedContactModel m = two_modes();
+    const PeriodMap           map(m, mu, speed, 1., 1e-12);
+    const SteadySliding       steady = steady_sliding(m, mu);
+    LinearizedMotion          linear = linearize(m, steady, mu, speed);
+    const Eigen::Index        k      = fastest_growing(linear);
+    check(2. * M_PI * linear.lambda[k].real() > .3 * linear.lambda[k].imag(),
+          "the pair grows much in a period");
+    const Eigen::VectorXcd shape = linear.right.col(k);
+    const auto             first = [&]() {
+      return change_amplitudes(map, steady, linear, k, 2000).front().front();
+    };
+    const double as_given = first();
+    for (const double phase : {1., 2.3, 4.})
+      {
+        linear.right.col(k) = std::polar(1., phase) * shape;
+        check_close(first(),
+                    as_given,
+                    1e-3,
+                    "first change from the phase " + std::to_string(phase));
+      }
   }
 
   /** Whether all numbers of two motions are the same. */
@@ -128,11 +164,14 @@ namespace
     extended.restore(shorter.memory());
     check(extended.advance(), "made longer");
     check_same(whole.branch(), extended.branch(), "extended");
-    BranchRun cut = run(4);
+    BranchRun cut = run(4), grown_again = run(8);
     cut.restore(whole.memory());
     check(cut.n_points() == shorter.n_points() && cut.advance(),
           "no more points than are asked for now");
     check_same(shorter.branch(), cut.branch(), "cut");
+    grown_again.restore(cut.memory());
+    check(grown_again.advance(), "to both ends again");
+    check_same(whole.branch(), grown_again.branch(), "cut and grown again");
     unsigned int n_held = 0;
     for (const BranchPoint &x : whole.branch().points)
       n_held += x.motion.is_held;
@@ -141,7 +180,7 @@ namespace
                 whole.n_points());
 
     const NamedNumbers memory = whole.memory();
-    for (const char *name : {"0/1/start/forces", "1/2/past/status", "0/step"})
+    for (const char *name : {"0/1/start/forces", "1/2/past/status", "0/steps"})
       {
         NamedNumbers damaged = memory;
         damaged.set(name, std::vector<double>{7., 7.});
@@ -459,6 +498,8 @@ main(int argc, char *argv[])
     branch(3., which);
   else if (which == "sticking")
     branch(.3, which);
+  else if (which == "start_amplitude")
+    start_amplitude();
   else if (which == "resume")
     resume();
   else if (which == "stiffness")
@@ -467,5 +508,6 @@ main(int argc, char *argv[])
     folding();
   else
     check(false,
-          "an argument: separating, sticking, stiffness, folding or resume");
+          "an argument: separating, sticking, stiffness, folding, "
+          "start_amplitude or resume");
 }

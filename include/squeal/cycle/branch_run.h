@@ -50,9 +50,10 @@ namespace squeal
     {
       double                   sign;
       std::vector<BranchPoint> points;
-      double step    = 0.;    /**< the next one, 0: as long as the one before */
-      bool   is_lost = false; /**< the iterations have not converged */
-      bool   turns   = false; /**< the branch turns too sharply */
+      /** Of the step beyond each point; 0: as long as the one before. */
+      std::vector<double> steps = {0.};
+      bool is_lost = false; /**< the iterations have not converged */
+      bool turns   = false; /**< the branch turns too sharply */
     };
 
     std::optional<BranchEnd>   end_of(const Side &side) const;

@@ -30,11 +30,16 @@ namespace squeal
     BranchSettings
     settings_of(const Parameters &p, const CycleResult &start)
     {
-      const SweepGrid grid(p);
-      BranchSettings  settings;
-      settings.lower    = grid.lower(0);
-      settings.upper    = grid.upper(0);
-      settings.n_points = p.sweep.axes.front().number;
+      const SweepAxisParameters &axis = p.sweep.axes.front();
+      // The grid of a single point has no range.
+      const auto coordinate =
+        [is_log = SweepGrid(p).is_logarithmic(0)](const double value) {
+          return is_log ? std::log10(value) : value;
+        };
+      BranchSettings settings;
+      settings.lower    = coordinate(axis.from.front());
+      settings.upper    = coordinate(axis.to.front());
+      settings.n_points = axis.number;
       settings.shooting = {
         p.limit_cycle.steps, p.limit_cycle.iterations, p.limit_cycle.tolerance};
       settings.multiplier_error = start.multipliers.uncertainty();
