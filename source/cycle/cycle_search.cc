@@ -23,8 +23,8 @@ namespace squeal
                      shortest_period = .45;
     /** Steps of a period of the pair in it, where more are asked for. */
     constexpr double least_run_steps = 24.;
-    /** Steps of the one period in which amplitudes are scaled up: the largest
-     * of so many is within 2e-4 of that in between. */
+    /** Steps of the one period in which amplitudes are scaled up, so that they
+     * are good to some thousandths. */
     constexpr unsigned int amplitude_steps = 200;
     /** How often a periodic motion is sought along it: again where it comes
      * back nearer by this share than the time before. */
