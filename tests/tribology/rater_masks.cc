@@ -7,7 +7,6 @@
 #include "../analyses/program.h"
 
 #include <squeal/tribology/images/agreement.h>
-#include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/mask_line.h>
@@ -197,55 +196,6 @@ namespace
                   2. / length,
                   "three alike, at a tolerance of " +
                     std::to_string(int(tolerance)));
-  }
-
-
-
-  /** Lines of two raters are one up to the tolerance and two beyond; of three
-   * raters two must lie so near, and one goes no farther than another one. */
-  void
-  check_lines_apart()
-  {
-    const auto drawn = [](const int y, const int last, const double wave) {
-      cv::Mat                line = cv::Mat::zeros(200, 400, CV_8U);
-      std::vector<cv::Point> way;
-      for (int x = 50; x <= last; ++x)
-        way.emplace_back(x, y + cvRound(wave * std::sin(x / 15.)));
-      cv::polylines(line, way, false, 255);
-      return thin(line);
-    };
-    for (const double wave : {0., 8.})
-      for (const double tolerance : {0., 2., 5., 20.})
-        for (int apart = 0; apart < 30; ++apart)
-          {
-            const cv::Mat     a    = drawn(100, 300, wave);
-            const cv::Mat     b    = drawn(100 + apart, 300, wave);
-            const cv::Mat     none = drawn(20, 300, 0.);
-            const std::string text = ", " + std::to_string(apart) +
-                                     " px apart at a tolerance of " +
-                                     std::to_string(int(tolerance));
-            const double one = length_in(a);
-            const bool is_one = apart <= std::max(1., tolerance);
-            if (wave > 0. && apart > 0.5 * std::max(2., tolerance) &&
-                apart < 2. * std::max(2., tolerance))
-              continue; // the wave's flanks lie nearer than that
-            check_close(length_in(consensus_line({a, b}, tolerance)),
-                        is_one ? one : 2. * one,
-                        0.02,
-                        "two raters" + text);
-            if (apart != 1 || tolerance > 0.)
-              check_close(length_in(consensus_line({a, b, none}, tolerance)),
-                          is_one ? one : 0.,
-                          0.02,
-                          "three raters" + text);
-          }
-    check_close(length_in(consensus_line({drawn(100, 250, 0.),
-                                          drawn(101, 300, 0.),
-                                          drawn(100, 350, 0.)},
-                                         20.)),
-                length_in(drawn(100, 300, 0.)),
-                2. / 250.,
-                "as long as two of three have it");
   }
 
 
@@ -501,7 +451,6 @@ main(int argc, char **argv)
   check_consensus();
   check_filled_masks();
   check_lengths_agreed();
-  check_lines_apart();
   const Files files;
   check_one_rater();
   check_nothing_marked();
