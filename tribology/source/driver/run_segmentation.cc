@@ -7,16 +7,13 @@
 #include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/driver/segmentation_input.h>
 #include <squeal/tribology/images/cell_grid.h>
+#include <squeal/tribology/images/element_map.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
-#include <squeal/tribology/images/stored_pixels.h>
-
-#include <opencv2/imgproc.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <sstream>
 
@@ -26,9 +23,6 @@ namespace squeal::tribology
   {
     using R = SegmentationParameters::Registration;
     using V = SegmentationParameters::View;
-
-    /** The shapes (width over height) of a map and its view by so much. */
-    constexpr double shape_agreement = 0.02;
 
     /** Two octaves reach nine pixels, six 144. */
     constexpr int most_octaves = 6;
@@ -193,37 +187,13 @@ namespace squeal::tribology
         images                   = {m};
       }
 
-      /** An element map with the pixels of the frame of @p m. It may show the
-       * data bar or not: the nearer shape tells. */
-      cv::Mat
-      on_frame(const std::string &path, const Micrograph &m) const
-      {
-        cv::Mat values =
-          read_element_map(path, context.parameters.images.largest_image);
-        const auto difference_from = [&](const cv::Size &size) {
-          return std::abs(values.cols * double(size.height) /
-                            (values.rows * double(size.width)) -
-                          1.);
-        };
-        const cv::Size whole = m.grey.size(), frame = m.frame.size();
-        const bool with_bar = difference_from(whole) <= difference_from(frame);
-        if (difference_from(with_bar ? whole : frame) > shape_agreement)
-          throw InputError(path + " has " + size_text(values.size()) +
-                           " pixels, the view of " + m.path + " " +
-                           size_text(whole) +
-                           ": an element map of that view has its shape");
-        cv::resize(
-          values, values, with_bar ? whole : frame, 0., 0., cv::INTER_AREA);
-        return with_bar ? values(m.frame) : values;
-      }
-
       /** Of the first image, or of all joined. */
       void
       read_element_maps()
       {
         for (const std::string &path : p.element_maps)
-          element_maps.emplace_back(std::filesystem::path(path).stem(),
-                                    on_frame(path, images[0]));
+          element_maps.push_back(element_map_over(
+            images[0], path, context.parameters.images.largest_image));
       }
 
       /** Of 8 bit, black where nothing is seen. */
@@ -367,8 +337,9 @@ namespace squeal::tribology
         CellGrid &grid = pad ? *pad : own;
         grid.add(found, placement, sliding, m.metadata.is_synthetic);
         if (is_first)
-          for (const auto &[name, values] : element_maps)
-            grid.add_covariate(name, values, placement, found.seen);
+          for (const ElementMap &map : element_maps)
+            grid.add_covariate(
+              map.name, map.values, placement, both_seen(found.seen, map.seen));
         if (!pad)
           append(own, m.stem);
       }
@@ -434,9 +405,9 @@ namespace squeal::tribology
       const SegmentationInput       input;
       std::vector<Micrograph>       images; // those of the input, or all joined
       std::optional<CellGrid>       pad;
-      std::vector<std::pair<std::string, cv::Mat>> element_maps;
-      Table                                        cells;
-      SegmentationRecord                           record;
+      std::vector<ElementMap>       element_maps;
+      Table                         cells;
+      SegmentationRecord            record;
     };
   } // namespace
 

@@ -171,8 +171,7 @@ namespace squeal::tribology
         if (cv::norm(p - q) > tolerance)
           return false;
         const auto end = ends.find({q.x, q.y});
-        return end == ends.end() ||
-               end->second.dot(cv::Point2d(p - q)) < 1.;
+        return end == ends.end() || end->second.dot(cv::Point2d(p - q)) < 1.;
       }
 
       NearestPixels                              nearest;

@@ -67,11 +67,11 @@ namespace squeal::tribology
           double widest = 0.;
           for (const cv::Point &p : end.behind)
             widest = std::max(widest, double(half(p)));
-          cv::line(
-            line,
-            end.tip,
-            last_on_way(before, mask, end, before_outline * widest + and_pixels),
-            255);
+          cv::line(line,
+                   end.tip,
+                   last_on_way(
+                     before, mask, end, before_outline * widest + and_pixels),
+                   255);
         }
       line = thin(line);
     }
