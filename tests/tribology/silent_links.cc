@@ -21,7 +21,7 @@ namespace
   double
   pressure(const unsigned int k)
   {
-    return 1. + std::sin(1. + 7. * k);
+    return std::round(1e3 * (1. + std::sin(1. + 7. * k)));
   }
 
   /** Tables of all nodes; the features of the first @p n_rows of them only. */
@@ -55,7 +55,6 @@ namespace
     p.feature_tables = {"features.csv"};
     p.indices        = {index};
     p.features       = {feature};
-    p.leading_edge   = CorrelationParameters::LeadingEdge::lowest_y;
     if (has_covariate)
       p.covariates = {"driver"};
     const std::vector<PadLink> links = link_pads(read_pads(p), p);

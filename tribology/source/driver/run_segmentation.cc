@@ -7,12 +7,14 @@
 #include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/driver/segmentation_input.h>
 #include <squeal/tribology/images/cell_grid.h>
+#include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/element_map.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -30,6 +32,11 @@ namespace squeal::tribology
     /** Pixels. The judge of lines knows no wider cracks, whatever the filters
      * reach. */
     constexpr double widest_found = 15.;
+
+    /** Pixels: how far a line may lie from a straight one, on the mean, and its
+     * ends from the border. */
+    constexpr double straight  = 2.;
+    constexpr int    at_border = 8;
 
     SegmentationSettings
     settings_of(const SegmentationParameters &p, const double pixel_size)
@@ -212,15 +219,45 @@ namespace squeal::tribology
         return input.placement_of(m, p);
       }
 
+      /** Whether the cracks of image @p i are those of masks. */
+      bool
+      is_drawn(const std::size_t i) const
+      {
+        return !p.mosaic && !input.crack_marks[i].empty() &&
+               p.mask_use == SegmentationParameters::MaskUse::instead;
+      }
+
+      /** The darkest groove of a surface may look like a straight crack. */
+      void
+      warn_of_straight_lines(const std::size_t i, const cv::Mat &line) const
+      {
+        const Micrograph &m = images[i];
+        const cv::Rect    inner(at_border,
+                             at_border,
+                             line.cols - 2 * at_border,
+                             line.rows - 2 * at_border);
+        const double      shortest = 0.5 * std::min(line.cols, line.rows);
+        double            length   = 0.;
+        for (const LinePiece &piece : line_pieces(line))
+          if (const double chord =
+                cv::norm(piece.axis.front() - piece.axis.back());
+              chord > shortest && !inner.contains(piece.axis.front()) &&
+              !inner.contains(piece.axis.back()) && piece.waviness() < straight)
+            length += chord;
+        if (!is_drawn(i) && length > 0.)
+          context.log.warning(
+            m.path + ": " + rounded_text(length * m.pixel_size, 3) +
+            " um of the cracks are straight lines from border to border, as "
+            "grooves are, and the error of the length does not contain that "
+            "they are grooves: look at them in the overlay");
+      }
+
       /** Of the finding of image @p i, where it is stated. */
       void
       warn_of_width(const std::size_t i) const
       {
         const Micrograph &m = images[i];
-        const bool        is_drawn =
-          !p.mosaic && !input.crack_marks[i].empty() &&
-          p.mask_use == SegmentationParameters::MaskUse::instead;
-        if (!is_drawn && p.largest_width > widest_found * m.pixel_size)
+        if (!is_drawn(i) && p.largest_width > widest_found * m.pixel_size)
           context.log.warning(
             m.path + ": cracks wider than about " +
             rounded_text(widest_found * m.pixel_size, 3) + " um (" +
@@ -282,6 +319,7 @@ namespace squeal::tribology
           if (!p.mosaic)
             rate(i, shown.grey, found, entry);
           warn_of_lines_unseen(m, found.cracks);
+          warn_of_straight_lines(i, found.cracks.centre_line);
         }
         entry.stem         = m.stem;
         entry.path         = m.path;
