@@ -50,6 +50,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_profiles.cc
     source/images/crack_width.cc
     source/images/decoder_messages.cc
+    source/images/element_map.cc
     source/images/image_files.cc
     source/images/image_size.cc
     source/images/image_tags.cc

@@ -215,11 +215,24 @@ namespace
         require_areas_of_face(face, "a.h5");
         refused(scaled(face, 1e3, 1.), "coordinates in mm");
         refused(scaled(face, 1., 1e6), "areas in mm^2");
-        require_areas_of_face(scaled(face, 1e3, 1e6), "both in mm");
+        const HistoryLayout all_in_mm = scaled(face, 1e3, 1e6);
+        require_areas_of_face(all_in_mm, "areas of faces in mm fit");
+        check(doubt_of_length(face, "a.h5").empty(), "a pad is short");
+        check(doubt_of_length(all_in_mm, "a.h5").find("a.h5: the face is ") ==
+                0,
+              "one in mm is long: " + doubt_of_length(all_in_mm, "a.h5"));
       }
-    for (const double factor : {.5, 2.})
-      refused(scaled(rectangular_face(factor > 1.), 1., factor),
-              "another area of a grid");
+    refused(scaled(rectangular_face(true), 1., 2.), "twice the area of a grid");
+    for (const double slot : {2e-3, 8e-3, .1})
+      {
+        // the nodes from the fourth column on are a part of their own
+        HistoryLayout parts = rectangular_face(true);
+        for (auto &point : parts.points)
+          point[0] += point[0] > 2.5e-3 ? slot : 0.;
+        require_areas_of_face(parts, "two parts of a face on one grid");
+        refused(scaled(parts, 1e3, 1.), "two parts in mm");
+        refused(scaled(parts, 1., 1e6), "two parts with areas in mm^2");
+      }
 
     // A node of a half cylinder stands for more than its shadow.
     HistoryLayout curved;

@@ -3,7 +3,10 @@
 // Scale and stage of microscopes, and what cannot be read. Argument: the
 // executable.
 #include <squeal/base/exceptions.h>
+#include <squeal/results/table.h>
+#include <squeal/tribology/images/cell_grid.h>
 #include <squeal/tribology/images/decoder_messages.h>
+#include <squeal/tribology/images/element_map.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/specimen.h>
@@ -273,7 +276,7 @@ namespace
   check_element_maps()
   {
     cv::imwrite("counts.png", cv::Mat(64, 64, CV_16U, cv::Scalar(1000)));
-    check_close(read_element_map("counts.png").at<float>(5, 5),
+    check_close(read_element_map("counts.png").values.at<float>(5, 5),
                 1000.,
                 1e-12,
                 "counts of 16 bit");
@@ -283,10 +286,55 @@ namespace
                              "colours",
                              "a map in colours is refused");
     cv::imwrite("grey.png", cv::Mat(64, 64, CV_8UC3, cv::Scalar(7, 7, 7)));
-    check_close(read_element_map("grey.png").at<float>(5, 5),
+    check_close(read_element_map("grey.png").values.at<float>(5, 5),
                 7.,
                 1e-12,
                 "a grey map in three channels");
+  }
+
+  /** Transparent pixels of an element map count for nothing, whatever is hidden
+   * under them, and not where the map is made smaller either. */
+  void
+  check_transparent_element_map()
+  {
+    cv::Mat grey(64, 64, CV_8U, cv::Scalar(40)), alpha(64, 64, CV_8U);
+    alpha.setTo(255);
+    alpha.colRange(33, 64).setTo(0);
+    grey.colRange(33, 64).setTo(0);
+    cv::Mat layers;
+    cv::merge(std::vector<cv::Mat>{grey, grey, grey, alpha}, layers);
+    cv::imwrite("part.png", layers);
+    for (const int n : {64, 32})
+      {
+        Micrograph image;
+        image.grey                = cv::Mat::zeros(n, n, CV_32F);
+        image.frame               = {0, 0, n, n};
+        const ElementMap map      = element_map_over(image, "part.png");
+        const int        n_opaque = n == 64 ? 33 : 17; // half of the last one
+        check(cv::countNonZero(map.seen) == n * n_opaque &&
+                cv::countNonZero(map.seen.colRange(0, n_opaque)) ==
+                  n * n_opaque,
+              "what is opaque counts");
+        CellGrid grid({double(n), double(n)}, 4, 1);
+        grid.add_covariate(
+          "map",
+          map.values,
+          {cv::Matx33d(1., 0., -.5 * n, 0., 1., -.5 * n, 0., 0., 1.), 0.},
+          map.seen);
+        Table table(grid.columns());
+        grid.append_rows(table, "pad");
+        for (const std::size_t cell : {0, 1, 2})
+          check_close(table.real(cell, "map"),
+                      40.,
+                      1e-6,
+                      "the mean is that of opaque pixels");
+        check(table.text(3, "map").empty(), "of none there is no mean");
+      }
+    layers.setTo(cv::Scalar(9, 9, 9, 0));
+    cv::imwrite("clear.png", layers);
+    check_throws<InputError>([]() { read_element_map("clear.png"); },
+                             "transparent everywhere",
+                             "a map without a count is refused");
   }
 
   /** Images that a wildcard does not reach are named. */
@@ -382,6 +430,7 @@ main(int argc, char **argv)
   check_messages();
   check_damaged_pixels();
   check_element_maps();
+  check_transparent_element_map();
   if (argc > 1)
     {
       check_refusals(argv[1]);

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "tribology/straight_scenes.h"
+
 using namespace squeal;
 using namespace squeal::testing;
 using namespace squeal::tribology;
@@ -254,6 +256,35 @@ namespace
       seen += cells.real(i, "coverage") / double(cells.n_rows());
     check_close(seen * 640. * 500. * 1e-12, area, 0.02, "cells cover as much");
   }
+
+
+
+  /** A straight line from border to border may be a groove. */
+  void
+  check_line_through_the_image()
+  {
+    for (const bool is_through : {true, false})
+      {
+        cv::RNG random(910000U);
+        cv::Mat grey = grainy_surface(random), bytes;
+        darken_line(grey,
+                    {is_through ? -20. : 120., 240.},
+                    {is_through ? 532. : 420., 260.},
+                    4.,
+                    70.);
+        grey.convertTo(bytes, CV_8U);
+        write_png("line.png", bytes);
+        run("set Images = line.png\nset Pixel size = 1\n"
+            "set Output directory = line\n"
+            "subsection Segmentation\n  set Data bar = 0\nend\n");
+        check(crack_length(record_of("line")) > 0.25, "the line is found");
+        const std::string log = unbroken(text_of("line/run.log"));
+        check((log.find("straight lines from border to border") !=
+               std::string::npos) == is_through,
+              is_through ? "it may be a groove, which is said"
+                         : "one that ends inside has no warning");
+      }
+  }
 } // namespace
 
 
@@ -266,5 +297,6 @@ main(int argc, char **argv)
   check_mosaic();
   check_reports();
   check_section();
+  check_line_through_the_image();
   return 0;
 }

@@ -232,7 +232,7 @@ namespace
       "a covariate that is in neither table");
     p.covariates.clear();
     const std::vector<PadLink>     beside = link_pads(read_pads(p), p);
-    const std::vector<std::string> lines  = warnings_of_few_cells(beside);
+    const std::vector<std::string> lines  = warnings_of_weak_links(beside);
     check(lines.size() == 2 &&
             lines[0].find("'crack_density_per_m': 25 cells are known, ") !=
               std::string::npos,

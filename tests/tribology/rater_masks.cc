@@ -193,7 +193,7 @@ namespace
     for (const double tolerance : {0., 2., 5., 20., 50.})
       check_close(length_in(consensus_line({line, line, line}, tolerance)),
                   length,
-                  2.,
+                  2. / length,
                   "three alike, at a tolerance of " +
                     std::to_string(int(tolerance)));
   }

@@ -6,6 +6,7 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/results/table.h>
+#include <squeal/tribology/images/element_map.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/micrograph.h>
 #include <squeal/tribology/images/rater_masks.h>
@@ -123,6 +124,13 @@ namespace
         cv::Mat turned_mask;
         cv::rotate(mask, turned_mask, cv::ROTATE_180);
         check(same(read_mask("turned_mask.tif", m, -1, 1e3), turned_mask),
+              "one with the same tag lies as the image does");
+        check_throws<InputError>(
+          [&m]() { element_map_over(m, "turned_by_fiji.png"); },
+          "has the orientation tag 1, the view of turned.tif 3",
+          "an element map without the tag may lie turned over it");
+        turned_mask.convertTo(expected, CV_32F);
+        check(same(element_map_over(m, "turned_mask.tif").values, expected),
               "one with the same tag lies as the image does");
       }
   }

@@ -265,7 +265,7 @@ namespace squeal::tribology
       context.log.warning(line);
     for (const std::string &line : warnings_of_assumed_edges(pads, p))
       context.log.warning(line);
-    for (const std::string &line : warnings_of_few_cells(links))
+    for (const std::string &line : warnings_of_weak_links(links))
       context.log.warning(line);
     for (const std::string &line : warnings_of_lacking_features(pads, p))
       context.log.warning(line);

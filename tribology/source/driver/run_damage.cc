@@ -186,9 +186,12 @@ namespace squeal::tribology
 
 
     void
-    warn_of_missing_slip(Context &context, const DamageStudy &study)
+    warn_of_history(Context &context, const DamageStudy &study)
     {
       const HistoryLayout &layout = study.reader.layout();
+      const std::string    doubt = doubt_of_length(layout, study.reader.path());
+      if (!doubt.empty())
+        context.log.warning(doubt);
       if (!layout.has_slip_rate)
         context.log.warning(
           study.reader.path() + ": the history has no slip rate: " +
@@ -406,7 +409,7 @@ namespace squeal::tribology
       for (const DamageStudy *study : {r.study.get(), r.silent.get()})
         if (study)
           {
-            warn_of_missing_slip(context, *study);
+            warn_of_history(context, *study);
             warn_of_unused_entries(context, *study);
           }
       const std::string of = pair.empty() ? pair : ", " + pair;

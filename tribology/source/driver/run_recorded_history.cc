@@ -4,6 +4,7 @@
 #include <squeal/tribology/driver/analyses.h>
 #include <squeal/tribology/history/clipped_sine.h>
 #include <squeal/tribology/history/csv_import.h>
+#include <squeal/tribology/history/face_areas.h>
 
 #include <algorithm>
 
@@ -53,6 +54,11 @@ namespace squeal::tribology
         generate(context, path);
     }
     const HistoryReader reader(path);
+    const std::string   nodes =
+      p.source == RecordedHistoryParameters::Source::csv ? p.nodes : path;
+    if (const std::string doubt = doubt_of_length(reader.layout(), nodes);
+        !doubt.empty())
+      context.log.warning(doubt);
     const auto [first, last] = reader.time_range();
     Table table({{"nodes", Table::Type::integer, "", "contact nodes"},
                  {"samples", Table::Type::integer, "", "samples"},

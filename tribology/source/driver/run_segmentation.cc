@@ -7,16 +7,15 @@
 #include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/driver/segmentation_input.h>
 #include <squeal/tribology/images/cell_grid.h>
+#include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/element_map.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
-#include <squeal/tribology/images/stored_pixels.h>
 
-#include <opencv2/imgproc.hpp>
-
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <sstream>
 
@@ -27,15 +26,17 @@ namespace squeal::tribology
     using R = SegmentationParameters::Registration;
     using V = SegmentationParameters::View;
 
-    /** The shapes (width over height) of a map and its view by so much. */
-    constexpr double shape_agreement = 0.02;
-
     /** Two octaves reach nine pixels, six 144. */
     constexpr int most_octaves = 6;
 
     /** Pixels. The judge of lines knows no wider cracks, whatever the filters
      * reach. */
     constexpr double widest_found = 15.;
+
+    /** Pixels: how far a line may lie from a straight one, on the mean, and its
+     * ends from the border. */
+    constexpr double straight  = 2.;
+    constexpr int    at_border = 8;
 
     SegmentationSettings
     settings_of(const SegmentationParameters &p, const double pixel_size)
@@ -193,37 +194,13 @@ namespace squeal::tribology
         images                   = {m};
       }
 
-      /** An element map with the pixels of the frame of @p m. It may show the
-       * data bar or not: the nearer shape tells. */
-      cv::Mat
-      on_frame(const std::string &path, const Micrograph &m) const
-      {
-        cv::Mat values =
-          read_element_map(path, context.parameters.images.largest_image);
-        const auto difference_from = [&](const cv::Size &size) {
-          return std::abs(values.cols * double(size.height) /
-                            (values.rows * double(size.width)) -
-                          1.);
-        };
-        const cv::Size whole = m.grey.size(), frame = m.frame.size();
-        const bool with_bar = difference_from(whole) <= difference_from(frame);
-        if (difference_from(with_bar ? whole : frame) > shape_agreement)
-          throw InputError(path + " has " + size_text(values.size()) +
-                           " pixels, the view of " + m.path + " " +
-                           size_text(whole) +
-                           ": an element map of that view has its shape");
-        cv::resize(
-          values, values, with_bar ? whole : frame, 0., 0., cv::INTER_AREA);
-        return with_bar ? values(m.frame) : values;
-      }
-
       /** Of the first image, or of all joined. */
       void
       read_element_maps()
       {
         for (const std::string &path : p.element_maps)
-          element_maps.emplace_back(std::filesystem::path(path).stem(),
-                                    on_frame(path, images[0]));
+          element_maps.push_back(element_map_over(
+            images[0], path, context.parameters.images.largest_image));
       }
 
       /** Of 8 bit, black where nothing is seen. */
@@ -242,15 +219,45 @@ namespace squeal::tribology
         return input.placement_of(m, p);
       }
 
+      /** Whether the cracks of image @p i are those of masks. */
+      bool
+      is_drawn(const std::size_t i) const
+      {
+        return !p.mosaic && !input.crack_marks[i].empty() &&
+               p.mask_use == SegmentationParameters::MaskUse::instead;
+      }
+
+      /** The darkest groove of a surface may look like a straight crack. */
+      void
+      warn_of_straight_lines(const std::size_t i, const cv::Mat &line) const
+      {
+        const Micrograph &m = images[i];
+        const cv::Rect    inner(at_border,
+                             at_border,
+                             line.cols - 2 * at_border,
+                             line.rows - 2 * at_border);
+        const double      shortest = 0.5 * std::min(line.cols, line.rows);
+        double            length   = 0.;
+        for (const LinePiece &piece : line_pieces(line))
+          if (const double chord =
+                cv::norm(piece.axis.front() - piece.axis.back());
+              chord > shortest && !inner.contains(piece.axis.front()) &&
+              !inner.contains(piece.axis.back()) && piece.waviness() < straight)
+            length += chord;
+        if (!is_drawn(i) && length > 0.)
+          context.log.warning(
+            m.path + ": " + rounded_text(length * m.pixel_size, 3) +
+            " um of the cracks are straight lines from border to border, as "
+            "grooves are, and the error of the length does not contain that "
+            "they are grooves: look at them in the overlay");
+      }
+
       /** Of the finding of image @p i, where it is stated. */
       void
       warn_of_width(const std::size_t i) const
       {
         const Micrograph &m = images[i];
-        const bool        is_drawn =
-          !p.mosaic && !input.crack_marks[i].empty() &&
-          p.mask_use == SegmentationParameters::MaskUse::instead;
-        if (!is_drawn && p.largest_width > widest_found * m.pixel_size)
+        if (!is_drawn(i) && p.largest_width > widest_found * m.pixel_size)
           context.log.warning(
             m.path + ": cracks wider than about " +
             rounded_text(widest_found * m.pixel_size, 3) + " um (" +
@@ -312,6 +319,7 @@ namespace squeal::tribology
           if (!p.mosaic)
             rate(i, shown.grey, found, entry);
           warn_of_lines_unseen(m, found.cracks);
+          warn_of_straight_lines(i, found.cracks.centre_line);
         }
         entry.stem         = m.stem;
         entry.path         = m.path;
@@ -367,8 +375,9 @@ namespace squeal::tribology
         CellGrid &grid = pad ? *pad : own;
         grid.add(found, placement, sliding, m.metadata.is_synthetic);
         if (is_first)
-          for (const auto &[name, values] : element_maps)
-            grid.add_covariate(name, values, placement, found.seen);
+          for (const ElementMap &map : element_maps)
+            grid.add_covariate(
+              map.name, map.values, placement, both_seen(found.seen, map.seen));
         if (!pad)
           append(own, m.stem);
       }
@@ -434,9 +443,9 @@ namespace squeal::tribology
       const SegmentationInput       input;
       std::vector<Micrograph>       images; // those of the input, or all joined
       std::optional<CellGrid>       pad;
-      std::vector<std::pair<std::string, cv::Mat>> element_maps;
-      Table                                        cells;
-      SegmentationRecord                           record;
+      std::vector<ElementMap>       element_maps;
+      Table                         cells;
+      SegmentationRecord            record;
     };
   } // namespace
 

@@ -49,13 +49,33 @@ namespace squeal::tribology
 
 
     std::string
+    silence_text(const Silence silence)
+    {
+      switch (silence)
+        {
+        case Silence::few_cells:
+          return "too few cells to take shared causes out";
+        case Silence::index_constant:
+        case Silence::feature_constant:
+          return "one of the maps is the same everywhere";
+        case Silence::index_explained:
+          return "the index follows from what is taken out";
+        case Silence::feature_explained:
+          break;
+        }
+      return "the feature follows from what is taken out";
+    }
+
+
+
+    std::string
     interval_text(const LinkTest &test)
     {
       if (!std::isfinite(test.r))
         return "one of the maps is the same everywhere";
       const std::string plain = "r = " + rounded_text(test.r, 2);
       if (!test.conditional.is_known)
-        return plain + "; too few cells to take shared causes out";
+        return plain + "; " + silence_text(test.conditional.silence);
       return plain + ", with shared causes taken out " +
              rounded_text(test.conditional.r, 2) + ", between " +
              rounded_text(test.conditional_interval[0], 2) + " and " +

@@ -16,13 +16,17 @@ namespace squeal::tribology
   namespace
   {
     /** Factors by which the areas may be off. Of faces without a grid the span
-     * is not well known, and of rings and pins it is far more than the face:
-     * lengths in mm make it 1e6 times as large. */
+     * is not well known, and of rings, pins and parts between slots, which may
+     * stand on a grid as well, it is far more than the face: lengths in mm make
+     * it 1e6 times as large. */
     constexpr double of_grid = 1.5, of_hull = 3., of_holes = 1e5;
 
     /** A hull is a line where its area is less than this times the square of
      * its length. */
     constexpr double narrow = 1e-6;
+
+    /** m; faces of brakes are shorter, and those in mm longer. */
+    constexpr double longest_face = 2.;
 
     /** What the areas of nodes may add up to, m^2. */
     struct Range
@@ -60,7 +64,7 @@ namespace squeal::tribology
                                     at(n_x - 1, 0)[0] - at(n_x - 2, 0)[0]),
                    beyond_y = .5 * (at(0, 1)[1] - at(0, 0)[1] +
                                     at(0, n_y - 1)[1] - at(0, n_y - 2)[1]);
-      return {x * y / of_grid,
+      return {x * y / of_holes,
               of_grid * ((x + beyond_x) * (y + beyond_y) +
                          walls(layout, 2. * (x + y + beyond_x + beyond_y)))};
     }
@@ -126,5 +130,29 @@ namespace squeal::tribology
       (sum < range.least ? "at least " + rounded_text(range.least, 3)
                          : "at most " + rounded_text(range.most, 3)) +
       " m^2: coordinates are in m, areas in m^2");
+  }
+
+
+
+  std::string
+  doubt_of_length(const HistoryLayout &layout, const std::string &path)
+  {
+    double longest = 0.;
+    for (const int i : {0, 1})
+      {
+        const auto [low, high] = std::minmax_element(
+          layout.points.begin(),
+          layout.points.end(),
+          [i](const auto &a, const auto &b) { return a[i] < b[i]; });
+        if (low != high)
+          longest = std::max(longest, (*high)[i] - (*low)[i]);
+      }
+    if (!(longest > longest_face))
+      return "";
+    return path + (layout.pair.empty() ? "" : ", pair '" + layout.pair + "'") +
+           ": the face is " + rounded_text(longest, 3) +
+           " m long: if its coordinates are in mm, and its areas in mm^2, give "
+           "them in m and m^2; all places, depths and forces are wrong "
+           "otherwise";
   }
 } // namespace squeal::tribology

@@ -8,14 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace squeal::tribology
 {
   namespace
   {
-    constexpr int blocks          = 4; // along each edge of the image
-    constexpr int n_parts         = blocks * blocks;
-    constexpr int shortest_branch = 6; // pixels, of a skeleton
+    constexpr int blocks  = 4; // along each edge of the image
+    constexpr int n_parts = blocks * blocks;
 
     /** Pixels of one block by how many raters marked them, and marks of each
      * rater. */
@@ -147,6 +147,56 @@ namespace squeal::tribology
       const double variance = std::max(0., squares / n - sum * sum / (n * n));
       return Kappa{*value, std::sqrt((n - 1.) * variance)};
     }
+
+
+
+    /** What one rater drew, some of it at least. */
+    struct RaterLine
+    {
+      explicit RaterLine(const cv::Mat &line)
+        : nearest(line)
+        , counted(cv::Mat1b::zeros(line.size()))
+      {
+        cv::findNonZero(line, pixels);
+        for (const LineEnd &end : line_ends(line))
+          ends.emplace(std::pair(end.tip.x, end.tip.y), end.ahead);
+      }
+
+      /** Whether a pixel of the line lies within @p tolerance of @p p. What
+       * lies ahead of an end is not beside the line. */
+      bool
+      has_beside(const cv::Point &p, const double tolerance) const
+      {
+        const cv::Point &q = nearest.place(p);
+        if (cv::norm(p - q) > tolerance)
+          return false;
+        const auto end = ends.find({q.x, q.y});
+        return end == ends.end() || end->second.dot(cv::Point2d(p - q)) < 1.;
+      }
+
+      NearestPixels                              nearest;
+      PixelPath                                  pixels;
+      std::map<std::pair<int, int>, cv::Point2d> ends; /**< directions ahead */
+      cv::Mat1b counted; /**< pixels that at least half of the raters have */
+    };
+
+
+
+    /** Fills in @p mask what lies between lines of two raters that are one line
+     * drawn twice: ways of at most @p tolerance from one to the other. */
+    void
+    join(const std::vector<RaterLine> &lines,
+         const double                  tolerance,
+         cv::Mat                      &mask)
+    {
+      for (const RaterLine &line : lines)
+        for (const cv::Point &p : line.pixels)
+          if (line.counted(p) != 0)
+            for (const RaterLine &other : lines)
+              if (const cv::Point &q = other.nearest.place(p);
+                  other.counted(q) != 0 && cv::norm(p - q) <= tolerance)
+                cv::line(mask, p, q, 255);
+    }
   } // namespace
 
 
@@ -210,15 +260,26 @@ namespace squeal::tribology
   {
     if (lines.size() == 1)
       return lines[0].clone();
-    std::vector<cv::Mat> wide;
+    std::vector<RaterLine> all;
     for (const cv::Mat &line : lines)
-      wide.push_back(widened(line, tolerance));
-    // The skeleton of a widened line has spurs as long as it is wide and ends
-    // before the line does; the outline lies beyond that by the tolerance.
-    const cv::Mat mask   = consensus_of(wide);
-    cv::Mat       result = thin(mask);
-    remove_spurs(result, std::max(shortest_branch, int(2. * tolerance) + 1));
-    reach_ends(result, mask, tolerance);
-    return result;
+      if (cv::countNonZero(line) > 0)
+        all.emplace_back(line);
+    cv::Mat mask = cv::Mat::zeros(lines[0].size(), CV_8U);
+    for (RaterLine &line : all)
+      {
+        for (const cv::Point &p : line.pixels)
+          {
+            // himself among them
+            const auto n = std::count_if(
+              all.begin(), all.end(), [&](const RaterLine &other) {
+                return other.has_beside(p, tolerance);
+              });
+            if (2 * std::size_t(n) >= lines.size())
+              line.counted(p) = 255;
+          }
+        mask |= line.counted;
+      }
+    join(all, tolerance, mask);
+    return line_of_mask(mask).line;
   }
 } // namespace squeal::tribology

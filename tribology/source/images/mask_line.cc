@@ -29,14 +29,13 @@ namespace squeal::tribology
 
 
 
-    /** The last pixel of @p mask on the straight way on from an end, less
-     * @p short_of pixels; the tip where another line is met. */
+    /** The last pixel of @p mask on the straight way on from an end; the tip
+     * where another line is met. */
     cv::Point
     last_on_way(const cv::Mat &line,
                 const cv::Mat &mask,
                 const LineEnd &end,
-                const double   farthest,
-                const double   short_of)
+                const double   farthest)
     {
       const cv::Rect inside({0, 0}, mask.size());
       const auto     ahead = [&end](const double d) {
@@ -53,31 +52,30 @@ namespace squeal::tribology
             return end.tip;
           reach = d;
         }
-      return ahead(std::max(0., reach - short_of));
+      return ahead(reach);
+    }
+
+
+    /** Prolongs the free ends of @p line straight on to the outline of
+     * @p mask, of the distances @p half. */
+    void
+    reach_ends(cv::Mat &line, const cv::Mat &mask, const cv::Mat1f &half)
+    {
+      const cv::Mat before = line.clone();
+      for (const LineEnd &end : line_ends(before))
+        {
+          double widest = 0.;
+          for (const cv::Point &p : end.behind)
+            widest = std::max(widest, double(half(p)));
+          cv::line(line,
+                   end.tip,
+                   last_on_way(
+                     before, mask, end, before_outline * widest + and_pixels),
+                   255);
+        }
+      line = thin(line);
     }
   } // namespace
-
-
-
-  void
-  reach_ends(cv::Mat &line, const cv::Mat &mask, const double short_of)
-  {
-    const cv::Mat1f half   = half_widths_of(mask);
-    const cv::Mat   before = line.clone();
-    for (const LineEnd &end : line_ends(before))
-      {
-        double widest = 0.;
-        for (const cv::Point &p : end.behind)
-          widest = std::max(widest, double(half(p)));
-        cv::line(
-          line,
-          end.tip,
-          last_on_way(
-            before, mask, end, before_outline * widest + and_pixels, short_of),
-          255);
-      }
-    line = thin(line);
-  }
 
 
 
@@ -97,7 +95,7 @@ namespace squeal::tribology
         square += std::pow(of_half_width * std::max(0., widest - 0.5), 2);
       }
     result.end_error = std::sqrt(square);
-    reach_ends(result.line, mask, 0.);
+    reach_ends(result.line, mask, half);
     return result;
   }
 } // namespace squeal::tribology

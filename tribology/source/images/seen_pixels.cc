@@ -57,6 +57,16 @@ namespace squeal::tribology
 
 
 
+  SeenPixels
+  both_seen(const SeenPixels &a, const SeenPixels &b)
+  {
+    if (a.empty() || b.empty())
+      return a.empty() ? b : a;
+    return a & b;
+  }
+
+
+
   void
   keep_seen(cv::Mat &mask, const SeenPixels &seen)
   {

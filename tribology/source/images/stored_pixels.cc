@@ -179,24 +179,4 @@ namespace squeal::tribology
     return read_pixels(path, largest).values;
   }
 
-
-
-  cv::Mat
-  read_element_map(const std::string &path, const double largest)
-  {
-    cv::Mat values;
-    read_raw(path, largest).convertTo(values, CV_32F);
-    const std::string data  = read_file(path);
-    const cv::Mat     whole = cv::imdecode(
-      cv::Mat(1, int(data.size()), CV_8U, const_cast<char *>(data.data())),
-      cv::IMREAD_ANYDEPTH | cv::IMREAD_COLOR);
-    cv::Mat channels[3];
-    cv::split(whole, channels);
-    if (cv::norm(channels[0], channels[1], cv::NORM_INF) > 0. ||
-        cv::norm(channels[0], channels[2], cv::NORM_INF) > 0.)
-      throw InputError(path + " is a map in colours, which hold no numbers: "
-                              "save the counts of the element as a grey "
-                              "image");
-    return values;
-  }
 } // namespace squeal::tribology

@@ -38,6 +38,24 @@ namespace squeal::tribology
 
 
 
+    /** Whether @p part of @p whole is more than rounding. */
+    bool
+    is_left(const Eigen::VectorXd &part, const Eigen::VectorXd &whole)
+    {
+      return part.squaredNorm() > 1e-20 * whole.squaredNorm();
+    }
+
+
+
+    bool
+    is_constant(const Eigen::VectorXd &map)
+    {
+      return map.size() > 0 &&
+             !is_left((map.array() - map.mean()).matrix(), map);
+    }
+
+
+
     /** Number of the nearest place on a lattice of steps. */
     std::size_t
     on_lattice(const double distance, const double step)
@@ -252,15 +270,25 @@ namespace squeal::tribology
   ConditionalTest::measure(const GridMap &index, const GridMap &feature)
   {
     ConditionalLink link;
-    link.n_cells = blocks.size();
-    link.n_taken = n_taken;
-    if (!covariance || covariance->n_free() < fewest)
+    link.n_cells      = blocks.size();
+    link.n_taken      = n_taken;
+    const auto silent = [&link](const Silence silence) {
+      link.silence = silence;
       return link;
+    };
     const Eigen::VectorXd x = values(index), y = values(feature);
+    if (is_constant(x))
+      return silent(Silence::index_constant);
+    if (is_constant(y))
+      return silent(Silence::feature_constant);
+    if (!covariance || covariance->n_free() < fewest)
+      return silent(Silence::few_cells);
     const Eigen::VectorXd dx = covariance->residual(x),
                           dy = covariance->residual(y);
-    if (!(dx.squaredNorm() > 1e-20 * x.squaredNorm()))
-      return link;
+    if (!is_left(dx, x))
+      return silent(Silence::index_explained);
+    if (!is_left(dy, y))
+      return silent(Silence::feature_explained);
     double weight = 0., upper = 0., lower = 0., sum = 0., squares = 0.,
            within = 0., heaviest = 0.;
     for (const SpatialCovariance::Fit &fit : fits(y))

@@ -10,28 +10,77 @@
 
 namespace squeal::tribology
 {
-  std::vector<std::string>
-  warnings_of_few_cells(const std::vector<PadLink> &links)
+  namespace
   {
-    constexpr double                                           few = 20.;
+    /** Whose the reason is, and what is to be said of it. */
+    using SubjectAndText = std::pair<std::string, std::string>;
+
+    SubjectAndText
+    reason_of_silence(const PadLink &l)
+    {
+      const std::string index   = "index '" + l.index + "'",
+                        feature = "feature '" + l.feature + "'",
+                        constant =
+                          "it is the same in all cells: nothing can be decided",
+                        explained =
+                          "it is a combination of the terms of 'Shared causes' "
+                          "and 'Covariates' that are taken out: nothing is "
+                          "left to decide on; take out less";
+      switch (l.test.conditional.silence)
+        {
+        case Silence::index_constant:
+          return {index, constant};
+        case Silence::feature_constant:
+          return {feature, constant};
+        case Silence::index_explained:
+          return {index, explained};
+        case Silence::feature_explained:
+          return {feature, explained};
+        case Silence::few_cells:
+          break;
+        }
+      return {feature,
+              std::to_string(l.test.n_cells) +
+                " cells are known, too few beside " +
+                std::to_string(l.test.conditional.n_taken) +
+                " terms of 'Shared causes' and 'Covariates': nothing can be "
+                "decided; show more of the pad or take out less"};
+    }
+
+
+
+    /** Without a text where there is nothing to say. */
+    SubjectAndText
+    weakness_of(const PadLink &l)
+    {
+      constexpr double       few = 20.;
+      const ConditionalLink &c   = l.test.conditional;
+      if (!c.is_known)
+        {
+          const bool has_own_line =
+            c.silence == Silence::few_cells && !std::isfinite(l.test.r);
+          return has_own_line ? SubjectAndText() : reason_of_silence(l);
+        }
+      if (c.n_effective < few)
+        return {"feature '" + l.feature + "'",
+                std::to_string(l.test.n_cells) + " cells are known, worth " +
+                  rounded_text(c.n_effective, 2) +
+                  " independent ones: only strong links can be found"};
+      return {};
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  warnings_of_weak_links(const std::vector<PadLink> &links)
+  {
     std::map<std::pair<std::size_t, std::string>, std::string> lines;
     for (const PadLink &l : links)
-      {
-        const ConditionalLink &c = l.test.conditional;
-        const std::string      start =
-          "pad " + std::to_string(l.pad + 1) + ", feature '" + l.feature +
-          "': " + std::to_string(l.test.n_cells) + " cells are known";
-        std::string text;
-        if (!c.is_known && std::isfinite(l.test.r))
-          text = start + ", too few beside " + std::to_string(c.n_taken) +
-                 " terms of 'Shared causes' and 'Covariates': nothing can be "
-                 "decided; show more of the pad or take out less";
-        else if (c.is_known && c.n_effective < few)
-          text = start + ", worth " + rounded_text(c.n_effective, 2) +
-                 " independent ones: only strong links can be found";
-        if (!text.empty())
-          lines.emplace(std::pair(l.pad, l.feature), text);
-      }
+      if (const auto &[subject, text] = weakness_of(l); !text.empty())
+        lines.emplace(std::pair(l.pad, subject),
+                      "pad " + std::to_string(l.pad + 1) + ", " + subject +
+                        ": " + text);
     std::vector<std::string> warnings;
     for (const auto &[key, text] : lines)
       warnings.push_back(text);

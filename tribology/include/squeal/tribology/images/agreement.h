@@ -43,9 +43,15 @@ namespace squeal::tribology
   /** All pixels within @p tolerance (pixels) of @p line. */
   cv::Mat widened(const cv::Mat &line, double tolerance);
 
-  /** Pixels that at least half of @p masks have; for lines the skeleton of
-   * what at least half of them have within @p tolerance. */
+  /** Pixels that at least half of @p masks have. */
   cv::Mat consensus_of(const std::vector<cv::Mat> &masks);
+
+  /**
+   * Pixels of the @p lines (skeletons, CV_8U, 0 or 255) beside which at least
+   * half of the raters have a line within @p tolerance (pixels), their own
+   * included; lines of two raters that lie so near become one, the skeleton of
+   * what is between them. Lines farther apart stay apart.
+   */
   cv::Mat consensus_line(const std::vector<cv::Mat> &lines, double tolerance);
 } // namespace squeal::tribology
 

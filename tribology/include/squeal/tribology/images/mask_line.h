@@ -22,10 +22,6 @@ namespace squeal::tribology
    * width, less half a pixel, is the deviation of each end. Throws nothing.
    */
   MaskLine line_of_mask(const cv::Mat &mask);
-
-  /** Prolongs the free ends of @p line straight on to the outline of @p mask,
-   * less @p short_of pixels. Throws nothing. */
-  void reach_ends(cv::Mat &line, const cv::Mat &mask, double short_of);
 } // namespace squeal::tribology
 
 #endif

@@ -16,6 +16,9 @@ namespace squeal::tribology
   /** Number of pixels that are seen, of @p size in all. */
   int n_seen(const SeenPixels &seen, const cv::Size &size);
 
+  /** What two maps of one size both show. */
+  SeenPixels both_seen(const SeenPixels &a, const SeenPixels &b);
+
   /** Takes what is not seen out of @p mask (CV_8U). */
   void keep_seen(cv::Mat &mask, const SeenPixels &seen);
 

@@ -38,11 +38,6 @@ namespace squeal::tribology
   /** StoredPixels::values alone. */
   cv::Mat read_raw(const std::string &path,
                    double             largest = usual_largest_image);
-
-  /** The numbers of an element map as stored, CV_32F. Throws InputError as
-   * read_pixels() does, and where the image has colours. */
-  cv::Mat read_element_map(const std::string &path,
-                           double             largest = usual_largest_image);
 } // namespace squeal::tribology
 
 #endif

@@ -14,6 +14,16 @@
 
 namespace squeal::tribology
 {
+  /** Why nothing can be said about a link. */
+  enum class Silence
+  {
+    few_cells,        /**< beside what is taken out */
+    index_constant,   /**< the same in all cells */
+    feature_constant, /**< likewise */
+    index_explained,  /**< a combination of what is taken out */
+    feature_explained /**< likewise */
+  };
+
   /** Link of two maps beside what both follow anyway. */
   struct ConditionalLink
   {
@@ -25,7 +35,8 @@ namespace squeal::tribology
     std::size_t n_taken     = 0;  /**< degrees of freedom of shared causes */
 
     /** Whether the cells allow a statement at all. */
-    bool is_known = false;
+    bool    is_known = false;
+    Silence silence  = Silence::few_cells; /**< where it is not */
 
     /** Index and feature along the principal axes of the likeliest covariance,
      * over their standard deviations: as good as independent pairs. */

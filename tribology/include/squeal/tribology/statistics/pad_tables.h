@@ -70,8 +70,9 @@ namespace squeal::tribology
   std::vector<PadLink> link_pads(const std::vector<PadMaps>  &pads,
                                  const CorrelationParameters &parameters);
 
-  /** Links that few cells bear: one line for each feature of a pad. */
-  std::vector<std::string> warnings_of_few_cells(
+  /** Links that few cells bear and those of which nothing can be said: one line
+   * for each feature or index of a pad, with the reason. */
+  std::vector<std::string> warnings_of_weak_links(
     const std::vector<PadLink> &links);
 
   /** Pads with cells that are seen too little to count in links. */
