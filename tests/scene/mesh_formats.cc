@@ -167,7 +167,8 @@ namespace
             "*ELEM, TYP=C3D8, ELS = cells\n2"),
           {"*Nset, nset=floor, generate", "*NSE, NS=floor, GEN"},
           {"elset=both, generate", "elset=both, G E N"},
-          {"*Surface, name=roof, type=element", "*SURF, NAM=roof, TYPE=ELEM"},
+          {"*Surface, name=roof, type=element",
+           "*Sur face, NAM=roof, TYPE=ELEM"},
           {"*End Step", "*ENDSTEP"}})
       {
         const std::size_t at = text.find(old);
