@@ -91,6 +91,7 @@ set(SQUEAL_SOURCES_PARAMETERS
 
 set(SQUEAL_SOURCES_SCENE
     source/scene/abaqus_elements.cc
+    source/scene/abaqus_keywords.cc
     source/scene/abaqus_lines.cc
     source/scene/abaqus_mesh.cc
     source/scene/abaqus_part.cc

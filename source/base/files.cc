@@ -5,6 +5,7 @@
 #include <squeal/base/scratch_directory.h>
 #include <squeal/base/state_files.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <fnmatch.h>
 #include <unistd.h>
 
 namespace squeal
@@ -176,6 +178,24 @@ namespace squeal
         fs::remove(directory / *folder, ignored);
     }
 
+    /** Whether @p result is the file @p input, lies in a folder of that name, or
+     * is one of those that * and ? in its name stand for. */
+    bool
+    is_read(const fs::path &input, const fs::path &result)
+    {
+      std::error_code error;
+      const fs::path  name = input.filename();
+      if (name.string().find_first_of("*?") != std::string::npos)
+        return result.parent_path() ==
+                 fs::weakly_canonical(fs::absolute(input).parent_path(),
+                                      error) &&
+               ::fnmatch(name.c_str(), result.filename().c_str(), 0) == 0;
+      const fs::path whole = fs::weakly_canonical(input, error);
+      return std::mismatch(
+               whole.begin(), whole.end(), result.begin(), result.end())
+               .first == whole.end();
+    }
+
     /** While it lives, a file that reaches the size limit makes a write fail
      * with a reason instead of ending the program. */
     class FileSizeLimitAsError
@@ -327,6 +347,28 @@ namespace squeal
         throw;
       }
     return lock;
+  }
+
+
+
+  void
+  refuse_to_remove_inputs(const std::string &directory,
+                          const NamedInputs &inputs)
+  {
+    std::error_code       error;
+    std::vector<fs::path> results;
+    for (const std::string &name : listed_files(directory))
+      if (const fs::path path = fs::path(directory) / name;
+          fs::exists(path, error))
+        results.push_back(fs::weakly_canonical(path, error));
+    for (const auto &[what, path] : inputs)
+      for (const fs::path &result : results)
+        if (!path.empty() && is_read(path, result))
+          throw InputError(
+            what + " reads '" + path + "', but " + result.filename().string() +
+            " is a result of an earlier run, which this run "
+            "would remove from its output directory '" +
+            directory + "' first: choose another Output directory");
   }
 
 

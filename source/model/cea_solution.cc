@@ -188,6 +188,26 @@ namespace squeal
     return solution;
   }
 
+  namespace
+  {
+    /** Iterations of the direct solver end without a word. */
+    void
+    warn_of_residuals(const EigenParameters &p,
+                      const ComplexPairs    &pairs,
+                      RunLog                &log)
+    {
+      if (pairs.size() == 0)
+        return;
+      if (const double worst = worst_of(pairs.residual);
+          !(worst <= p.residual_tolerance))
+        log.warning("the direct solver leaves a relative residual of " +
+                    rounded_text(worst, 2) +
+                    ", more than 'Eigenvalues/Residual tolerance' = " +
+                    rounded_text(p.residual_tolerance, 2) +
+                    ": pairs may be wrong by as much, and others missing");
+    }
+  } // namespace
+
   CeaSolution
   solve_cea(const Model                      &model,
             ModeSolution                     &modes,
@@ -204,6 +224,7 @@ namespace squeal
         Timers::Section section(timers, "Solve: direct eigenvalues");
         solution.pairs            = solve_direct(model, modes);
         solution.lowest_frequency = p.lowest_frequency;
+        warn_of_residuals(p, solution.pairs, log);
         return solution;
       }
     Timers::Section section(timers, "Solve: certified eigenvalues");

@@ -34,13 +34,7 @@ namespace squeal
     for (const auto &load : p.scene.loads)
       longest = std::max(longest, load.ramp_time);
     if (t.start != TransientParameters::Start::ramp)
-      {
-        if (longest > 0.)
-          log.warning("'Ramp time' of a load has no effect with "
-                      "'Transient/Start = steady sliding': the loads are there "
-                      "from the start");
-        return;
-      }
+      return;
     if (!t.hammer.body.empty())
       warn_of_early_trigger(
         "Transient/Hammer/Time", t.hammer.time, longest, log);

@@ -29,7 +29,10 @@ namespace squeal
       }
     else
       {
-        modes = solve_modes(own_model, log, timers);
+        modes = parameters.discretization.refinement ==
+                    DiscretizationParameters::Refinement::eigenvalue_error
+                  ? solve_modes_adaptively(own_model, log, timers)
+                  : solve_modes(own_model, log, timers);
         found = solve_cea(own_model, modes, log, timers, &solver);
       }
     if (found.pairs.size() == 0)

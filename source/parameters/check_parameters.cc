@@ -34,6 +34,26 @@ namespace squeal
 
 
 
+      /** Analyses that solve on the mesh as it is. */
+      void
+      check_eigenvalue_error(const Parameters &parameters)
+      {
+        using Analysis     = Parameters::Analysis;
+        const bool is_kept = parameters.analysis == Analysis::sweep ||
+                             (parameters.analysis == Analysis::work_precision &&
+                              parameters.work_precision.problem !=
+                                WorkPrecisionParameters::Problem::eigenvalues);
+        if (is_kept && parameters.discretization.refinement ==
+                         Refinement::eigenvalue_error)
+          refuse_entry("Discretization",
+                       "Refinement",
+                       "= eigenvalue error would be ignored by 'Analysis = " +
+                         choice_name(parameters.analysis) +
+                         "', which stays on one mesh: set none or uniform");
+      }
+
+
+
       void
       check_contact_error(const Parameters &parameters)
       {
@@ -407,6 +427,7 @@ namespace squeal
       check_angles(parameters);
       check_operating_matrix(parameters);
       check_modulus_tables(parameters);
+      check_eigenvalue_error(parameters);
       check_contact_error(parameters);
       check_sweep(parameters);
       check_transient(parameters);

@@ -6,6 +6,7 @@
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace squeal
@@ -59,11 +60,46 @@ namespace squeal
         return entries;
       }
 
+      /** Entries that a run changes: those of the axes of a sweep or a
+       * campaign, of sensitivities and of updating, without the components of a
+       * vector. What they make idle at the start is of use later. */
+      std::set<std::string>
+      varied_entries(const Parameters &p)
+      {
+        std::set<std::string> varied;
+        const auto            add = [&varied](const auto &paths) {
+          for (const std::string &path : paths)
+            varied.insert(normal_path(path.substr(0, path.find('['))));
+        };
+        for (const SweepAxisParameters &axis : p.sweep.axes)
+          add(axis.entries);
+        add(p.sweep.sensitivities);
+        for (const UpdatedNumberParameters &number : p.updating.numbers)
+          add(number.entries);
+        return varied;
+      }
+
+      bool
+      holds_any(const std::set<std::string>     &varied,
+                const std::string               &section,
+                const std::vector<const char *> &entries)
+      {
+        return std::any_of(
+          entries.begin(), entries.end(), [&](const char *entry) {
+            return varied.count(section + entry) > 0;
+          });
+      }
+
       /** Whether a contact or a turning asks for the axis of @p body. */
       bool
-      has_use_of_axis(const Parameters &p, const BodyParameters &body)
+      has_use_of_axis(const Parameters            &p,
+                      const std::set<std::string> &varied,
+                      const BodyParameters        &body)
       {
-        if (body.rotation_speed != 0. || body.angle != 0. ||
+        if (holds_any(varied,
+                      "Scene/Body " + body.name + "/",
+                      {"Angle", "Rotation speed"}) ||
+            body.rotation_speed != 0. || body.angle != 0. ||
             p.analysis == Parameters::Analysis::angles)
           return true;
         // A layer that rubs has the axis of what it lies on.
@@ -83,7 +119,9 @@ namespace squeal
       }
 
       void
-      add_of_bodies(const Parameters &p, std::vector<IdleEntry> &idle)
+      add_of_bodies(const Parameters            &p,
+                    const std::set<std::string> &varied,
+                    std::vector<IdleEntry>      &idle)
       {
         for (const BodyParameters &body : p.scene.bodies)
           {
@@ -94,10 +132,11 @@ namespace squeal
                                 section + "Shape",
                                 "'Shape = " + choice_name(body.shape) + "'",
                                 e.is_refused});
-            if (!has_use_of_axis(p, body))
-              idle.push_back({section + "Rotation axis",
-                              "Scene/Contacts",
-                              "the body is no target of a contact"});
+            if (!has_use_of_axis(p, varied, body))
+              for (const char *entry : {"Rotation axis", "Rotation centre"})
+                idle.push_back({section + entry,
+                                "Scene/Contacts",
+                                "the body is no target of a contact"});
           }
       }
 
@@ -137,32 +176,41 @@ namespace squeal
       }
 
       void
-      add_of_springs(const SceneParameters &scene, std::vector<IdleEntry> &idle)
+      add_of_springs(const SceneParameters       &scene,
+                     const std::set<std::string> &varied,
+                     std::vector<IdleEntry>      &idle)
       {
         for (const SpringParameters &spring : scene.springs)
           if (const std::string section = "Scene/Spring " + spring.name + "/";
-              spring.stiffness == 0. && spring.dashpot == 0.)
+              spring.stiffness == 0. && spring.dashpot == 0. &&
+              !holds_any(varied, section, {"Stiffness", "Dashpot"}))
             idle.push_back({section + "Direction",
                             section + "Stiffnesses",
                             "'Stiffness' and 'Dashpot' are 0"});
       }
 
-      /** Whether an analysis knows of time, or writes a scene for others that
-       * do. */
-      bool
-      has_use_of_ramps(const Parameters::Analysis analysis)
+      /** Adds the ramps of loads where nothing comes on in time and no scene is
+       * written for runs in which it does. */
+      void
+      add_of_ramps(const Parameters &p, std::vector<IdleEntry> &idle)
       {
-        using Analysis = Parameters::Analysis;
-        for (const Analysis timeless : {Analysis::modes,
-                                        Analysis::cea,
-                                        Analysis::sweep,
-                                        Analysis::frequency_response,
-                                        Analysis::updating,
-                                        Analysis::angles,
-                                        Analysis::operating_matrix})
-          if (analysis == timeless)
-            return false;
-        return true;
+        using Analysis       = Parameters::Analysis;
+        const bool is_motion = p.analysis == Analysis::transient ||
+                               (p.analysis == Analysis::work_precision &&
+                                p.work_precision.problem ==
+                                  WorkPrecisionParameters::Problem::transient);
+        const bool writes_scene =
+          p.output.export_matrices && (p.analysis == Analysis::transient ||
+                                       p.analysis == Analysis::preload);
+        if (writes_scene || (is_motion && p.transient.start ==
+                                            TransientParameters::Start::ramp))
+          return;
+        for (const LoadParameters &load : p.scene.loads)
+          idle.push_back({"Scene/Load " + load.name + "/Ramp time",
+                          is_motion ? "Transient/Start" : "Analysis",
+                          is_motion
+                            ? "'Start = " + choice_name(p.transient.start) + "'"
+                            : "'Analysis = " + choice_name(p.analysis) + "'"});
       }
 
       void
@@ -177,15 +225,20 @@ namespace squeal
                           "Discretization/Refinement",
                           "'Refinement = " + choice_name(d.refinement) + "'"});
         if (p.eigen.solver == EigenParameters::Solver::certified &&
-            !p.eigen.compare_direct)
+            !(p.eigen.compare_direct &&
+              p.analysis == Parameters::Analysis::cea))
           idle.push_back({"Eigenvalues/Number of pairs",
                           "Eigenvalues/Solver",
                           "'Solver = certified'"});
-        for (const LoadParameters &load : p.scene.loads)
-          if (!has_use_of_ramps(p.analysis))
-            idle.push_back({"Scene/Load " + load.name + "/Ramp time",
-                            "Analysis",
-                            "'Analysis = " + choice_name(p.analysis) + "'"});
+        if (d.refinement != Refinement::contact_error)
+          idle.push_back({"Discretization/Growth rate tolerance",
+                          "Discretization/Refinement",
+                          "'Refinement = " + choice_name(d.refinement) + "'"});
+        if (p.analysis != Parameters::Analysis::cea)
+          idle.push_back({"Eigenvalues/Compare with direct",
+                          "Analysis",
+                          "'Analysis = " + choice_name(p.analysis) + "'"});
+        add_of_ramps(p, idle);
       }
 
       std::vector<IdleEntry>
@@ -195,30 +248,19 @@ namespace squeal
         add_of_analysis(p, idle);
         if (p.scene.kind != SceneParameters::Kind::bodies)
           return idle;
-        add_of_bodies(p, idle);
+        const std::set<std::string> varied = varied_entries(p);
+        add_of_bodies(p, varied, idle);
         add_of_contacts(p.scene, idle);
-        add_of_springs(p.scene, idle);
+        add_of_springs(p.scene, varied, idle);
         return idle;
       }
 
-      /** Included files come first, then the one that is run, then --set. */
-      int
-      order_of(const RawEntry &entry, const std::string &file)
-      {
-        return entry.location.file == "--set" ? 2
-               : entry.location.file == file  ? 1
-                                              : 0;
-      }
-
-      /** Whether @p cause, if it is set at all, was set after @p entry. */
+      /** Whether @p cause, if it is set at all, was set by a later file than
+       * @p entry. */
       bool
-      is_overruled(const RawEntry    &entry,
-                   const RawEntry    *cause,
-                   const std::string &file)
+      is_overruled(const RawEntry &entry, const RawEntry *cause)
       {
-        return cause != nullptr &&
-               cause->location.file != entry.location.file &&
-               order_of(entry, file) <= order_of(*cause, file);
+        return cause != nullptr && entry.order < cause->order;
       }
     } // namespace
 
@@ -238,7 +280,7 @@ namespace squeal
           if (entry == nullptr || raw == nullptr ||
               schema.value(*entry) == entry->default_value)
             continue;
-          if (is_overruled(*raw, tree.find(idle.cause_path), parameters.file))
+          if (is_overruled(*raw, tree.find(idle.cause_path)))
             {
               if (idle.is_refused)
                 schema.set({idle.path,

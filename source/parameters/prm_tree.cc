@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace squeal
 {
@@ -84,6 +85,7 @@ namespace squeal
                          ": write it as 'Section/Entry = value'");
       entry.value     = trim(text.substr(equals + 1));
       entry.directory = std::filesystem::current_path().string();
+      entry.order     = std::numeric_limits<unsigned int>::max();
 
       // such a value could not be written to a file and read back
       const bool is_line =

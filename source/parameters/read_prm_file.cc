@@ -10,10 +10,10 @@
 #include <cctype>
 #include <filesystem>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "drop_included.h"
+#include "indexed_tree.h"
 
 namespace squeal
 {
@@ -150,66 +150,6 @@ namespace squeal
 
 
 
-      /** A tree that finds its entries at once. */
-      class IndexedTree
-      {
-      public:
-        const RawEntry *
-        find(const std::string &path) const
-        {
-          const auto place = index.find(path);
-          return place == index.end() ? nullptr : &tree.entries[place->second];
-        }
-
-        void
-        set(const RawEntry &entry)
-        {
-          const auto place = index.emplace(entry.path, tree.entries.size());
-          if (place.second)
-            tree.entries.push_back(entry);
-          else
-            tree.entries[place.first->second] = entry;
-        }
-
-        /** Adds what is in @p other; its entries override those here. */
-        void
-        add(const PrmTree &other)
-        {
-          for (const RawEntry &entry : other.entries)
-            set(entry);
-          tree.sections.insert(
-            tree.sections.end(), other.sections.begin(), other.sections.end());
-        }
-
-        void
-        add_section(const RawSection &section)
-        {
-          tree.sections.push_back(section);
-        }
-
-        const PrmTree &
-        operator*() const
-        {
-          return tree;
-        }
-
-        /** Another tree in place of this one. */
-        void
-        become(PrmTree &&changed)
-        {
-          tree = std::move(changed);
-          index.clear();
-          for (std::size_t i = 0; i < tree.entries.size(); ++i)
-            index[tree.entries[i].path] = i;
-        }
-
-      private:
-        PrmTree                                      tree;
-        std::unordered_map<std::string, std::size_t> index;
-      };
-
-
-
       /** Reads a file and what it includes. */
       class PrmReader
       {
@@ -217,6 +157,9 @@ namespace squeal
         PrmTree read(const std::string &file,
                      const std::string &section,
                      const std::string &included_from);
+
+        /** The files read so far, in the order of reading. */
+        std::vector<std::string> files() const;
 
       private:
         /** A file and the section that it is read into. */
@@ -256,6 +199,8 @@ namespace squeal
         std::set<Inclusion> done;
         /** The same in order. */
         std::vector<Inclusion> order;
+        /** Files read to their end. */
+        unsigned int n_complete = 0;
         /** Lines of all of them so far. */
         std::size_t n_lines = 0;
       };
@@ -474,8 +419,23 @@ namespace squeal
         for (const RawSection &section : file.dropped)
           take_from_list(tree, *file.own, section.path);
         file.included.become(std::move(tree));
-        file.included.add(*file.own);
+        PrmTree own = *file.own;
+        ++n_complete; // after those that it includes
+        for (RawEntry &entry : own.entries)
+          entry.order = n_complete;
+        file.included.add(own);
         return *file.included;
+      }
+
+
+
+      std::vector<std::string>
+      PrmReader::files() const
+      {
+        std::vector<std::string> names;
+        for (const Inclusion &inclusion : order)
+          names.push_back(inclusion.first);
+        return names;
       }
     } // namespace
 
@@ -485,6 +445,16 @@ namespace squeal
     read_prm_file(const std::string &file)
     {
       return PrmReader().read(file, "", "");
+    }
+
+
+
+    std::vector<std::string>
+    prm_files_of(const std::string &file)
+    {
+      PrmReader reader;
+      reader.read(file, "", "");
+      return reader.files();
     }
   } // namespace prm
 } // namespace squeal

@@ -3,6 +3,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/root_action.h>
 #include <squeal/base/version.h>
+#include <squeal/parameters/declarations.h>
+#include <squeal/parameters/text.h>
 #include <squeal/results/result_checks.h>
 #include <squeal/run/run_session.h>
 
@@ -13,13 +15,33 @@ namespace squeal
 {
   namespace
   {
+    /** The parameter files and all that entries for files name. */
+    NamedInputs
+    inputs_of(const RunDescription &d, const prm::Schema &generic)
+    {
+      NamedInputs inputs;
+      if (std::filesystem::exists(d.parameter_file)) // not of a made-up run
+        for (const std::string &file : prm::prm_files_of(d.parameter_file))
+          inputs.emplace_back("the run", file);
+      for (const auto &[path, value] : d.used)
+        if (const auto *entry = generic.find(prm::generic_path(path));
+            entry && entry->allowed.kind() == prm::Allowed::Kind::file)
+          for (const std::string &file : prm::split(value, ','))
+            inputs.emplace_back("the entry " + prm::in_quotes(path), file);
+      return inputs;
+    }
+
     /** What stops the root stops all ranks, which wait for its word in the
      * constructor below. */
     OutputDirectory
-    directory_of(const RunDescription &d, const bool is_root)
+    directory_of(const RunDescription &d,
+                 const prm::Schema    &generic,
+                 const bool            is_root)
     {
       try
         {
+          if (is_root)
+            refuse_to_remove_inputs(d.directory, inputs_of(d, generic));
           return OutputDirectory(d.directory, d.overwrite, is_root);
         }
       catch (const InputError &e)
@@ -38,7 +60,7 @@ namespace squeal
     : description(d)
     , is_root(root)
     , log(root, d.options.is_quiet)
-    , output(directory_of(d, root))
+    , output(directory_of(d, generic, root))
     , plotter(log,
               [this](const std::string &path) {
                 output.file(std::filesystem::path(path)

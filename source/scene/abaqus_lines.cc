@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "abaqus_keywords.h"
 #include "abaqus_reader.h"
 
 #include <squeal/parameters/text.h>
@@ -41,7 +42,8 @@ namespace squeal
     for (const std::string &part : prm::split(line, ','))
       {
         const auto equals = part.find('=');
-        const auto key    = upper_case(plain(part.substr(0, equals)));
+        const auto key =
+          abaqus::without_blanks(upper_case(plain(part.substr(0, equals))));
         if (!key.empty())
           keyword.options[key] =
             equals == std::string::npos ? "" : plain(part.substr(equals + 1));
@@ -65,6 +67,13 @@ namespace squeal
             name += c;
         while (!name.empty() && name.back() == ' ')
           name.pop_back();
+        const std::vector<std::string> full = abaqus::full_keywords(name);
+        if (full.size() > 1)
+          text.fail_at(keyword.line,
+                       "*" + name + " may be short for *" +
+                         prm::join(full, ", *") + ": spell it out");
+        if (!full.empty())
+          name = full[0];
         std::string options = line.substr(comma);
         while (!options.empty() && line.back() == ',' && next_line())
           {
@@ -103,11 +112,29 @@ namespace squeal
 
 
 
+  /** The one that is spelled out, else one that is short for it. */
+  const std::string *
+  AbaqusReader::find_option(const char *key) const
+  {
+    if (const auto it = keyword.options.find(key); it != keyword.options.end())
+      return &it->second;
+    for (const auto &[written, value] : keyword.options)
+      if (abaqus::may_stand_for(written, key))
+        return &value;
+    return nullptr;
+  }
+
+  bool
+  AbaqusReader::has_option(const char *key) const
+  {
+    return find_option(key) != nullptr;
+  }
+
   std::string
   AbaqusReader::option(const char *key) const
   {
-    const auto it = keyword.options.find(key);
-    return it == keyword.options.end() ? "" : it->second;
+    const std::string *value = find_option(key);
+    return value == nullptr ? "" : *value;
   }
 
   std::string

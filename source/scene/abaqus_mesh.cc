@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "abaqus_keywords.h"
 #include "abaqus_reader.h"
 
 #include <squeal/base/exceptions.h>
@@ -14,78 +15,6 @@ namespace squeal
 {
   using dealii::Tensor;
   using import::upper_case;
-
-  namespace
-  {
-    /** Keywords that make nodes or elements in ways that are not read. */
-    const char *
-    way_out_of(const std::string &keyword)
-    {
-      static const std::map<std::string, const char *> ways{
-        {"INCLUDE", "put the files together"},
-        {"IMPORT", "write the mesh itself"},
-        {"NGEN", "list the nodes"},
-        {"NFILL", "list the nodes"},
-        {"NCOPY", "list the nodes"},
-        {"NMAP", "list the nodes"},
-        {"SYSTEM", "write the nodes in the global system"},
-        {"ELGEN", "list the elements"},
-        {"ELCOPY", "list the elements"},
-        {"IMPERFECTION", "write the moved nodes"},
-        {"PARAMETER", "write the numbers themselves"}};
-      const auto it = ways.find(keyword);
-      return it == ways.end() ? nullptr : it->second;
-    }
-
-    /** Keywords that hold, tie, load or damp parts of the model or add mass or
-     * stiffness to them. */
-    bool
-    keyword_changes_model(const std::string &keyword)
-    {
-      static const std::set<std::string> names{"BOUNDARY",
-                                               "CLOAD",
-                                               "COMPOSITE MODAL DAMPING",
-                                               "CONNECTOR SECTION",
-                                               "CONTACT",
-                                               "CONTACT PAIR",
-                                               "COUPLING",
-                                               "CYCLIC SYMMETRY MODEL",
-                                               "DAMPING",
-                                               "DASHPOT",
-                                               "DISTRIBUTING COUPLING",
-                                               "DLOAD",
-                                               "DSLOAD",
-                                               "EMBEDDED ELEMENT",
-                                               "EQUATION",
-                                               "EXPANSION",
-                                               "FASTENER",
-                                               "FOUNDATION",
-                                               "GLOBAL DAMPING",
-                                               "INITIAL CONDITIONS",
-                                               "JOINT",
-                                               "KINEMATIC COUPLING",
-                                               "MASS",
-                                               "MASS ADJUST",
-                                               "MATRIX ASSEMBLE",
-                                               "MATRIX INPUT",
-                                               "MODAL DAMPING",
-                                               "MODEL CHANGE",
-                                               "MPC",
-                                               "NONSTRUCTURAL MASS",
-                                               "PRE-TENSION SECTION",
-                                               "RIGID BODY",
-                                               "ROTARY INERTIA",
-                                               "SHELL TO SOLID COUPLING",
-                                               "SPRING",
-                                               "SUBSTRUCTURE PROPERTY",
-                                               "SURFACE INTERACTION",
-                                               "TEMPERATURE",
-                                               "USER ELEMENT"};
-      return names.count(keyword) > 0;
-    }
-  } // namespace
-
-
 
   MeshFile
   AbaqusReader::read()
@@ -116,9 +45,9 @@ namespace squeal
   AbaqusReader::take()
   {
     const std::string &name = keyword.name;
-    if (const char *way = way_out_of(name))
+    if (const char *way = abaqus::way_out_of(name))
       text.fail_at(keyword.line, "*" + name + " is not read: " + way);
-    if (keyword.options.count("INPUT") > 0)
+    if (has_option("INPUT"))
       text.fail_at(keyword.line,
                    "*" + name +
                      ", INPUT=... is not followed: put the files together");
@@ -164,7 +93,7 @@ namespace squeal
       read_step();
     else if (name == "VISCOELASTIC")
       read_viscoelastic();
-    else if (keyword_changes_model(name))
+    else if (abaqus::changes_model(name))
       file.passed_over.insert("*" + name);
   }
 
@@ -337,7 +266,7 @@ namespace squeal
     while (next_keyword())
       if (keyword.name == "END STEP")
         return;
-      else if (keyword_changes_model(keyword.name))
+      else if (abaqus::changes_model(keyword.name))
         file.passed_over.insert("*" + keyword.name);
     throw InputError(text.name() +
                      " is truncated: it ends inside the *STEP of line " +

@@ -39,15 +39,17 @@ namespace squeal
     };
     using Sets = std::map<std::string, AbaqusPart::Set>;
 
-    bool        next_line();
-    bool        next_keyword();
-    void        add_options(const std::string &line);
-    bool        next_data();
-    std::string option(const char *key) const;
-    std::string needed(const char *key) const;
-    long        integer(const std::size_t i, const char *what) const;
-    double      real(const std::size_t i, const char *what) const;
-    std::string data(const std::size_t i) const;
+    bool               next_line();
+    bool               next_keyword();
+    void               add_options(const std::string &line);
+    bool               next_data();
+    const std::string *find_option(const char *key) const;
+    bool               has_option(const char *key) const;
+    std::string        option(const char *key) const;
+    std::string        needed(const char *key) const;
+    long               integer(const std::size_t i, const char *what) const;
+    double             real(const std::size_t i, const char *what) const;
+    std::string        data(const std::size_t i) const;
 
     void take();
     void begin_part();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "abaqus_keywords.h"
 #include "abaqus_reader.h"
 
 #include <squeal/parameters/text.h>
@@ -84,7 +85,7 @@ namespace squeal
   {
     const std::string name     = needed(of_nodes ? "NSET" : "ELSET"),
                       instance = option("INSTANCE");
-    const bool is_range        = keyword.options.count("GENERATE") > 0;
+    const bool is_range        = has_option("GENERATE");
     Sets      &sets     = of_nodes ? current->node_sets : current->element_sets;
     AbaqusPart::Set set = sets[upper_case(name)];
     if (set.name.empty())
@@ -122,11 +123,14 @@ namespace squeal
   void
   AbaqusReader::read_surface()
   {
-    const std::string type = upper_case(option("TYPE"));
+    std::string       type = upper_case(option("TYPE"));
     const std::string name = needed("NAME");
+    for (const char *whole : {"ELEMENT", "NODE"})
+      if (abaqus::may_stand_for(type, whole))
+        type = whole;
     // Others are rigid or made of surfaces: they have no faces of cells.
     if ((!type.empty() && type != "ELEMENT" && type != "NODE") ||
-        keyword.options.count("COMBINE") > 0)
+        has_option("COMBINE"))
       return;
     AbaqusPart::Surface surface;
     surface.name = name;

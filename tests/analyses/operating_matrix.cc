@@ -143,6 +143,37 @@ namespace
       "forward and backward differ");
   }
 
+  /** With 'Refinement = eigenvalue error' each condition has the mesh that the
+   * eigenvalue analysis of it ends with. */
+  void
+  refined_as_alone(const std::string &program)
+  {
+    const std::string refined =
+      "set Overwrite = true\nsubsection Discretization\n"
+      " set Refinement = eigenvalue error\n set Tolerance = 1e-2\n"
+      " set Maximum cycles = 2\nend\n"
+      "subsection Operating matrix\n set Both directions = true\nend\n";
+    write_text("coarse.prm", small_brake);
+    for (const auto &[name, analysis] :
+         {std::pair("refined_alone", "cea"),
+          std::pair("refined", "operating matrix")})
+      {
+        write_text("refined.prm",
+                   "include coarse.prm\n" + refined + "set Analysis = " +
+                     analysis + "\nset Output directory = " + name + "\n");
+        const Outcome o = run_program({program, "refined.prm"});
+        check(o.code == 0, std::string(name) + ": " + o.errors);
+      }
+    const auto last_mesh = [](const std::string &folder) {
+      const std::string log = text_of(folder + "/run.log");
+      const std::size_t at  = log.find("  mesh 1: ");
+      check(at != std::string::npos, folder + ": the mesh is refined");
+      return log.substr(at, log.find('\n', at) - at);
+    };
+    check(last_mesh("refined") == last_mesh("refined_alone"),
+          "to the mesh of the eigenvalue analysis: " + last_mesh("refined"));
+  }
+
   /** A lining that its pressure stiffens: the moduli and the contact of each
    * condition are those of its pressure. The table is the same at all
    * frequencies, so that a modulus of the body gives the same pairs. */
@@ -401,6 +432,7 @@ main(int argc, char *argv[])
 {
   check(argc == 3, "program and folder");
   const std::string program = argv[1], folder = argv[2];
+  refined_as_alone(program);
   write_text("matrix.prm",
              scene(folder,
                    "set Analysis = operating matrix\n"

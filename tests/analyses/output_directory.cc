@@ -115,6 +115,34 @@ namespace
 
 
 
+  /** What a run includes or reads is not removed with the results that it
+   * replaces. */
+  void
+  inputs_among_results()
+  {
+    const auto                     before = files_below("out");
+    const std::vector<std::string> again  = {
+       program, "--set", "Overwrite = true"};
+    write_text("again.prm",
+               "include out/parameters_used.prm\nset Analysis = modes\n");
+    auto command = again;
+    command.push_back("again.prm");
+    check_line(run_program(command),
+               2,
+               {"the run reads '", "parameters_used.prm", "would remove"},
+               "a run that includes a result of its output directory");
+    command = again;
+    command.insert(command.end(),
+                   {"--set",
+                    "Measurement/Frequencies file = out/eigenvalues.csv",
+                    "good.prm"});
+    check_line(run_program(command),
+               2,
+               {"'Measurement/Frequencies file' reads '", "eigenvalues.csv"},
+               "a run whose entry names such a result");
+    check(files_below("out") == before, "and both leave the results");
+  }
+
   void
   unwritable_places()
   {
@@ -224,6 +252,7 @@ main(int argc, char **argv)
     fs::remove_all(folder);
   write_text("good.prm", small_brake);
   existing_results();
+  inputs_among_results();
   unwritable_places();
   stopped_runs();
 }

@@ -28,6 +28,10 @@ namespace
                           "below 'Highest frequency' = 800"});
     check_change_refused({"Eigenvalues/Highest frequency = 900"},
                          {"'Eigenvalues/Lowest frequency'"});
+    check_change_refused(
+      {"Analysis = sweep", "Discretization/Refinement = eigenvalue error"},
+      {"= eigenvalue error would be ignored by 'Analysis = "
+       "sweep'"});
     check_change_refused({"Discretization/Refinements = 2"},
                          {"'Discretization/Refinements' = 2", "'uniform'"});
     check_change_refused({"Output directory ="}, {"'Output directory'"});

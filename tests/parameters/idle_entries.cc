@@ -88,6 +88,23 @@ namespace
     check_named({"Scene/Load top/Ramp time = 1"},
                 "Scene/Load top/Ramp time",
                 "'Analysis = cea'");
+    check_named({"Scene/Load top/Ramp time = 1", "Analysis = transient"},
+                "Scene/Load top/Ramp time",
+                "'Start = steady sliding'");
+    for (const char *analysis : {"limit cycle", "triggers", "preload"})
+      check_named(
+        {"Scene/Load top/Ramp time = 1", std::string("Analysis = ") + analysis},
+        "Scene/Load top/Ramp time",
+        std::string("'Analysis = ") + analysis + "'");
+    check_named({pad + "Rotation centre = 0, 0, 1"},
+                pad + "Rotation centre",
+                "the body is no target of a contact");
+    check_named({"Discretization/Growth rate tolerance = 1"},
+                "Discretization/Growth rate tolerance",
+                "'Refinement = none'");
+    check_named({"Eigenvalues/Compare with direct = true", "Analysis = angles"},
+                "Eigenvalues/Compare with direct",
+                "'Analysis = angles'");
   }
 
   void
@@ -104,7 +121,15 @@ namespace
       {"Eigenvalues/Number of pairs = 5", "Eigenvalues/Solver = direct"},
       {"Eigenvalues/Number of pairs = 5",
        "Eigenvalues/Compare with direct = true"},
-      {"Scene/Load top/Ramp time = 1", "Analysis = transient"}};
+      {"Scene/Load top/Ramp time = 1",
+       "Analysis = transient",
+       "Transient/Start = ramp"},
+      {"Scene/Load top/Ramp time = 1",
+       "Analysis = preload",
+       "Output/Export matrices = true"},
+      {"Discretization/Growth rate tolerance = 1",
+       "Discretization/Tolerance = 1e-2",
+       "Discretization/Refinement = contact error"}};
     for (const auto &overrides : useful)
       check(notes_of("example.prm", overrides).empty(),
             overrides.back() + " has an effect");
@@ -125,6 +150,67 @@ namespace
       check(path != pad + "Mesh file" || value.empty(),
             "nor in the entries as used, which can be run again");
   }
+
+  /** What a sweep or a fit changes is not idle for what it is at the start. */
+  void
+  varied()
+  {
+    write_text("axes.prm",
+               "include example.prm\nset Analysis = sweep\n"
+               "subsection Scene\n"
+               " subsection Body pad\n  set Rotation axis = 0, 0, -1\n end\n"
+               " subsection Spring guide\n  set Stiffness = 0\n"
+               "  set Stiffnesses = 1, 1, 1\n  set Direction = 0, 1, 0\n end\n"
+               "end\nsubsection Sweep\n set Axes = k, phi\n"
+               " subsection Axis k\n  set Entries = " +
+                 guide + "Stiffness\n set From = 0\n set To = 2e5\n end\n" +
+                 " subsection Axis phi\n  set Entries = " + pad +
+                 "Angle\n set From = 0\n set To = 20\n end\nend\n");
+    check(
+      notes_of("axes.prm", {}).empty(),
+      "axes give the direction of a spring and the axis of a body effect: " +
+        notes_of("axes.prm", {}));
+    check_named({guide + "Stiffness = 0",
+                 guide + "Stiffnesses = 1, 1, 1",
+                 guide + "Direction = 0, 1, 0",
+                 "Sweep/Sensitivities = " + pad + "Density"},
+                guide + "Direction",
+                "'Stiffness' and 'Dashpot' are 0");
+    check(notes_of("example.prm",
+                   {guide + "Stiffness = 0",
+                    guide + "Stiffnesses = 1, 1, 1",
+                    guide + "Direction = 0, 1, 0",
+                    "Sweep/Sensitivities = " + guide + "Stiffness"})
+            .empty(),
+          "so do sensitivities");
+  }
+
+  /** Of two included files the later one overrides the earlier, and a file what
+   * it includes, however deep. */
+  void
+  deep_includes()
+  {
+    write_text("mid.prm",
+               "include example.prm\nsubsection Scene\n  subsection Body pad\n "
+               "   set Mesh file = pad.msh\n  set Outer radius = 0.3\n  end\n"
+               "end\n");
+    write_text("top.prm", "include mid.prm\nset Output directory = top\n");
+    write_text("after.prm",
+               "subsection Scene\n  subsection Body pad\n"
+               "    set Mesh file = pad.msh\n  end\nend\n");
+    write_text("two.prm", "include example.prm\ninclude after.prm\n");
+    write_text("other.prm", "include after.prm\ninclude example.prm\n");
+    for (const char *file : {"mid.prm", "top.prm", "two.prm"})
+      check_refused([&]() { read_parameters(file).check(); },
+                    {"'" + pad + "Mesh file"},
+                    file);
+    check(notes_of("top.prm", {}).find(pad + "Outer radius") !=
+            std::string::npos,
+          "a file in the middle is named, too");
+    const Parameters other = read_parameters("other.prm");
+    check(other.notes.empty() && other.scene.bodies[1].mesh_file.empty(),
+          "the shape of the later of two files overrules the earlier one");
+  }
 } // namespace
 
 int
@@ -134,4 +220,6 @@ main()
   refused();
   named();
   not_named();
+  varied();
+  deep_includes();
 }

@@ -200,6 +200,42 @@ namespace
             !fs::exists(work / "other_rank"),
           "ranks other than the root create nothing");
   }
+
+  void
+  test_inputs_in_output_directory()
+  {
+    const std::string directory = (work / "own").string();
+    {
+      OutputDirectory output(directory, false);
+      put(output.file("matrices/mass.mtx"), "mass");
+      put(directory + "/pad.msh", "of the user");
+    }
+    const std::string entry = "the entry 'Matrix part mass/File'";
+    for (const std::string &input :
+         {directory + "/matrices/mass.mtx",
+          directory + "/../own/matrices/mass.mtx",
+          fs::absolute(directory).string() + "/matrices/m*.mtx",
+          directory + "/matrices",
+          directory})
+      check_throws<InputError>(
+        [&] {
+          refuse_to_remove_inputs(directory, {{entry, input}});
+        },
+        entry + " reads '" + input +
+          "', but mass.mtx is a result of an earlier",
+        "a result that the run reads: " + input);
+    refuse_to_remove_inputs(directory,
+                            {{entry, ""},
+                             {entry, directory + "/pad.msh"},
+                             {entry, directory + "/matrices/k*.mtx"},
+                             {entry, directory + "/matrices/mass"},
+                             {entry, directory + "_again"}});
+    fs::remove(directory + "/matrices/mass.mtx");
+    refuse_to_remove_inputs(directory,
+                            {{entry, directory + "/matrices/mass.mtx"}});
+    refuse_to_remove_inputs((work / "nowhere").string(), {{entry, directory}});
+    check(!fs::exists(work / "nowhere"), "asking creates nothing");
+  }
 } // namespace
 
 int
@@ -211,5 +247,6 @@ main()
   test_reading();
   test_preparation();
   test_output_directory();
+  test_inputs_in_output_directory();
   fs::remove_all(work);
 }

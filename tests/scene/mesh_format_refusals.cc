@@ -129,6 +129,15 @@ ENDDATA
             Shape::abaqus,
             "its parts need an *ASSEMBLY",
             "parts without instances");
+    for (const auto &[keyword, full] : {std::pair("*SYS", "*SYSTEM"),
+                                        std::pair("*INCL, INPUT=a", "*INCLUDE"),
+                                        std::pair("*NGE", "*NGEN")})
+      spoilt("*Node",
+             std::string(keyword) + "\n*Node",
+             std::string(full) + " is not read");
+    spoilt("*Node", "*MAT\n*Node", "*MAT may be short for *");
+    spoilt("*Surface", "*SURF", "SURFACE: spell it out");
+    spoilt("*Part", "*ENDPART\n*Part", "*END PART without *PART");
     spoilt("2, 1, 0, 0", "1, 1, 0, 0", "in.inp:4: node 1 is there twice");
     spoilt("2, 1, 0, 0", "2, 1, x, 0", "'x' is not a number");
     spoilt("2, 1, 0, 0", "2, 1, nan, 0", "not finite");

@@ -129,6 +129,64 @@ namespace
 
   using Count = std::map<std::string, unsigned int>;
 
+  /** Abaqus takes keywords, options and values by their first letters, with or
+   * without blanks. */
+  void
+  abaqus_abbreviations()
+  {
+    const std::string whole = R"(*Node, nset=all nodes
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 0, 0, 1
+6, 1, 0, 1
+7, 1, 1, 1
+8, 0, 1, 1
+9, 0, 0, 2
+10, 1, 0, 2
+11, 1, 1, 2
+12, 0, 1, 2
+*Element, type=C3D8, elset=cells
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*Element, type=C3D8, elset=cells
+2, 5, 6, 7, 8, 9, 10, 11, 12
+*Nset, nset=floor, generate
+1, 4, 1
+*Elset, elset=both, generate
+1, 2, 1
+*Surface, name=roof, type=element
+2, S2
+*Step
+*End Step
+)";
+    std::string       text  = whole;
+    for (const auto &[old, by] :
+         {std::pair<std::string, std::string>(
+            "*Element, type=C3D8, elset=cells\n2",
+            "*ELEM, TYP=C3D8, ELS = cells\n2"),
+          {"*Nset, nset=floor, generate", "*NSE, NS=floor, GEN"},
+          {"elset=both, generate", "elset=both, G E N"},
+          {"*Surface, name=roof, type=element",
+           "*Sur face, NAM=roof, TYPE=ELEM"},
+          {"*End Step", "*ENDSTEP"}})
+      {
+        const std::size_t at = text.find(old);
+        check(at != std::string::npos, "the test changes '" + old + "'");
+        text.replace(at, old.size(), by);
+      }
+    const BodyMesh expected =
+      mesh_of(whole, Shape::abaqus, "both", {"floor", "roof"});
+    check(expected.cells.size() == 2 &&
+            count(expected) == Count{{"floor", 1}, {"roof", 1}, {"unnamed", 8}},
+          "two cells, spelled out");
+    check_same(mesh_of(text, Shape::abaqus, "both", {"floor", "roof"}),
+               expected,
+               0.,
+               true,
+               "abbreviated");
+  }
+
   void
   abaqus_sets()
   {
@@ -254,6 +312,7 @@ int
 main()
 {
   same_body_from_every_format();
+  abaqus_abbreviations();
   abaqus_sets();
   nastran_entries();
   ties_of_files();

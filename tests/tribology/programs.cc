@@ -298,6 +298,16 @@ namespace
       replaced_in(damage_prm, "set Samples = 40", "set Pad thickness = 3e-3"),
       {"Pad thickness", "contact nodes"},
       "a pad that is thin for its nodes");
+    const Outcome own = run(replaced_in(damage_prm,
+                                        "set Output directory = damage",
+                                        "set Output directory = squealing"));
+    check(own.code == 2 &&
+            own.errors.find("'History/File' reads") != std::string::npos &&
+            own.errors.find("history.h5 is a result of an earlier run") !=
+              std::string::npos &&
+            fs::exists("squealing/history.h5"),
+          "a history in the output directory is refused and stays: " +
+            own.errors);
     refuses(replaced_in(damage_prm, "squealing/history.h5", "nowhere.h5"),
             {"History/File", "nowhere.h5"},
             "a missing history");

@@ -9,6 +9,8 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace squeal
 {
@@ -78,6 +80,18 @@ namespace squeal
   std::unique_ptr<FileLock> prepare_output_directory(
     const std::string &directory,
     bool               overwrite);
+
+  /** Input files or folders of a run: what the user is told of each, "the entry
+   * 'Scene/Body pad/Mesh file'", and its path. */
+  using NamedInputs = std::vector<std::pair<std::string, std::string>>;
+
+  /**
+   * Throws InputError if one of the @p inputs, or a file in a folder of them, is
+   * a result that the manifest of @p directory lists: preparing the directory
+   * would remove it before the run reads it. Changes nothing.
+   */
+  void refuse_to_remove_inputs(const std::string &directory,
+                               const NamedInputs &inputs);
 
   /**
    * The directory of one run. Every result asks it for its path, so that the

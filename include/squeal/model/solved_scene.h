@@ -19,7 +19,8 @@ namespace squeal
    * friction alone as long as the same contact nodes are closed. Factor, modes
    * and friction responses are then those of the earlier scene, whose pairs are
    * a start as well; whether they are is asked of the matrices. Residuals and
-   * errors of the pairs are their own.
+   * errors of the pairs are their own. With 'Refinement = eigenvalue error'
+   * each scene has a mesh of its own.
    */
   class SolvedScene
   {
@@ -49,7 +50,7 @@ namespace squeal
     std::unique_ptr<const Pencil> pencil_on(const SolvedScene &earlier) const;
 
     const Parameters                 parameters;
-    const Model                      own_model;
+    Model                            own_model; /**< its mesh may be refined */
     std::unique_ptr<const Pencil>    shared_pencil; /**< or null */
     ModeSolution                     modes; /**< where the start is its own */
     std::unique_ptr<CertifiedSolver> solver;

@@ -53,7 +53,8 @@ namespace squeal
                                  const ModeSolution &modes,
                                  const ComplexPairs &pairs);
 
-  /** True where sigma exceeds its own error estimate. */
+  /** True where sigma exceeds its own error estimate, or, where there is none,
+   * what residual, condition and rounding leave open. */
   bool is_unstable(const ComplexPairs &pairs, const unsigned int i);
 
   /** The contact state of a scene as its parameters name it: of several pairs

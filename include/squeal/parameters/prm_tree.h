@@ -27,6 +27,9 @@ namespace squeal
       Location    location;
       /** Folder that relative file names in the value start from. */
       std::string directory;
+      /** Entries of a larger number override those of a smaller one: those of a
+       * file have one number, larger than those of what it includes. */
+      unsigned int order = 0;
     };
 
     /** One "subsection" of a parameter file. */
@@ -79,8 +82,13 @@ namespace squeal
      */
     PrmTree read_prm_file(const std::string &file);
 
+    /** @p file and the files it includes, by their absolute names, in the order
+     * of reading. Throws as read_prm_file(). */
+    std::vector<std::string> prm_files_of(const std::string &file);
+
     /** Takes "Section/Sub/Entry = value" apart, as given after --set; relative
-     * file names start from the working directory. Throws InputError. */
+     * file names start from the working directory, and its order is the largest
+     * there is. Throws InputError. */
     RawEntry parse_override(const std::string &text);
 
     /** @p path with blanks around its names removed and those inside reduced

@@ -221,26 +221,6 @@ namespace squeal
 
 
 
-    /** Iterations of the direct solver end without a word. */
-    void
-    warn_of_residuals(const EigenParameters &p,
-                      const CeaSolution     &solution,
-                      RunLog                &log)
-    {
-      const ComplexPairs &pairs = solution.pairs;
-      if (is_complete(solution) || pairs.size() == 0)
-        return;
-      if (const double worst = worst_of(pairs.residual);
-          !(worst <= p.residual_tolerance))
-        log.warning("the direct solver leaves a relative residual of " +
-                    rounded_text(worst, 2) +
-                    ", more than 'Eigenvalues/Residual tolerance' = " +
-                    rounded_text(p.residual_tolerance, 2) +
-                    ": pairs may be wrong by as much, and others missing");
-    }
-
-
-
     /** Of a band in which @p unstable grow: open where every one of them, or one
      * that decays, may be of the other kind on a finer mesh, and where pairs
      * may be missing. */
@@ -323,7 +303,6 @@ namespace squeal
                       left_out   = text_of_growth_left_out(solution),
                       outside    = text_of_growth_outside(solution, p.eigen);
     warn_of_growth_outside(solution, p.eigen, "", context.log);
-    warn_of_residuals(p.eigen, solution, context.log);
     const OpenSigns open = open_signs(table);
     if (open.any())
       context.log.warning(open.text +
