@@ -2,7 +2,8 @@
 
 // Which rotors stand still at one angle, and over which angle they repeat: a
 // cylinder beside the axis counts, one on it does not; an orthotropic material
-// repeats as its constants do, sectors as their moduli.
+// repeats as its constants do, sectors as their moduli. A body with a speed
+// that has no axis of symmetry is refused.
 
 #include "scenes.h"
 
@@ -74,6 +75,36 @@ namespace
 
 
 
+  /** A body with a `Rotation speed` needs no contact to be looked at. */
+  void
+  bodies_that_turn()
+  {
+    SceneParameters scene;
+    scene.bodies = {
+      make_block("bar", {{0., 0., 0.}}, {{.1, .04, .02}}, {{4, 2, 1}})};
+    scene.bodies[0].rotation_speed = 500.;
+    const auto refuse              = [&scene]() {
+      refuse_turning_without_axis(Discretization(
+        scene, squeal::testing::Model::parameters(0), 1, MPI_COMM_SELF));
+    };
+    check_refused(refuse,
+                  {"'Scene/Body bar/Rotation speed' = 500", "no axis"},
+                  "a bar that turns");
+    scene.bodies[0].rotation_centre = Vector3{{0., .5, 0.}};
+    check_refused(refuse, {"no axis"}, "a bar that turns about a line beside");
+    scene.bodies = {
+      make_block("plate", {{0., 0., 0.}}, {{.1, .1, .02}}, {{4, 4, 1}})};
+    scene.bodies[0].rotation_speed = 500.;
+    refuse();
+    check_said(scene, "90.000", "a square plate that turns");
+    scene.bodies                   = {make_annulus({{12, 2, 1}})};
+    scene.bodies[0].rotation_speed = 500.;
+    refuse();
+    check_said(scene, "", "a disc that turns");
+  }
+
+
+
   /** A square plate of three strips with @p moduli, Pa, under a pad. */
   SceneParameters
   strips(const Vector3 &moduli)
@@ -114,6 +145,7 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   cylinders_below_the_disc();
   orthotropic_discs();
+  bodies_that_turn();
   check_said(strips({{1e11, 1e11, 1e11}}), "90.000", "strips of one material");
   check_said(
     strips({{1e11, 5e10, 1e11}}), "180.00", "a soft strip between two");
