@@ -181,7 +181,7 @@ main(int argc, char **argv)
     // At rest at 694 Hz.
     check_motion(solution.pairs, still, speed, 4, -1);
   }
-  const double critical = critical_speed(900.);
-  check(critical < 900. && warning(300.).empty(),
+  const double critical = critical_speed(1200.);
+  check(critical < 1200. && warning(300.).empty(),
         "the critical speed is below the speed, and nothing is said below it");
 }
