@@ -129,6 +129,8 @@ set(SQUEAL_SOURCES_SCENE
 set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/affine_system.cc
     source/discretization/assembly.cc
+    source/discretization/carried_damping.cc
+    source/discretization/centrifugal_stress.cc
     source/discretization/disc_ring.cc
     source/discretization/discretization.cc
     source/discretization/eigenvalue_error.cc

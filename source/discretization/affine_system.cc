@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/discretization/affine_system.h>
+#include <squeal/discretization/carried_damping.h>
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/point_evaluator.h>
 #include <squeal/scene/turning.h>
@@ -36,12 +37,46 @@ namespace squeal
               }};
     }
 
+    /** The material is damped by the rate of strain that it sees; mass damping
+     * is that of the surroundings, which do not turn. */
     void
-    add_body_terms(const SceneParameters &scene,
-                   const unsigned int     b,
-                   const BodyMatrices    &matrices,
-                   AffineSystem          &system)
+    add_carried_damping(const Discretization &d,
+                        const unsigned int    b,
+                        const BodyMatrices   &matrices,
+                        AffineSystem         &system)
     {
+      const auto damping = [b](const SceneParameters &s) {
+        return elastic_coefficients(s, s.bodies[b]).damping *
+               carrier_of(s, b).rotation_speed;
+      };
+      const std::string name = "damping carried by " + d.scene().bodies[b].name;
+      // Ranks can not share the entries that eliminated contacts ask for.
+      if (d.space()->n_ranks() > 1 && damping(d.scene()) == 0.)
+        system.terms.push_back(
+          {name, matrices.mass, [damping, name](const SceneParameters &s) {
+             if (damping(s) != 0.)
+               throw InputError("stiffness damping of a body with a 'Rotation "
+                                "speed' that is 0 at first (" +
+                                name +
+                                "): run without mpirun, or give it a value in "
+                                "'Scene' too");
+             return TermCoefficients();
+           }});
+      else
+        system.terms.push_back({name,
+                                carried_stiffness(d, b, matrices.stiffness),
+                                [damping](const SceneParameters &s) {
+                                  return TermCoefficients{0., 0., damping(s)};
+                                }});
+    }
+
+    void
+    add_body_terms(const Discretization &d,
+                   const unsigned int    b,
+                   const BodyMatrices   &matrices,
+                   AffineSystem         &system)
+    {
+      const auto &scene   = d.scene();
       const auto &body    = scene.bodies[b];
       const auto  density = density_of(scene, b);
       system.terms.push_back(mass_term(scene, b, matrices));
@@ -67,6 +102,7 @@ namespace squeal
                const double speed = carrier_of(s, b).rotation_speed;
                return TermCoefficients{0., 0., density(s) * speed * speed};
              }});
+          add_carried_damping(d, b, matrices, system);
         }
     }
 
@@ -322,7 +358,7 @@ namespace squeal
     system.space      = d.space();
     const auto &scene = d.scene();
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      add_body_terms(scene, b, bodies[b], system);
+      add_body_terms(d, b, bodies[b], system);
     const PointEvaluator evaluator(d);
     for (unsigned int i = 0; i < scene.springs.size(); ++i)
       add_spring_term(d, evaluator, i, system);

@@ -2,6 +2,7 @@
 #include "patterned_matrix.h"
 
 #include <squeal/discretization/assembly.h>
+#include <squeal/discretization/centrifugal_stress.h>
 #include <squeal/discretization/element_matrices.h>
 #include <squeal/scene/turning.h>
 
@@ -81,7 +82,10 @@ namespace squeal
       if (turning)
         {
           result.gyroscopic = G.finish();
-          result.convective = N.finish();
+          // Both go with rho Omega^2.
+          const auto convective = std::make_shared<SparseMatrix>(*N.finish());
+          convective->add(1., *centrifugal_stress_stiffness(d, body));
+          result.convective = convective;
         }
       return result;
     }

@@ -242,6 +242,53 @@ namespace squeal
 
 
 
+  Eigen::VectorXd
+  ElementMatrices::centrifugal_load(const double x0, const double y0) const
+  {
+    const unsigned int n = fe.n_dofs_per_cell(), n_q = quadrature.size();
+    Eigen::MatrixXd    radius(n_q, 2);
+    for (unsigned int q = 0; q < n_q; ++q)
+      radius.row(q) << fe_values.quadrature_point(q)[0] - x0,
+        fe_values.quadrature_point(q)[1] - y0;
+    const Eigen::MatrixXd forces = weighted_values.transpose() * radius;
+    Eigen::VectorXd       result = Eigen::VectorXd::Zero(3 * n);
+    for (unsigned int i = 0; i < 2; ++i)
+      for (unsigned int a = 0; a < n; ++a)
+        result[dof_of[i][a]] = forces(a, i);
+    return result;
+  }
+
+
+
+  void
+  ElementMatrices::stress_stiffness(const ElasticTensor   &C,
+                                    const Eigen::VectorXd &u,
+                                    Eigen::MatrixXd       &S) const
+  {
+    const unsigned int n = fe.n_dofs_per_cell(), n_q = quadrature.size();
+    Eigen::MatrixXd    gradient(n_q, 9); // du_i/dx_j as 3 i + j
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        Eigen::VectorXd values_of_i(n);
+        for (unsigned int a = 0; a < n; ++a)
+          values_of_i[a] = u[dof_of[i][a]];
+        for (unsigned int j = 0; j < 3; ++j)
+          gradient.col(3 * i + j) = gradients[j] * values_of_i;
+      }
+    const Eigen::MatrixXd law =
+      Eigen::Map<const Eigen::Matrix<double, 9, 9, Eigen::RowMajor>>(
+        C[0].data());
+    const Eigen::MatrixXd stress = gradient * law.transpose();
+    Eigen::MatrixXd       scalar = Eigen::MatrixXd::Zero(n, n);
+    for (unsigned int k = 0; k < 3; ++k)
+      for (unsigned int l = 0; l < 3; ++l)
+        scalar += gradients[k].transpose() *
+                  stress.col(3 * k + l).asDiagonal() * weighted[l];
+    spread(.5 * (scalar + scalar.transpose()), S);
+  }
+
+
+
   void
   ElementMatrices::turning_axes(Eigen::MatrixXd &G, Eigen::MatrixXd &N) const
   {

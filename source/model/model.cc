@@ -9,6 +9,7 @@
 #include <squeal/model/model.h>
 #include <squeal/model/point_remarks.h>
 #include <squeal/model/pressed_model.h>
+#include <squeal/model/rotor_symmetry.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
 #include <squeal/scene/turning.h>
@@ -131,6 +132,7 @@ namespace squeal
   void
   Model::assemble_bodies_scene(Timers &timers)
   {
+    refuse_turning_without_axis(*space);
     {
       Timers::Section section(timers, "Assemble: bodies");
       bodies        = assemble_bodies(*space);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/unknown_choice.h>
@@ -30,6 +31,8 @@ namespace squeal
   {
     constexpr int    highest_order = 64, highest_spin = 4;
     constexpr double significant = 2e-3, rounding = 1e-9;
+    /** Share of the volume in the orders 1 and 2 of what has no axis. */
+    constexpr double out_of_round = .05;
 
     using Vector  = dealii::Tensor<1, 3>;
     using Complex = std::complex<double>;
@@ -401,23 +404,69 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** The bodies that turn: with a `Rotation speed` of their own, and targets
+     * of contacts. */
+    std::vector<unsigned int>
+    turning_bodies(const SceneParameters &scene)
+    {
+      std::set<unsigned int> result;
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        if (scene.bodies[b].rotation_speed != 0.)
+          result.insert(b);
+      for (const auto &contact : scene.contacts)
+        if (contact.target_body != "ground" &&
+            contact.state != ContactParameters::State::stick &&
+            target_turns(scene, contact))
+          result.insert(body_index(scene, contact.target_body));
+      return {result.begin(), result.end()};
+    }
+  } // namespace
+
+
+
+  void
+  refuse_turning_without_axis(const Discretization &d)
+  {
+    const auto &scene = d.scene();
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        const auto &body = scene.bodies[b];
+        if (body.rotation_speed == 0. || is_of_revolution(scene, b, body))
+          continue;
+        const AxisFrame frame(body.rotation_axis, body.centre_of_rotation());
+        const auto      volume = volume_moments(d, {b}, frame).front();
+        if (volume.has_order(1, out_of_round) ||
+            volume.has_order(2, out_of_round))
+          throw InputError(
+            "'Scene/Body " + body.name +
+            "/Rotation speed' = " + rounded_text(body.rotation_speed, 6) +
+            " rad/s is for bodies of revolution, vanes and holes aside; the "
+            "mesh of this one has no axis of symmetry at its 'Rotation "
+            "centre': set 0");
+      }
+  }
+
+
+
   std::string
   frozen_rotors(const Discretization &d)
   {
     const auto           &scene = d.scene();
     std::set<std::string> seen;
     std::string           text;
-    for (const auto &contact : scene.contacts)
+    for (const unsigned int number : turning_bodies(scene))
       {
-        if (contact.target_body == "ground" ||
-            contact.state == ContactParameters::State::stick ||
-            !target_turns(scene, contact) ||
-            !seen.insert(contact.target_body).second)
+        const auto &body = scene.bodies[number];
+        if (!seen.insert(body.name).second)
           continue;
         std::vector<unsigned int> rotor;
-        for (const auto &name : glued_to(scene, contact.target_body))
-          rotor.push_back(body_index(scene, name));
-        const auto &body = scene.bodies[body_index(scene, contact.target_body)];
+        for (const auto &name : glued_to(scene, body.name))
+          {
+            rotor.push_back(body_index(scene, name));
+            seen.insert(name);
+          }
         if (std::all_of(rotor.begin(), rotor.end(), [&](const unsigned int b) {
               return is_of_revolution(scene, b, body);
             }))

@@ -30,6 +30,21 @@ namespace squeal
       return pencil.space()->dot(X, pencil.multiply_undamped_stiffness(X));
     }
 
+    /** X^T C X of the gyroscopic forces, skew; X orthonormal in the mass. */
+    Eigen::MatrixXd
+    gyroscopic_forces(const Model &model, const Block &X)
+    {
+      const auto &scene  = model.parameters().scene;
+      const auto &system = model.linearized().system;
+      const auto  of     = [&](const SceneParameters &s) {
+        const Pencil pencil(system, s);
+        return pencil.space()->dot(
+          X, Block(pencil.apply(ComplexBlock(X)).damping.real()));
+      };
+      const Eigen::MatrixXd C = of(scene) - of(at_rest(scene));
+      return .5 * (C - C.transpose());
+    }
+
     double
     largest_speed(const SceneParameters &scene)
     {
@@ -57,10 +72,15 @@ namespace squeal
   {
     if (modes.shapes.cols() == 0)
       return highest * highest;
-    const Eigen::VectorXd carried =
-      stiffness_at_rest(model, modes.shapes).diagonal() - modes.omega_squared;
-    return highest *
-           (highest + 2. * std::sqrt(std::max(0., carried.maxCoeff())));
+    // Of a doublet the forces are 2 c times a turn by a right angle.
+    const Eigen::MatrixXd C = gyroscopic_forces(model, modes.shapes);
+    const double          carried =
+      .5 * std::sqrt(std::max(0.,
+                              Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                C.transpose() * C, Eigen::EigenvaluesOnly)
+                                .eigenvalues()
+                                .maxCoeff()));
+    return highest * (highest + 2. * carried);
   }
 
 
@@ -95,8 +115,11 @@ namespace squeal
       return "";
     // K - s^2 Omega^2 N is singular at the critical share s of the speed.
     const Eigen::MatrixXd K = stiffness_at_rest(model, modes.shapes);
+    // Modes that have lost their stiffness may have been combined for names.
     const Eigen::MatrixXd N =
-      K - Eigen::MatrixXd(modes.omega_squared.asDiagonal());
+      K - solution.pencil->space()->dot(
+            modes.shapes,
+            solution.pencil->multiply_undamped_stiffness(modes.shapes));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_K(K);
     const double Omega = largest_speed(scene);
     // A free body's own motions, of at most (Omega/omega)^2 of elastic ones,
@@ -119,6 +142,9 @@ namespace squeal
            " rad/s, beyond the critical speed of " +
            rounded_text(Omega / std::sqrt(largest), 6) +
            " rad/s: in the fixed frame waves that run against the turning are "
-           "carried forwards, and what rubs on them may feed them";
+           "carried forwards, and what rubs on them may feed them" +
+           (solution.pencil->has_structural_damping()
+              ? "; loss factors have the wrong sign on them"
+              : "");
   }
 } // namespace squeal

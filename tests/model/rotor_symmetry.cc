@@ -2,10 +2,12 @@
 
 // Which rotors stand still at one angle, and over which angle they repeat: a
 // cylinder beside the axis counts, one on it does not; an orthotropic material
-// repeats as its constants do, sectors as their moduli.
+// repeats as its constants do, sectors as their moduli. A body with a speed
+// that has no axis of symmetry is refused.
 
 #include "scenes.h"
 
+#include <squeal/base/exceptions.h>
 #include <squeal/model/rotor_symmetry.h>
 
 #include <deal.II/base/mpi.h>
@@ -74,6 +76,47 @@ namespace
 
 
 
+  /** A body with a `Rotation speed` needs no contact to be looked at. */
+  void
+  bodies_that_turn()
+  {
+    SceneParameters scene;
+    scene.bodies = {
+      make_block("bar", {{0., 0., 0.}}, {{.1, .04, .02}}, {{4, 2, 1}})};
+    scene.bodies[0].rotation_speed = 500.;
+    const auto refuse              = [&scene]() {
+      refuse_turning_without_axis(Discretization(
+        scene, squeal::testing::Model::parameters(0), 1, MPI_COMM_SELF));
+    };
+    const auto refusal = [&refuse]() -> std::string {
+      try
+        {
+          refuse();
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "";
+    };
+    check(refusal().find("'Scene/Body bar/Rotation speed' = 500") !=
+            std::string::npos,
+          "a bar that turns is refused: " + refusal());
+    scene.bodies[0].rotation_centre = Vector3{{0., .5, 0.}};
+    check(!refusal().empty(), "a bar that turns about a line beside it");
+    scene.bodies = {
+      make_block("plate", {{0., 0., 0.}}, {{.1, .1, .02}}, {{4, 4, 1}})};
+    scene.bodies[0].rotation_speed = 500.;
+    refuse();
+    check_said(scene, "90.000", "a square plate that turns");
+    scene.bodies                   = {make_annulus({{12, 2, 1}})};
+    scene.bodies[0].rotation_speed = 500.;
+    refuse();
+    check_said(scene, "", "a disc that turns");
+  }
+
+
+
   /** A square plate of three strips with @p moduli, Pa, under a pad. */
   SceneParameters
   strips(const Vector3 &moduli)
@@ -114,6 +157,7 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
   cylinders_below_the_disc();
   orthotropic_discs();
+  bodies_that_turn();
   check_said(strips({{1e11, 1e11, 1e11}}), "90.000", "strips of one material");
   check_said(
     strips({{1e11, 5e10, 1e11}}), "180.00", "a soft strip between two");

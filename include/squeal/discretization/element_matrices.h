@@ -70,6 +70,16 @@ namespace squeal
      */
     void turning_axes(Eigen::MatrixXd &G, Eigen::MatrixXd &N) const;
 
+    /** Centrifugal forces int phi_a (x - x0, y - y0, 0)_i about the axis
+     * through (x0, y0) along z, for density 1 and 1 rad/s: 3n, m^4. */
+    Eigen::VectorXd centrifugal_load(const double x0, const double y0) const;
+
+    /** What the stress sigma = C : grad u of the displacements @p u, 3n, adds to
+     * the stiffness: S_(a i)(b i) = int sigma_kl dphi_a/dx_k dphi_b/dx_l. */
+    void stress_stiffness(const ElasticTensor   &C,
+                          const Eigen::VectorXd &u,
+                          Eigen::MatrixXd       &S) const;
+
     /** Component 0..2 of degree of freedom @p i of a cell. */
     unsigned int
     component(const unsigned int i) const

@@ -30,11 +30,16 @@ namespace squeal
     const Vector3                   &axis,
     const Vector3                   &centre);
 
+  /** Throws InputError for a body with a `Rotation speed` whose volume has more
+   * than 5 % of the orders 1 or 2 about its axis: the terms of turning are
+   * those of a body that looks the same at all angles. */
+  void refuse_turning_without_axis(const Discretization &discretization);
+
   /**
-   * What the fixed frame leaves out: a line that names each rotor (the target
-   * of a contact with friction and all that is tied to it) that is no body of
-   * revolution in shape and material and stands still at one angle. Empty where
-   * there is none.
+   * What the fixed frame leaves out: a line that names each rotor (a body with
+   * a `Rotation speed` or the target of a contact with friction, and all that
+   * is tied to it) that is no body of revolution in shape and material and
+   * stands still at one angle. Empty where there is none.
    */
   std::string frozen_rotors(const Discretization &discretization);
 

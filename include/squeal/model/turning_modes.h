@@ -19,7 +19,8 @@ namespace squeal
    * Waves that run against the turning are carried forwards by c = m Omega:
    * their frequency falls from sqrt(omega^2 + c^2) at rest by c. So it is below
    * the highest one where omega^2 is below highest^2 + 2 c highest. c is the
-   * largest of @p modes; where the limit goes up, so may c.
+   * largest of the gyroscopic forces between @p modes; where the limit goes up,
+   * so may c.
    */
   double limit_of_turning_modes(const Model         &model,
                                 const UndampedModes &modes,
