@@ -48,7 +48,7 @@ namespace squeal
       {
         return f <= (1. + same_line) * largest &&
                spectrum.correlation(f, lowest, highest) >=
-               best - most_aperiodic;
+                 best - most_aperiodic;
       }
 
       const std::vector<double> &values;

@@ -408,8 +408,9 @@ namespace
       {
         const StepForces &step = record.last_steps[k];
         StepSums          sums;
-        sums.normal     = step.normal;
-        sums.tangential = .3 * total * std::cos(2. * pi * frequency * step.time);
+        sums.normal = step.normal;
+        sums.tangential =
+          .3 * total * std::cos(2. * pi * frequency * step.time);
         record.stretches[std::size_t(k) * n_force_stretches / n_steps].add(
           sums, false);
       }
@@ -420,12 +421,11 @@ namespace
   void
   stick_slip()
   {
-    check(sticking(0.).loudest.force == JudgedForce::tangential,
-          "beside a steady normal force the tangential one is judged");
-    check(sticking(1e-3).loudest.force == JudgedForce::tangential,
-          "and beside one that rings by a three hundredth");
-    check(sticking(.1).loudest.force == JudgedForce::normal,
-          "but not beside one that rings by a third");
+    for (const auto &[ring, force] :
+         {std::make_pair(0., JudgedForce::tangential),
+          {1e-3, JudgedForce::tangential},
+          {.1, JudgedForce::normal}})
+      check(sticking(ring).loudest.force == force, "by what is far louder");
   }
 
   std::string
