@@ -216,6 +216,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/sweep_grid.cc)
 
 set(SQUEAL_SOURCES_TRANSIENT
+    source/transient/common_period.cc
     source/transient/contact_compliance.cc
     source/transient/contact_solver.cc
     source/transient/contact_solver_inverse.cc

@@ -5,6 +5,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/free_motion.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/linear_solver.h>
@@ -37,7 +38,8 @@ namespace squeal
   ModeSolution::n_up_to(const double highest) const
   {
     unsigned int n = 0;
-    while (n < modes.omega_squared.size() && modes.frequency(n) <= highest)
+    while (n < modes.omega_squared.size() &&
+           is_between(modes.frequency(n), 0., highest))
       ++n;
     return n;
   }
@@ -302,7 +304,9 @@ namespace squeal
     unsigned int number = 0;
     for (unsigned int i = 0; i < solution.n_up_to(p.highest_frequency); ++i)
       {
-        if (solution.modes.frequency(i) < p.lowest_frequency)
+        if (!is_between(solution.modes.frequency(i),
+                        p.lowest_frequency,
+                        p.highest_frequency))
           continue;
         const ModeName &name = solution.names[i];
         // A near tie may leave them open.

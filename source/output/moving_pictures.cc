@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/run_log.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/results/motion_view.h>
 
@@ -143,7 +144,7 @@ namespace squeal
     for (unsigned int i = 0; i < solution.n_up_to(p.highest_frequency); ++i)
       {
         const double f = solution.modes.frequency(i);
-        if (f < p.lowest_frequency ||
+        if (!is_between(f, p.lowest_frequency, p.highest_frequency) ||
             (view && view->n_motions() == most_motions))
           continue;
         const auto real = surface.evaluate(

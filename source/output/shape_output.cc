@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/output/shape_output.h>
 
 #include <squeal/results/shape_plot.h>
@@ -122,8 +123,9 @@ namespace squeal
     const Block        full  = model.linearized().expand(solution.modes.shapes);
     const unsigned int end   = solution.n_up_to(p.eigen.highest_frequency);
     unsigned int       begin = 0;
-    while (begin < end &&
-           solution.modes.frequency(begin) < p.eigen.lowest_frequency)
+    while (begin < end && !is_between(solution.modes.frequency(begin),
+                                      p.eigen.lowest_frequency,
+                                      p.eigen.highest_frequency))
       ++begin;
     Progress     progress(context.log, "shapes", end - begin);
     std::string  first;

@@ -11,13 +11,21 @@ namespace squeal
 {
   namespace
   {
-    /** Share of the power that a lower fundamental must add. */
-    constexpr double least_gain = 0.05;
-
-    /** What the correlation with itself may lack of 1 in a signal that repeats
-     * itself, and of the best one in a period that counts. A line of 5 % of the
-     * power that is turned around costs as much. */
-    constexpr double most_aperiodic = 0.1;
+    /** Sum of @p weight of the frequency times density over what is no drift. */
+    template <typename Weight>
+    double
+    sum_in_band(const Spectrum &spectrum,
+                const double    lowest,
+                const double    highest,
+                const Weight   &weight)
+    {
+      double sum = 0.;
+      for (std::size_t k = 0; k < spectrum.density.size(); ++k)
+        if (spectrum.frequency[k] >= 0.5 * lowest &&
+            spectrum.frequency[k] <= highest)
+          sum += weight(spectrum.frequency[k]) * spectrum.density[k];
+      return sum;
+    }
 
     /** Complex amplitude of samples first .. first + n - 1 about their mean at
      * a frequency in turns a sample, under a Hann window. */
@@ -75,14 +83,9 @@ namespace squeal
       return 0.;
     const double step = frequency[1] - frequency[0];
     // Sums over what is no drift: all of it, what lies on the multiples of f,
-    // and what is in phase again after a period of f. The last is the
-    // correlation of the signal with itself at a lag between the samples.
+    // and what is in phase again after a period of f.
     const auto sum_over = [&](const auto &weight) {
-      double sum = 0.;
-      for (std::size_t k = 0; k < density.size(); ++k)
-        if (frequency[k] >= 0.5 * lowest && frequency[k] <= highest)
-          sum += weight(frequency[k]) * density[k];
-      return sum;
+      return sum_in_band(*this, lowest, highest, weight);
     };
     const double all = sum_over([](const double) { return 1.; });
     // A Hann window spreads a line over four steps; where multiples lie closer
@@ -94,11 +97,6 @@ namespace squeal
              }) /
              all;
     };
-    const auto correlation = [&](const double f) {
-      return sum_over(
-               [&](const double g) { return std::cos(2. * M_PI * g / f); }) /
-             all;
-    };
     std::vector<double> candidates{largest};
     for (unsigned int k = 2; k <= 4 && largest / k > 40. * step; ++k)
       if (largest / k >= lowest)
@@ -106,7 +104,7 @@ namespace squeal
 
     std::vector<double> correlations;
     for (const double f : candidates)
-      correlations.push_back(correlation(f));
+      correlations.push_back(correlation(f, lowest, highest));
     const double best_correlation =
       *std::max_element(correlations.begin(), correlations.end());
     if (best_correlation >= 1. - most_aperiodic)
@@ -119,13 +117,38 @@ namespace squeal
       {
         // A denser comb holds more of a broad spectrum by chance alone.
         const double s = share(f), chance = 5. * step * (1. / f - 1. / best);
-        if (s > best_share + least_gain + chance)
+        if (s > best_share + least_power_share + chance)
           {
             best       = f;
             best_share = s;
           }
       }
     return best;
+  }
+
+
+
+  double
+  Spectrum::correlation(const double f,
+                        const double lowest,
+                        const double highest) const
+  {
+    // By the spectrum it is that at a lag between the samples.
+    const auto in_phase = [f](const double g) {
+      return std::cos(2. * M_PI * g / f);
+    };
+    return sum_in_band(*this, lowest, highest, in_phase) /
+           sum_in_band(*this, lowest, highest, [](const double) { return 1.; });
+  }
+
+  double
+  Spectrum::power(const double lowest, const double highest) const
+  {
+    return density.size() < 2
+             ? 0.
+             : (frequency[1] - frequency[0]) *
+                 sum_in_band(
+                   *this, lowest, highest, [](const double) { return 1.; });
   }
 
 

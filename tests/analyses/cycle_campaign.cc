@@ -185,6 +185,11 @@ namespace
           "the last of the motions is that from the cycle itself");
     check(followed.text(0, "outcome") == "stable limit cycle",
           "the multipliers decide where they can");
+    const Table left = outcome_table({stable}, {0, {there, elsewhere}});
+    check(left.text(0, "outcome") ==
+              "stable limit cycle, left by the motion from it" &&
+            left.text(0, "stays") == "no",
+          "a stable cycle on which a motion does not stay is no plain one");
     const CycleResult nearly = cycle(5000., 90., 1.008);
     const auto        after  = [&](const CycleResult &c,
                            const MotionTrial &from_elsewhere) {

@@ -6,77 +6,17 @@
 // motions from other starts are judged by the moment, whatever the number of
 // springs, and as transients are. Argument: the program.
 
-#include "program.h"
+#include "plate_on_ring.h"
 
 #include <squeal/results/table.h>
 
 #include <cmath>
-#include <iomanip>
 
 using namespace squeal;
 using namespace squeal::testing;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
-  /** Radius of the ring and height of the centre of mass above it, m. */
-  constexpr double radius = .1, height = .03;
-
-  const std::string scene = R"(set Overwrite = true
-subsection Scene
-  set Name                 = ring
-  set Kind                 = matrices
-  set Matrix parts         = mass, stiffness
-  set Node table file      = nodes.csv
-  set Contact pattern file = contact.csv
-  set Contacts             = face
-  set Loads                = press
-  subsection Matrix part mass
-    set File = mass.mtx
-    set Role = mass
-  end
-  subsection Matrix part stiffness
-    set File = stiffness.mtx
-    set Role = stiffness
-  end
-  subsection Load press
-    set Ramp time = 0
-  end
-  subsection Contact face
-    set Source body          = plate
-    set Formulation          = springs
-    set Contact state        = full
-    set Friction coefficient = 0.4
-    set Transverse slip term = true
-    set Sliding speed        = 5
-    set Normal force         = 1000
-  end
-  subsection Damping
-    set Model        = whole model
-    set Mass damping = 100
-  end
-end
-subsection Eigenvalues
-  set Lowest frequency  = 1
-  set Highest frequency = 5000
-end
-subsection Transient
-  set Cut-off         = 20000
-  set Time step       = 5e-6
-  set Disturbance     = 1e-6
-  set Sample interval = 2e-5
-  set End time        = 0.2
-  set History start   = 0.19
-end
-subsection Limit cycle
-  set Run time = 0.1
-end
-subsection Output
-  set Plots  = false
-  set Report = false
-end
-)";
-
   const std::string frictions = R"(subsection Sweep
   set Axes = mu
   subsection Axis mu
@@ -96,73 +36,6 @@ end
   end
 end
 )";
-
-  void
-  write_diagonal(const std::string &file, const std::array<double, 6> &values)
-  {
-    std::ostringstream text;
-    text << std::setprecision(17)
-         << "%%MatrixMarket matrix coordinate real symmetric\n6 6 6\n";
-    for (unsigned int i = 0; i < 6; ++i)
-      text << i + 1 << ' ' << i + 1 << ' ' << values[i] << '\n';
-    write_text(file, text.str());
-  }
-
-  /** Of @p n springs, a plate of 2 kg with 1 kHz on them, and @p sweep. */
-  void
-  write_scene(const unsigned int n, const std::string &sweep)
-  {
-    const double square = std::pow(2. * pi * 1000., 2);
-    write_diagonal("mass.mtx", {{2., 2., 2., .01, .01, .02}});
-    write_diagonal("stiffness.mtx",
-                   {{8. * square,
-                     8. * square,
-                     .6 * square,
-                     .002 * square,
-                     .002 * square,
-                     .08 * square}});
-    std::ostringstream nodes, contact;
-    nodes << "dof,node,component,x,y,z,body,load_press\n";
-    for (unsigned int i = 0; i < 6; ++i)
-      nodes << i + 1 << ",1," << i + 1 << ",0,0," << height << ",plate,"
-            << (i == 2 ? -1000 : 0) << '\n';
-    write_text("nodes.csv", nodes.str());
-    contact << std::setprecision(17)
-            << "contact,pair,side,direction,node,component,weight,x,y,z,area\n";
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        const double angle = 2. * pi * (j + .5) / n, c = std::cos(angle),
-                     s = std::sin(angle), h = height, r = radius;
-        const std::pair<const char *, std::array<double, 6>> rows[] = {
-          {"normal", {{0., 0., 1., r * s, -r * c, 0.}}},
-          {"sliding", {{-s, c, 0., h * c, h * s, r}}},
-          {"transverse", {{c, s, 0., h * s, -h * c, 0.}}}};
-        for (const auto &[direction, weights] : rows)
-          for (unsigned int i = 0; i < 6; ++i)
-            if (weights[i] != 0.)
-              contact << "face," << j + 1 << ",source," << direction << ",1,"
-                      << i + 1 << ',' << weights[i] << ',' << r * c << ','
-                      << r * s << ",0,1e-3\n";
-      }
-    write_text("contact.csv", contact.str());
-    write_text("ring.prm",
-               scene + "subsection Scene\n  subsection Contact face\n" +
-                 "    set Normal stiffness = " +
-                 std::to_string(2. * square / n) + "\n  end\nend\n" + sweep);
-  }
-
-  /** What it has printed. */
-  std::string
-  run(const std::string &program, const std::vector<std::string> &settings)
-  {
-    std::vector<std::string> words = {program};
-    for (const std::string &setting : settings)
-      words.insert(words.end(), {"--set", setting});
-    words.push_back("ring.prm");
-    const Outcome o = run_program(words);
-    check(o.code == 0, settings.front() + " runs: " + o.errors);
-    return unbroken(o.output);
-  }
 
   /** The moment that row @p row names. */
   std::string
@@ -246,12 +119,13 @@ end
   void
   campaign_of_transients(const std::string &program, const Table &cycle)
   {
-    const std::string said = run(program,
-                                 {"Analysis = transient",
-                                  "Output directory = transients",
-                                  "Transient/Campaign table = campaign.csv",
-                                  "Transient/Threads = 1"});
-    const Table       t    = read_csv("transients/campaign.csv");
+    const std::string said =
+      run_ring(program,
+               {"Analysis = transient",
+                "Output directory = transients",
+                "Transient/Campaign table = campaign.csv",
+                "Transient/Threads = 1"});
+    const Table t = read_csv("transients/campaign.csv");
     check(t.n_rows() == 2 && judged(t, 0).empty() && is_moment(judged(t, 1)),
           "each run names its force: " + judged(t, 0) + ", " + judged(t, 1));
     says(said, "mu 0.4: the " + judged(t, 1) + " vibrates by");
@@ -273,20 +147,20 @@ main(int argc, char *argv[])
   const std::string program = argv[1];
   for (const char *folder : {"branch", "cycles", "transients"})
     std::filesystem::remove_all(folder);
-  write_scene(24, speeds);
+  write_ring(24, speeds);
   const std::string said =
-    run(program, {"Analysis = limit cycle", "Output directory = branch"});
+    run_ring(program, {"Analysis = limit cycle", "Output directory = branch"});
   const Table cycle = read_csv("branch/limit_cycle.csv");
   says(said, "rms of the " + judged(cycle, 0));
   says(said, "their sum by");
   says(said, "points of the branch are those of a moment");
   branches(cycle);
-  write_scene(12, frictions);
-  const std::string of_campaign = run(program,
-                                      {"Analysis = limit cycle",
-                                       "Output directory = cycles",
-                                       "Limit cycle/Campaign = true",
-                                       "Limit cycle/Starts = 1"});
+  write_ring(12, frictions);
+  const std::string of_campaign = run_ring(program,
+                                           {"Analysis = limit cycle",
+                                            "Output directory = cycles",
+                                            "Limit cycle/Campaign = true",
+                                            "Limit cycle/Starts = 1"});
   says(of_campaign, "mu = 0.40000: the " + moment);
   const Table campaign = read_csv("cycles/campaign.csv");
   same_motion(campaign, cycle, "campaign.csv: ");

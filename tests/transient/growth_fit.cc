@@ -4,6 +4,7 @@
 
 #include "check.h"
 
+#include <squeal/transient/common_period.h>
 #include <squeal/transient/growth.h>
 #include <squeal/transient/growth_rule.h>
 #include <squeal/transient/spectrum.h>
@@ -267,6 +268,50 @@ namespace
     check(n_lines == 20, "and has no period other than that of its line");
   }
 
+  /** The sum of what goes round, and both its moments; a ring beside a far
+   * louder stick-slip. */
+  void
+  common_periods()
+  {
+    const double dt = 1e-5, f = 3433.7;
+    const auto   period_of = [&](const std::vector<MotionSignal> &signals) {
+      return common_period(signals, dt, 300., 45e3);
+    };
+    const MotionSignal sum{tones(dt, {{2. * f, 1.}, {4. * f, .2}})};
+    const auto         moment = [&](const double size) {
+      return MotionSignal{tones(dt, {{f, size}, {3. * f, .1 * size}})};
+    };
+    const CommonPeriod alone = period_of({sum});
+    check(std::abs(alone.frequency - 2. * f) < .5, "its own period");
+    for (const double size : {.5, 20.})
+      {
+        const CommonPeriod with = period_of({sum, moment(size), moment(size)});
+        check(std::abs(with.frequency - f) < .5,
+              "the period of the moments, which is twice as long: " +
+                std::to_string(with.frequency));
+        check(std::abs(with.largest_line - 2. * f) < .5 &&
+                with.repetition > .99 && with.frequency_ci < 1.,
+              "with the line of the sum");
+      }
+    check(period_of({sum, moment(.1)}).frequency == alone.frequency,
+          "a weak one does not count");
+    const MotionSignal third{tones(dt, {{3. * f, 1.}})};
+    check(std::abs(period_of({third, sum}).frequency - f) < .5,
+          "of lines 2 and 3 the common period is that of line 1");
+    const MotionSignal other{tones(dt, {{.137 * f, 9.}})};
+    const CommonPeriod none = period_of({sum, other});
+    check(std::abs(none.frequency - .137 * f) < .5,
+          "without a common period the loudest tells: " +
+            std::to_string(none.frequency));
+    std::minstd_rand                 generator(7);
+    std::normal_distribution<double> normal;
+    MotionSignal                     noise{{}, true};
+    for (unsigned int i = 0; i < 8000; ++i)
+      noise.values.push_back(normal(generator));
+    check(period_of({sum, noise}).frequency == alone.frequency,
+          "a place that rattles on its own does not count");
+  }
+
   void
   deviations()
   {
@@ -300,5 +345,6 @@ main()
   rates_beside_a_drift();
   spectra();
   periods();
+  common_periods();
   deviations();
 }

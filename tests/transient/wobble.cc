@@ -207,8 +207,10 @@ namespace
           text);
     check(transient_table(f).text(0, "judged_force") == f.loudest.force_name,
           "the table names it");
-    const ForceStatistics half = statistics_of(record.stretches, 100, 200);
-    check_close(rms_of_pressure(half), f.rms_normal, 1e-12, "of a stretch");
+    check_close(rms_of_pressure(f.loudest, record, 100, 200),
+                f.rms_normal,
+                1e-12,
+                "of a stretch");
   }
 
   TransientFigures
@@ -244,7 +246,7 @@ namespace
               f.loudest.force_name);
         check_close(f.rms_normal, .4 * total, 1e-9, "the rms of the rock");
         check_close(f.most_rms, .4 * total, 5e-2, "and of its quarters");
-        check_close(rms_of_pressure(statistics_of(record.stretches, 100, 200)),
+        check_close(rms_of_pressure(f.loudest, record, 100, 200),
                     .4 * total,
                     1e-9,
                     "and of a stretch");
@@ -392,6 +394,40 @@ namespace
     check(!transient_table(f).has_column("judged_force"), "and its table");
   }
 
+  /** Stick-slip round the ring beside a normal force that rings by @p ring. */
+  TransientFigures
+  sticking(const double ring)
+  {
+    const ContactNodes nodes = nodes_of(arc(2. * pi, true));
+    TransientFigures   f;
+    TransientRecord    record = record_of(nodes, [ring](double, double t) {
+      return 1. + ring * std::cos(2. * pi * 16.3 * frequency * t);
+    });
+    record.stretches.assign(n_force_stretches, {});
+    for (unsigned int k = 0; k < n_steps; ++k)
+      {
+        const StepForces &step = record.last_steps[k];
+        StepSums          sums;
+        sums.normal = step.normal;
+        sums.tangential =
+          .3 * total * std::cos(2. * pi * frequency * step.time);
+        record.stretches[std::size_t(k) * n_force_stretches / n_steps].add(
+          sums, false);
+      }
+    evaluate_forces(nodes, record, f);
+    return f;
+  }
+
+  void
+  stick_slip()
+  {
+    for (const auto &[ring, force] :
+         {std::make_pair(0., JudgedForce::tangential),
+          {1e-3, JudgedForce::tangential},
+          {.1, JudgedForce::normal}})
+      check(sticking(ring).loudest.force == force, "by what is far louder");
+  }
+
   std::string
   outcome_of(const double decay)
   {
@@ -462,6 +498,7 @@ main()
   waves();
   no_waves();
   rocking();
+  stick_slip();
   triggered();
   curved();
 }

@@ -6,6 +6,14 @@
 
 namespace squeal
 {
+  /** Share of the power that a lower line must have to count. */
+  constexpr double least_power_share = 0.05;
+
+  /** What the correlation with itself may lack of 1 in a signal that repeats
+   * itself, and of the best one in a period that counts. A line of 5 % of the
+   * power that is turned around costs as much. */
+  constexpr double most_aperiodic = 0.1;
+
   /** Power spectral density of a signal, one-sided. */
   struct Spectrum
   {
@@ -26,6 +34,14 @@ namespace squeal
      * no line.
      */
     double fundamental(const double lowest, const double highest) const;
+    /** Of what lies between half of @p lowest and @p highest, Hz, with itself a
+     * period of @p frequency later: 1 where that is a period or a multiple of
+     * one. */
+    double correlation(const double frequency,
+                       const double lowest,
+                       const double highest) const;
+    /** Integral of the density between half of @p lowest and @p highest. */
+    double power(const double lowest, const double highest) const;
     /** Root of the integral of the density within a relative width around a
      * frequency: the rms of one line. */
     double line_rms(const double centre, const double relative_width) const;

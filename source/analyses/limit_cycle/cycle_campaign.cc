@@ -249,6 +249,25 @@ namespace squeal
              " (errors by half the steps; mesh and cut-off not estimated)";
     }
 
+    /** Warns where a motion does not stay on the cycle that it starts on,
+     * though its multipliers call it stable. */
+    void
+    warn_of_cycles_left(const Table &points, RunLog &log)
+    {
+      if (!points.has_column("stays"))
+        return;
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        n +=
+          points.text(i, "stays") == "no" && points.integer(i, "n_stable") > 0;
+      if (n > 0)
+        log.warning(
+          "at " + std::to_string(n) + " of " + std::to_string(points.n_rows()) +
+          " points the motion that starts on a cycle that is stable by its "
+          "multipliers does not stay there within the errors ('stays' = no in "
+          "campaign.csv): raise 'Limit cycle/Steps per period'");
+    }
+
     /** The line that is heard over the first axis, one series for each value of
      * the others. */
     void
@@ -321,6 +340,7 @@ namespace squeal
     tables.points.print(text);
     context.log.heading("Campaign of limit cycles");
     context.log.info(text.str());
+    warn_of_cycles_left(tables.points, context.log);
     context.record.figures = {
       {"limit cycles", campaign_sentence(tables.points)},
       {"points", std::to_string(tables.points.n_rows())},

@@ -30,6 +30,11 @@ namespace squeal
                       false),
         marked_series(
           "stable limit cycle", Marker::circle, 2., Ink::blue, false),
+        marked_series("stable limit cycle, left by the motion from it",
+                      Marker::square,
+                      2.,
+                      Ink::blue,
+                      true),
         marked_series(
           "several stable limit cycles", Marker::square, 2., Ink::blue, false),
         marked_series(

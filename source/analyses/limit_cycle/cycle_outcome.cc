@@ -357,6 +357,11 @@ namespace squeal
       outcome.text = is_far_from_stable
                        ? "unstable limit cycle that motions stay near"
                        : "limit cycle, stable in time";
+    // Linearised once round the cycle and followed for long do not agree.
+    if (trials.cycle >= 0 && !trials.motions.empty() &&
+        !trials.motions.back().ends_in && outcome.n_stable == 1 &&
+        cycles[trials.cycle].multipliers.is_stable())
+      outcome.text = "stable limit cycle, left by the motion from it";
     return table_of(
       columns(pairs),
       std::vector<PointRow>{{cycles, trials.motions, outcome, outside}});

@@ -157,12 +157,14 @@ namespace squeal
     const auto &axes = context.parameters.sweep.axes;
     // What rings on slowly looks steady, but is small.
     const auto runs = [&](const std::size_t i) {
-      // Two rms are no more than a range, but that of a moment that is judged.
+      // Two rms are no more than a range, but that of a moment or a node that
+      // is judged.
+      const double largest = std::abs(table.real(i, "max_normal_n"));
       return table.text(i, "limit_cycle") == "yes" &&
-             std::max(table.real(i, "max_normal_n") -
-                        table.real(i, "min_normal_n"),
-                      2. * table.real(i, "rms_normal_n")) >
-               squeal_range * std::abs(table.real(i, "max_normal_n"));
+             (table.real(i, "max_normal_n") - table.real(i, "min_normal_n") >
+                squeal_range * largest ||
+              2. * table.real(i, "rms_normal_n") >
+                squeal_range * table.real(i, "judged_share") * largest);
     };
     Chart over_sigma;
     over_sigma.title   = "Amplitude of the limit cycle over growth rate";

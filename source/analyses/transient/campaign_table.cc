@@ -257,6 +257,12 @@ namespace squeal
         {"outcome_pair", Type::text, "", "whose outcome this is"});
     if (!compares)
       table.add_column(judged_force_column("judged_force"));
+    if (!compares)
+      table.add_column({"judged_share",
+                        Type::real,
+                        "",
+                        "what the judged force has of the normal force",
+                        4});
     if (!compares && has_trigger(p.transient))
       table.add_column(judged_force_column("outcome_judged_force"));
     return table;
@@ -288,6 +294,7 @@ namespace squeal
     if (has_several_pairs(run.parameters) && has_trigger(t))
       row.emplace_back(trigger.pair.name);
     row.push_back(judged_beside_sums(f.loudest));
+    row.emplace_back(f.loudest.share);
     if (has_trigger(t))
       row.push_back(judged_beside_sums(trigger.pair));
     return row;

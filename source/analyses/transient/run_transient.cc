@@ -8,6 +8,7 @@
 #include <squeal/analyses/transient/transient_verdict.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/model/drive_warnings.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/moving_pictures.h>
@@ -379,8 +380,8 @@ namespace squeal
                     "this run does not use"));
       const std::string growing = text_of_growth_outside(linear, p);
       if (sigma > 0. && is_there &&
-          (frequency < p.eigen.lowest_frequency ||
-           frequency > p.eigen.highest_frequency))
+          !is_between(
+            frequency, p.eigen.lowest_frequency, p.eigen.highest_frequency))
         log.warning("the fastest motion of the reduced model, " + text +
                     ", is outside the band: the branches do not show it");
       else if (!is_there && !growing.empty())

@@ -351,8 +351,9 @@ namespace squeal
           const double change = table.real(k, "rms_normal_change_n"),
                        rms    = table.real(k, "rms_normal_n");
           // Pure stick-slip leaves but noise of the solver in the normal force.
-          const bool vibrates =
-            rms > least_vibration * table.real(k, "max_normal_n");
+          const bool vibrates = rms > least_vibration *
+                                        table.real(k, "judged_share") *
+                                        table.real(k, "max_normal_n");
           if (vibrates && table.text(k, "limit_cycle") == "yes" &&
               std::abs(change) > settled_rms_change * rms)
             text += (text.empty() ? "" : "; ") + run_label(runs[k], table) +

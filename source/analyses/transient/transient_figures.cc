@@ -8,7 +8,9 @@
 #include <squeal/base/timers.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/model/cea_solution.h>
+#include <squeal/transient/common_period.h>
 #include <squeal/transient/growth_rule.h>
 #include <squeal/transient/slow_part.h>
 #include <squeal/transient/time_step_error.h>
@@ -202,23 +204,63 @@ namespace squeal
       f.stick_fraction = closed > 0. ? stick / closed : 0.;
     }
 
+    /** The forces of the loudest pair over the second half, without their slow
+     * parts, N: first the one that is judged, then sums, both moments and that
+     * of the node that vibrates most, times the number of nodes. */
+    std::vector<MotionSignal>
+    signals_of_loudest(const PreparedTransient &prepared,
+                       const TransientRecord   &record,
+                       const TransientFigures  &f)
+    {
+      std::vector<MotionSignal> result;
+      const auto add = [&](JudgedPair pair, const JudgedForce force) {
+        pair.force                    = force;
+        const std::vector<double> all = samples_of(record, pair);
+        result.push_back({without_slow_part(
+          {all.begin() + record.samples.size() / 2, all.end()})});
+      };
+      add(f.loudest, f.loudest.force);
+      add(f.loudest, JudgedForce::normal);
+      add(f.loudest, JudgedForce::tangential);
+      for (const MomentParts &parts :
+           {MomentParts{{1., 0.}}, MomentParts{{0., 1.}}})
+        {
+          JudgedPair pair = f.loudest;
+          pair.parts      = parts;
+          add(pair, JudgedForce::moment);
+        }
+      if (record.watched.numbers.empty())
+        return result;
+      add(f.loudest, JudgedForce::node);
+      result.back().is_local = true;
+      // Against its share of the normal force.
+      const bool is_judged = f.loudest.force == JudgedForce::node;
+      for (double &force : result.back().values)
+        force *=
+          is_judged
+            ? 1.
+            : prepared.pressed.nodes().pairs()[f.loudest.number].n_nodes();
+      return result;
+    }
+
     /** Frequency, lines and what the four quarters of the time say of them. */
     void
-    evaluate_lines(const std::vector<double> &force,
-                   const double               interval,
-                   const double               lowest,
-                   TransientFigures          &f)
+    evaluate_lines(const std::vector<MotionSignal> &signals,
+                   const double                     interval,
+                   const double                     lowest,
+                   TransientFigures                &f)
     {
-      const double   highest  = highest_line(interval);
-      const Spectrum spectrum = power_spectrum(force, interval);
-      f.largest_line          = spectrum.peak(lowest, highest);
-      f.frequency             = spectrum.fundamental(lowest, highest);
-      f.repetition            = repetition(force, interval, f.frequency);
+      const double       highest = highest_line(interval);
+      const CommonPeriod period =
+        common_period(signals, interval, lowest, highest);
+      f.largest_line = period.largest_line;
+      f.frequency    = period.frequency;
+      f.frequency_ci = period.frequency_ci;
+      f.repetition   = period.repetition;
+      const Spectrum spectrum =
+        power_spectrum(signals.front().values, interval);
       for (unsigned int k = 1; k <= 5 && k * f.frequency < highest; ++k)
         f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
-      if (f.frequency > 0.)
-        f.frequency_ci = line_deviation(force, interval, f.largest_line) /
-                         std::round(f.largest_line / f.frequency);
     }
 
     /** Whether every motion that the run has decays about steady sliding. */
@@ -271,7 +313,7 @@ namespace squeal
           f.repetition = f.phase = not_known;
           return;
         }
-      evaluate_lines(without_slow_part(late_of(samples_of(record, f.loudest))),
+      evaluate_lines(signals_of_loudest(prepared, record, f),
                      interval,
                      p.eigen.lowest_frequency,
                      f);
@@ -314,7 +356,7 @@ namespace squeal
                                        linear);
     for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
       if (const double f = linear.lambda[k].imag() / (2. * M_PI);
-          f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency &&
+          is_between(f, p.eigen.lowest_frequency, p.eigen.highest_frequency) &&
           linear.lambda[k].real() > -0.3 * linear.lambda[k].imag())
         branches.push_back(k);
   }
@@ -400,7 +442,7 @@ namespace squeal
     double sigma = -std::numeric_limits<double>::infinity();
     for (const auto &lambda : motion.lambda)
       if (const double f = lambda.imag() / (2. * M_PI);
-          f >= p.eigen.lowest_frequency && f <= p.eigen.highest_frequency)
+          is_between(f, p.eigen.lowest_frequency, p.eigen.highest_frequency))
         sigma = std::max(sigma, lambda.real());
     return sigma;
   }

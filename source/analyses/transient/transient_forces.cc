@@ -80,12 +80,12 @@ namespace squeal
                std::max(far_louder, beyond_chance * std::sqrt(n)) * most;
     }
 
-    /** Whether a moment that vibrates by @p moment, N, is judged: more than
-     * noise of @p least, and by far more than the @p force that else is. */
+    /** Whether a force that vibrates by @p other, N, is judged: more than noise
+     * of @p least, and by far more than the @p force that else is. */
     bool
-    is_by_far(const double moment, const double force, const double least)
+    is_by_far(const double other, const double force, const double least)
     {
-      return moment > least && moment > far_louder * force;
+      return other > least && other > far_louder * force;
     }
 
     /** Forces of one pair in every step of a run. */
@@ -103,9 +103,13 @@ namespace squeal
         , n_nodes(pair.n_nodes())
         , least(least_vibration * half.mean_normal)
       {
-        // Pure stick-slip leaves the normal force alone.
-        if (!(largest_of(late.normal) > least) && half.mean_normal > 0. &&
-            largest_of(late.tangential) > least)
+        // Pure stick-slip leaves the normal force alone, but for what rings on
+        // since the load came.
+        const double normal     = largest_of(late.normal),
+                     tangential = largest_of(late.tangential);
+        if (half.mean_normal > 0. &&
+            (is_by_far(tangential, normal, least) ||
+             (tangential > least && !(normal > least))))
           force = JudgedForce::tangential;
         if (half.mean_normal > 0. &&
             is_by_far(largest_of(late.moment), largest_of(judged()), least))
@@ -323,28 +327,19 @@ namespace squeal
   }
 
   double
-  rms_of_pressure(const ForceStatistics &pair)
-  {
-    const double normal = pair.rms_normal(),
-                 moment = rms_of(pair.moment(loudest_moment(
-                   pair.square_first, pair.square_second, pair.mixed_moments)));
-    return is_by_far(moment, normal, least_vibration * pair.mean_normal)
-             ? moment
-             : normal;
-  }
-
-
-
-  double
   rms_of_pressure(const JudgedPair      &pair,
                   const TransientRecord &record,
                   const unsigned int     first,
                   const unsigned int     end)
   {
-    return pair.force == JudgedForce::node
-             ? record.watched.rms(pair.watched, first, end)
-             : rms_of_pressure(
-                 statistics_of(record.stretches_of(pair.number), first, end));
+    if (pair.force == JudgedForce::node)
+      return record.watched.rms(pair.watched, first, end);
+    const ForceStatistics s =
+      statistics_of(record.stretches_of(pair.number), first, end);
+    return pair.is_by_moment()
+             ? rms_of(s.moment(loudest_moment(
+                 s.square_first, s.square_second, s.mixed_moments)))
+             : s.rms_normal();
   }
 
 

@@ -3,6 +3,7 @@
 // Tables of a transient over time, its zones and its speeds.
 
 #include <squeal/analyses/transient/transient_results.h>
+#include <squeal/output/judged_force.h>
 
 #include <cmath>
 #include <functional>
@@ -261,6 +262,7 @@ namespace squeal
     if (has_several)
       table.add_column(
         {"loudest_pair", Type::text, "", "whose vibration this is"});
+    table.add_column(judged_force_column("judged_force"));
     for (unsigned int k = 0; k < n_parts && record.n_steps >= 4 * n_parts; ++k)
       {
         constexpr unsigned int length = n_force_stretches / n_parts;
@@ -276,6 +278,8 @@ namespace squeal
               rms_of_pressure(loudest, record, first, end)};
         if (has_several)
           row.emplace_back(loudest.name);
+        row.push_back(judged_force_cell(
+          loudest.is_beside_sums() ? loudest.force_name : ""));
         table.add_row(row);
       }
     return table;

@@ -83,7 +83,10 @@ namespace squeal
                     ": in the sum over the nodes and in both moments it cancels"
               : f.loudest.force == JudgedForce::tangential
                 ? ", of the tangential force" + of_judged(f.loudest) +
-                    ": the normal force is steady"
+                    (f.most_rms_of_sum > least_vibration * f.mean_normal
+                       ? ": the normal force vibrates by " +
+                           rounded_text(f.most_rms_of_sum, 2) + " N rms only"
+                       : ": the normal force is steady")
               : f.loudest.name.empty()
                 ? ""
                 : ", of the normal force" + of_judged(f.loudest));

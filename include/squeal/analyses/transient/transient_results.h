@@ -64,10 +64,10 @@ namespace squeal
     unsigned int number = 0;
     std::string  name; /**< empty: it is the only one of the scene */
     /** The one whose vibration is judged: the tangential force where the normal
-     * one is steady, as in pure stick-slip; a moment of the normal forces where
-     * it vibrates by far more than that one, as in a wobble that goes round;
-     * that of a node where sums and moments are steady, as in a wave with
-     * several wave lengths round a ring. */
+     * one is steady or vibrates by far less, as in pure stick-slip; a moment of
+     * the normal forces where it vibrates by far more than that one, as in a
+     * wobble that goes round; that of a node where sums and moments are steady,
+     * as in a wave with several wave lengths round a ring. */
     JudgedForce force = JudgedForce::normal;
     /** What it is called in a sentence. */
     std::string force_name = "normal force";
@@ -131,8 +131,9 @@ namespace squeal
      * time to the second: of the force of `rms_normal`, N, and of the force
      * that is judged, as a share of the larger one. */
     double rms_change = 0., rms_change_share = 0.;
-    double frequency = 0.; /**< of the periodic resultant that is judged, Hz; 0:
-                              not known */
+    /** Of the motion, Hz: of the force that is judged and, with it, of sums,
+     * moments and loudest node (common_period()); 0: not known. */
+    double frequency = 0.;
     /** Of the motion that grows fastest about steady sliding, or of the largest
      * line of the force in the last steps, Hz, where samples are too far apart
      * for it: what lines they have may be other ones folded down, and
@@ -145,7 +146,7 @@ namespace squeal
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
     double largest_line = 0.;      /**< this frequency or a multiple, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
-    double              repetition  = 0.; /**< of what is judged (spectrum.h) */
+    double              repetition  = 0.; /**< as in CommonPeriod */
     double              mean_normal = 0.; /**< N */
     double rms_normal = 0.; /**< N, about the mean; of the moment or the node
                                where that is judged */
@@ -207,12 +208,10 @@ namespace squeal
                        const TransientRecord &record,
                        TransientFigures      &figures);
 
-  /** Rms about its mean of a pair's normal force, N, or of a moment of it that
-   * vibrates by far more. */
-  double rms_of_pressure(const ForceStatistics &pair);
-
-  /** The same of a pair that is judged, of the node where that is: in the
-   * stretch number @p first up to the one before @p end. */
+  /** Rms about its mean, N, of the normal force of a pair; of the node where
+   * that is judged, of the moment that vibrates most there where one is: in the
+   * stretch number @p first up to the one before @p end, of the same force in
+   * every stretch of a run. */
   double rms_of_pressure(const JudgedPair      &pair,
                          const TransientRecord &record,
                          const unsigned int     first,
