@@ -49,7 +49,7 @@ namespace squeal
                                const double    t,
                                const Precision precision,
                                const Method    m)
-    : now(std::move(delassus))
+    : now(std::move(delassus), speed_ratio)
     , gap(std::move(initial_gap))
     , ratio(std::move(speed_ratio))
     , mean_force(force)
@@ -77,12 +77,13 @@ namespace squeal
       }
   }
 
-  ContactSolver::Operator::Operator(Eigen::MatrixXd delassus)
+  ContactSolver::Operator::Operator(Eigen::MatrixXd        delassus,
+                                    const Eigen::VectorXd &speed_ratio)
     : W(std::move(delassus))
     , rho_normal(W.rows() / 3)
     , rho_tangential(W.rows() / 3)
   {
-    fill_where_held(W);
+    fill_where_held(W, speed_ratio);
     for (Eigen::Index j = 0; j < rho_normal.size(); ++j)
       {
         rho_normal[j] = 1. / W(3 * j, 3 * j);
@@ -102,7 +103,7 @@ namespace squeal
   {
     if (has_inverse && kept.W.size() == 0)
       kept = std::move(now);
-    now = Operator(delassus);
+    now = Operator(delassus, ratio);
     if (!has_inverse)
       return;
     const Eigen::ArrayXd change =

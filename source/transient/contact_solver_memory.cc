@@ -112,7 +112,7 @@ namespace squeal
       memory.matrix("change_matrix", n_changed, n_changed);
     kept        = memory.get("kept_operator").empty()
                     ? Operator()
-                    : Operator(memory.matrix("kept_operator", n_rows, n_rows));
+                    : Operator(memory.matrix("kept_operator", n_rows, n_rows), ratio);
     has_inverse = true;
     changed.clear();
     set_inverse();

@@ -192,8 +192,13 @@ namespace squeal
   Eigen::MatrixXd
   FullTransient::symmetric_delassus()
   {
-    const Eigen::MatrixXd W = delassus();
-    return 0.5 * (W + W.transpose());
+    const Eigen::MatrixXd W         = delassus();
+    Eigen::MatrixXd       symmetric = 0.5 * (W + W.transpose());
+    if (const Eigen::MatrixXd fill =
+          fill_of_null_space(symmetric, model.speed_ratio);
+        fill.size() > 0)
+      symmetric += fill;
+    return symmetric;
   }
 
   void

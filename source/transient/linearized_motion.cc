@@ -13,9 +13,9 @@ namespace squeal
     /** Rows of all nodal forces and motions, by what the nodes do. */
     struct ClosedRows
     {
-      ClosedRows(const SteadySliding   &steady,
-                 const NodalFriction   &friction,
-                 const Eigen::MatrixXd &flexibility)
+      ClosedRows(const SteadySliding       &steady,
+                 const NodalFriction       &friction,
+                 const ReducedContactModel &model)
       {
         for (std::size_t j = 0; j < steady.status.size(); ++j)
           switch (steady.status[j])
@@ -24,30 +24,46 @@ namespace squeal
               break;
             case ContactStatus::stick:
               for (unsigned int c = 0; c < 3; ++c)
-                if (!is_held_along_face(
-                      flexibility, j, Eigen::Vector3d::Unit(c)))
-                  kept.push_back(3 * j + c);
+                add(model, j, c, kept, kept_by_modes);
               break;
             case ContactStatus::slip:
               slipping.push_back(j);
               normal_of_slipping.push_back(kept.size());
               kept.push_back(3 * j);
               along.push_back(3 * j + 1);
-              if (friction.coefficient[j] > 0. &&
-                  !is_held_along_face(flexibility, j, Eigen::Vector3d::UnitZ()))
-                across.push_back(3 * j + 2);
+              if (friction.coefficient[j] > 0.)
+                add(model, j, 2, across, across_in_modes);
               break;
             }
+      }
+
+      /** To @p flexible where forces move the node in direction @p c on the
+       * flexibility, to @p rigid where the modes alone do, and to neither where
+       * it is held. */
+      static void
+      add(const ReducedContactModel &model,
+          const unsigned int         j,
+          const unsigned int         c,
+          std::vector<int>          &flexible,
+          std::vector<int>          &rigid)
+      {
+        const Eigen::Vector3d direction = Eigen::Vector3d::Unit(c);
+        if (!is_held_along_face(model.flexibility, j, direction))
+          flexible.push_back(3 * j + c);
+        else if (!is_held_along_face(model, j, direction))
+          rigid.push_back(3 * j + c);
       }
 
       std::vector<int> slipping; /**< nodes */
       /** Motions that stay: the normal one of slipping nodes, all three of
        * sticking ones, as far as nothing else holds them. */
       std::vector<int> kept;
+      /** Those of sticking nodes without a flexibility: the modes keep them. */
+      std::vector<int> kept_by_modes;
       std::vector<int> normal_of_slipping; /**< places among them */
       /** Of slipping nodes; across the sliding of those with friction that are
-       * free to move there. */
-      std::vector<int> along, across;
+       * free to move there, on the flexibility and in the modes alone. */
+      std::vector<int> along, across, across_in_modes;
     };
 
     /** w^T x, and where two pairs have coalesced, so that nothing but rounding
@@ -136,11 +152,16 @@ namespace squeal
                     const NodalFriction       &friction,
                     const double               speed)
         : model(m)
-        , rows(steady, friction, m.flexibility)
+        , rows(steady, friction, m)
+        , G(m.flexibility)
         , mu(rows.slipping.size())
         , by_slip(rows.slipping.size())
         , inverse_rate(rows.across.size())
+        , dashpots(rows.across_in_modes.size())
       {
+        if (const Eigen::MatrixXd fill = fill_of_null_space(m, m.speed_ratio);
+            fill.size() > 0)
+          G += fill;
         for (Eigen::Index i = 0; i < mu.size(); ++i)
           {
             const int j = rows.slipping[i];
@@ -148,13 +169,15 @@ namespace squeal
             by_slip[i]  = friction.slope[j] * steady.forces[3 * j];
           }
         const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
+        const auto   inverse_rate_of = [&](const int j) {
+          return speed * model.speed_ratio[j] /
+                 (friction.coefficient[j] *
+                  std::max(steady.forces[3 * j], least));
+        };
         for (Eigen::Index k = 0; k < inverse_rate.size(); ++k)
-          {
-            const int j = rows.across[k] / 3;
-            inverse_rate[k] =
-              speed * model.speed_ratio[j] /
-              (friction.coefficient[j] * std::max(steady.forces[3 * j], least));
-          }
+          inverse_rate[k] = inverse_rate_of(rows.across[k] / 3);
+        for (Eigen::Index k = 0; k < dashpots.size(); ++k)
+          dashpots[k] = 1. / inverse_rate_of(rows.across_in_modes[k] / 3);
       }
 
       Eigen::MatrixXd
@@ -167,7 +190,7 @@ namespace squeal
       flexibility(const std::vector<int> &row,
                   const std::vector<int> &column) const
       {
-        return model.flexibility(row, column);
+        return G(row, column);
       }
 
       /** Forces along the sliding follow the normal ones. */
@@ -182,9 +205,11 @@ namespace squeal
 
       const ReducedContactModel &model;
       const ClosedRows           rows;
+      /** The flexibility, and some where nothing moves along the face, m/N. */
+      Eigen::MatrixXd G;
       /** mu, p_0 dmu/dv of the slipping nodes, |V|/(mu p_0) of those that
-       * `across` has. */
-      Eigen::VectorXd mu, by_slip, inverse_rate;
+       * `across` has, and its inverse, N s/m, of those of `across_in_modes`. */
+      Eigen::VectorXd mu, by_slip, inverse_rate, dashpots;
     };
 
     /** Normal and sticking forces that keep the kept motions at rest:
@@ -251,6 +276,12 @@ namespace squeal
       A.block(n, n, n, n).diagonal() -= c.model.damping;
       if (c.model.has_coupled_damping())
         A.block(n, n, n, n) -= c.model.damping_coupling;
+      if (c.dashpots.size() > 0)
+        {
+          const Eigen::MatrixXd Psi_d = c.participation(rows.across_in_modes);
+          A.block(n, n, n, n) -=
+            Psi_d.transpose() * c.dashpots.asDiagonal() * Psi_d;
+        }
       if (n_s > 0)
         {
           // What the slope adds to u_s changes with the rate of the slip.
@@ -266,6 +297,25 @@ namespace squeal
               .solve(rate);
         }
       return A;
+    }
+
+    /** Orthonormal columns: the states x in which the modes keep what nothing
+     * but they move at sticking nodes; forces there balance only what the
+     * others would do to A. */
+    Eigen::MatrixXd
+    states_that_stick(const ClosedContact &c, const Eigen::Index size)
+    {
+      const Eigen::Index    n   = c.model.n_modes();
+      const Eigen::MatrixXd Psi = c.participation(c.rows.kept_by_modes);
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(Psi.transpose());
+      const Eigen::Index    n_free = n - factor.rank();
+      const Eigen::MatrixXd Q      = factor.householderQ();
+      Eigen::MatrixXd       result =
+        Eigen::MatrixXd::Zero(size, size - 2 * factor.rank());
+      result.block(0, 0, n, n_free)      = Q.rightCols(n_free);
+      result.block(n, n_free, n, n_free) = Q.rightCols(n_free);
+      result.bottomRightCorner(size - 2 * n, size - 2 * n).setIdentity();
+      return result;
     }
 
     /** What a relative change of the slopes dmu/dv adds to A, over it. */
@@ -296,12 +346,22 @@ namespace squeal
             const double               speed)
   {
     const ClosedContact   closed(model, steady, friction, speed);
-    const Eigen::MatrixXd A      = state_matrix(closed);
-    LinearizedMotion      result = motion_of(A, model.n_modes());
-    const Eigen::Index    n_s    = closed.rows.across.size();
-    result.across                = A.bottomRightCorner(n_s, n_s);
-    result.rows_across           = closed.rows.across;
-    result.by_slope              = Eigen::VectorXcd::Zero(result.lambda.size());
+    const Eigen::MatrixXd A = state_matrix(closed);
+    LinearizedMotion      result;
+    if (closed.rows.kept_by_modes.empty())
+      result = motion_of(A, model.n_modes());
+    else
+      {
+        const Eigen::MatrixXd states = states_that_stick(closed, A.rows());
+        result       = motion_of(states.transpose() * A * states,
+                           model.n_modes() - (A.rows() - states.cols()) / 2);
+        result.left  = (result.left * states.transpose()).eval();
+        result.right = (states * result.right).eval();
+      }
+    const Eigen::Index n_s = closed.rows.across.size();
+    result.across          = A.bottomRightCorner(n_s, n_s);
+    result.rows_across     = closed.rows.across;
+    result.by_slope        = Eigen::VectorXcd::Zero(result.lambda.size());
     if (!friction.slope.isZero(0.))
       result.by_slope =
         (result.left * change_by_slope(model, steady, friction, speed))

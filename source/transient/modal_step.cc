@@ -166,7 +166,13 @@ namespace squeal
   ModalStep::delassus(const ReducedContactModel &model) const
   {
     const Eigen::MatrixXd &Psi = model.participation;
-    return Psi * (q_f1 * Eigen::MatrixXd(Psi.transpose())) + model.flexibility;
+    Eigen::MatrixXd        W =
+      Psi * (q_f1 * Eigen::MatrixXd(Psi.transpose())) + model.flexibility;
+    if (const Eigen::MatrixXd fill =
+          fill_of_null_space(model, model.speed_ratio);
+        fill.size() > 0)
+      W += fill;
+    return W;
   }
 
 
@@ -177,7 +183,7 @@ namespace squeal
     const ModalStep        step(model, dt);
     const Eigen::MatrixXd &Psi      = model.participation;
     Eigen::MatrixXd        delassus = step.delassus(model);
-    fill_where_held(delassus);
+    fill_where_held(delassus, model.speed_ratio);
     const Eigen::LLT<Eigen::MatrixXd> W(delassus);
     if (W.info() != Eigen::Success)
       return false;

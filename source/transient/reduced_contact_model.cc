@@ -6,7 +6,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,16 +22,119 @@ namespace squeal
            !(direction.dot(own * direction) > rounding * own(0, 0));
   }
 
-  void
-  fill_where_held(Eigen::MatrixXd &W)
+  bool
+  is_held_along_face(const ReducedContactModel &m,
+                     const unsigned int         node,
+                     const Eigen::Vector3d     &direction)
   {
-    // Along the sliding so little that a target that slides reaches friction's
-    // limit in any step; across it as much as the rest has, for the iteration.
-    constexpr std::array<double, 3> share_of_normal = {{0., 1e-6, 1.}};
+    constexpr double rounding = 1e-10; // of the largest motion in a mode
+    if (!is_held_along_face(m.flexibility, node, direction))
+      return false;
+    const Eigen::MatrixXd &Psi = m.participation;
+    return Psi.size() == 0 ||
+           !((direction.transpose() * Psi.middleRows<3>(3 * node))
+               .cwiseAbs()
+               .maxCoeff() > rounding * Psi.cwiseAbs().maxCoeff());
+  }
+
+
+
+  namespace
+  {
+    /** Of the flexibility along the normal, along the sliding: so little that a
+     * target that slides reaches friction's limit in any step. One at rest does
+     * not, and a small share of it would stiffen the law without need. */
+    constexpr double share_of_sliding = 1e-6;
+
+    /** Of the largest motion along the face by a force of 1 N there, below
+     * which one is rounding. */
+    constexpr double rounding_of_face = 1e-11;
+  } // namespace
+
+  void
+  fill_where_held(Eigen::MatrixXd &W, const Eigen::VectorXd &speed_ratio)
+  {
     for (Eigen::Index j = 0; j < W.rows() / 3; ++j)
       for (const unsigned int c : {1, 2})
         if (is_held_along_face(W, j, Eigen::Vector3d::Unit(c)))
-          W(3 * j + c, 3 * j + c) += share_of_normal[c] * W(3 * j, 3 * j);
+          {
+            // Across the sliding as much as the rest has, for the iteration.
+            const double share =
+              c == 1 && speed_ratio[j] != 0. ? share_of_sliding : 1.;
+            W(3 * j + c, 3 * j + c) += share * W(3 * j, 3 * j);
+          }
+  }
+
+
+
+  namespace
+  {
+    /** Whether Cholesky's method finds a pivot of @p W, symmetric, that is
+     * rounding, or none: what it costs beside eigenvalues is little. */
+    bool
+    may_be_singular(const Eigen::MatrixXd &W)
+    {
+      const Eigen::LLT<Eigen::MatrixXd> factor(W);
+      return factor.info() != Eigen::Success ||
+             (factor.matrixLLT().diagonal().array().square() <=
+              rounding_of_face * W.diagonal().array())
+               .any();
+    }
+
+    /** Orthonormal columns, those of eigenvalue 0 of @p W, symmetric. */
+    Eigen::MatrixXd
+    null_space(const Eigen::MatrixXd &W)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pairs(W);
+      const double     largest = pairs.eigenvalues().cwiseAbs().maxCoeff();
+      std::vector<int> columns;
+      for (Eigen::Index k = 0; k < W.rows(); ++k)
+        if (std::abs(pairs.eigenvalues()[k]) <= rounding_of_face * largest)
+          columns.push_back(k);
+      return pairs.eigenvectors()(Eigen::all, columns);
+    }
+  } // namespace
+
+  Eigen::MatrixXd
+  fill_of_null_space(const Eigen::MatrixXd &W,
+                     const Eigen::VectorXd &speed_ratio)
+  {
+    std::vector<int> along_face;
+    for (Eigen::Index j = 0; j < W.rows() / 3; ++j)
+      along_face.insert(along_face.end(), {int(3 * j + 1), int(3 * j + 2)});
+    if (along_face.empty() || !W.allFinite())
+      return {};
+    Eigen::MatrixXd of_face = W(along_face, along_face);
+    Eigen::VectorXd scale(of_face.rows());
+    const double    most = W.diagonal().maxCoeff();
+    for (Eigen::Index i = 0; i < scale.size(); ++i)
+      {
+        const Eigen::Index j     = i / 2;
+        const double       share = speed_ratio[j] != 0. ? share_of_sliding : 1.;
+        scale[i]                 = std::sqrt(share * W(3 * j, 3 * j));
+        // fill_where_held() sees to these.
+        if (is_held_along_face(W, j, Eigen::Vector3d::Unit(1 + i % 2)))
+          of_face(i, i) = most;
+      }
+    if (!may_be_singular(of_face))
+      return {};
+    const Eigen::MatrixXd null = scale.asDiagonal() * null_space(of_face);
+    if (null.cols() == 0)
+      return {};
+    Eigen::MatrixXd result         = Eigen::MatrixXd::Zero(W.rows(), W.cols());
+    result(along_face, along_face) = null * null.transpose();
+    return result;
+  }
+
+  Eigen::MatrixXd
+  fill_of_null_space(const ReducedContactModel &model,
+                     const Eigen::VectorXd     &speed_ratio)
+  {
+    Eigen::MatrixXd all = model.participation * model.participation.transpose();
+    if (const double trace = all.trace(); trace > 0.)
+      all *= model.flexibility.trace() / trace;
+    return fill_of_null_space(Eigen::MatrixXd(all + model.flexibility),
+                              speed_ratio);
   }
 
 

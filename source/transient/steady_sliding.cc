@@ -97,18 +97,24 @@ namespace squeal
     class StaticContact
     {
     public:
-      StaticContact(const ReducedContactModel &m, const double tolerance)
+      /** @p speed_ratio: that of the model, or zero where all is at rest. */
+      StaticContact(const ReducedContactModel &m,
+                    const Eigen::VectorXd     &speed_ratio,
+                    const double               tolerance)
         : model(m)
         , held(auxiliary_stiffness(m))
         , compliance((m.omega_squared + held).cwiseInverse())
       {
         const Eigen::MatrixXd &Psi = model.participation;
-        const Eigen::MatrixXd  W =
+        Eigen::MatrixXd        W =
           Psi * compliance.asDiagonal() * Psi.transpose() + model.flexibility;
+        if (const Eigen::MatrixXd fill = fill_of_null_space(model, speed_ratio);
+            fill.size() > 0)
+          W += fill;
         solver =
           std::make_unique<ContactSolver>(W,
                                           model.initial_gap,
-                                          model.speed_ratio,
+                                          speed_ratio,
                                           mean_force(W),
                                           tolerance,
                                           ContactSolver::Precision::full);
@@ -413,7 +419,7 @@ namespace squeal
                  const double               load_factor,
                  const double               tolerance)
   {
-    StaticContact contact(model, tolerance);
+    StaticContact contact(model, model.speed_ratio, tolerance);
     const bool    has_resting = (model.speed_ratio.array() == 0.).any();
     SteadySliding result =
       has_resting ? slide_after_pressing(contact, model, friction, load_factor)
@@ -449,7 +455,8 @@ namespace squeal
                 const unsigned int         n_steps,
                 const double               tolerance)
   {
-    StaticContact contact(model, tolerance);
+    StaticContact contact(
+      model, Eigen::VectorXd::Zero(model.n_nodes()), tolerance);
     return press(contact, friction, n_steps, 1., first_step(model, 0.));
   }
 } // namespace squeal

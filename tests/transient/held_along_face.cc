@@ -2,10 +2,12 @@
 
 // Contact nodes that supports hold along the face, as on a plane of symmetry:
 // they take friction that way only where their target slides past them. Motions
-// about steady sliding of a block that cannot move across the sliding, and a
-// bar between two planes of symmetry on a wall, under a force that is there at
-// once (the wall force is twice that force for every other passage of the wave,
-// and nothing between). Argument: squeal.
+// about steady sliding of a block that cannot move across the sliding, or does
+// so in its modes alone, a bar between two planes of symmetry on a wall, under
+// a force that is there at once (the wall force is twice that force for every
+// other passage of the wave, and nothing between), blocks at rest that are held
+// in some direction, and a block that is held obliquely to the sliding.
+// Argument: squeal.
 
 #include "analyses/program.h"
 #include "scenes.h"
@@ -41,28 +43,72 @@ namespace
     return m;
   }
 
-  /** Ascending, 1/s, above 0. */
+  /** Ascending, 1/s, above 0 and below @p highest. */
   std::vector<std::complex<double>>
-  motions(const double across)
+  motions(const ReducedContactModel &m,
+          const SteadySliding       &about,
+          const double               highest)
   {
-    const ReducedContactModel         m      = block(across);
-    const SteadySliding               steady = steady_sliding(m, mu, 1., 1e-12);
     std::vector<std::complex<double>> result;
-    for (const auto &lambda : linearize(m, steady, mu, speed).lambda)
-      if (lambda.imag() > 0.)
+    for (const auto &lambda : linearize(m, about, mu, speed).lambda)
+      if (lambda.imag() > 0. && lambda.imag() < highest)
         result.push_back(lambda);
     return result;
   }
 
   void
+  check_equal(const std::vector<std::complex<double>> &found,
+              const std::vector<std::complex<double>> &expected,
+              const double                             tolerance,
+              const std::string                       &text)
+  {
+    check(!found.empty() && found.size() == expected.size(),
+          "motions in time " + text);
+    Worst off;
+    for (std::size_t i = 0; i < found.size() && i < expected.size(); ++i)
+      off.add(std::abs(found[i] - expected[i]) / std::abs(expected[i]));
+    check_below(off.largest(), tolerance, text);
+  }
+
+  void
   a_block_held_across()
   {
-    const auto held = motions(0.), nearly = motions(1e-15);
-    check(!held.empty() && held.size() == nearly.size(), "motions in time");
-    Worst off;
-    for (std::size_t i = 0; i < held.size() && i < nearly.size(); ++i)
-      off.add(std::abs(held[i] - nearly[i]) / std::abs(nearly[i]));
-    check_below(off.largest(), 1e-9, "those of a block that is nearly held");
+    const auto about = [](const double across) {
+      const ReducedContactModel m = block(across);
+      return motions(m, steady_sliding(m, mu, 1., 1e-12), 1e9);
+    };
+    check_equal(
+      about(0.), about(1e-15), 1e-9, "those of a block that is nearly held");
+  }
+
+  /** The block, whose modes move it across the sliding as well. */
+  ReducedContactModel
+  block_in_modes(const double across)
+  {
+    ReducedContactModel m = block(across);
+    m.participation(2, 0) = .02;
+    m.participation(2, 1) = .05;
+    return m;
+  }
+
+  void
+  a_block_that_modes_alone_move_across()
+  {
+    const ReducedContactModel rigid  = block_in_modes(0.),
+                              nearly = block_in_modes(1e-13);
+    SteadySliding about              = steady_sliding(rigid, mu, 1., 1e-12);
+    check_equal(motions(rigid, about, 1e9),
+                motions(nearly, about, 1e9),
+                1e-6,
+                "sliding, those of a block with little flexibility");
+    // By the dashpot mu p_0/V = 300 N s/m that the turning friction is.
+    check(motions(rigid, about, 1e9).front().real() < -.01,
+          "friction that turns damps the motion across the sliding");
+    about.status[0] = ContactStatus::stick;
+    check_equal(motions(rigid, about, 1e5),
+                motions(nearly, about, 1e5),
+                1e-4,
+                "sticking, those of a block with little flexibility");
   }
 
   const std::string bar = R"(set Output directory = out
@@ -182,6 +228,144 @@ end
                        mu * forces.real(i, "normal_n")));
     check_below(off.largest(), 1e-5, "friction of what slides past the bar, N");
   }
+
+  /** A block on a floor, held in x on both sides, under @p load; @p supports
+   * are further ones. */
+  std::string
+  block_on_floor(const std::string &direction,
+                 const std::string &supports,
+                 const std::string &contact,
+                 const std::string &load)
+  {
+    const std::string end = R"(
+  subsection Support end
+    set Body = block
+    set Face = y_min
+    set Kind = components
+    set Components = y
+  end)";
+    return R"(set Output directory = block
+set Overwrite = true
+set Analysis = preload
+subsection Scene
+  set Bodies = floor, block
+  set Supports = below, left, right)" +
+           supports + R"(
+  set Loads = press
+  set Contacts = wall)" +
+           (supports.find("end") == std::string::npos ? "" : end) + R"(
+  subsection Body floor
+    set Size = 0.08, 0.08, 0.01
+    set Position = 0, 0, -0.01
+    set Cells = 1, 1, 1
+  end
+  subsection Body block
+    set Size = 0.01, 0.04, 0.01
+    set Cells = 1, 4, 1
+    set Young modulus = 1e9
+    set Density = 1000
+  end
+  subsection Support below
+    set Body = floor
+    set Face = z_min
+  end
+  subsection Support above
+    set Body = floor
+    set Face = z_max
+  end
+  subsection Support left
+    set Body = block
+    set Face = x_min
+    set Kind = components
+    set Components = x
+  end
+  subsection Support right
+    set Body = block
+    set Face = x_max
+    set Kind = components
+    set Components = x
+  end
+  subsection Contact wall
+    set Source body = block
+    set Source face = z_min
+    set Target body = floor
+    set Target face = z_max
+    set Formulation = mortar
+    set Contact state = preload
+    set Friction direction = given
+    set Sliding direction = )" +
+           direction + "\n" + contact + R"(
+  end
+  subsection Load press
+    set Body = block
+    set Face = z_max
+    set Force = )" +
+           load + R"(
+  end
+end
+subsection Discretization
+  set Degree = 1
+  set Estimate error = false
+end
+subsection Transient
+  set Cut-off = 20000
+end
+subsection Output
+  set Plots = false
+end
+)";
+  }
+
+  /** Writes @p scene, solves it and returns its preload.csv. */
+  Table
+  preload(const std::string &program,
+          const std::string &scene,
+          const std::string &text)
+  {
+    write_text("block.prm", scene);
+    const Outcome o = run_program({program, "block.prm"});
+    check(o.code == 0, text + ": " + o.errors);
+    return read_csv("block/preload.csv");
+  }
+
+  void
+  blocks_at_rest(const std::string &program)
+  {
+    const std::string rest =
+      "    set Friction coefficient = 0.5\n    set Sliding speed = 0";
+    for (const std::string direction : {"1, 0, 0", "0, 1, 0", "1, 1, 0"})
+      {
+        const std::string text = "at rest, direction " + direction;
+        const Table       found =
+          preload(program,
+                  block_on_floor(direction, ", above", rest, "0, 30, -100"),
+                  text);
+        const auto last = found.n_rows() - 1;
+        check_close(found.real(last, "normal_n"), 100., 1e-6, text, 100.);
+      }
+  }
+
+  void
+  a_block_held_obliquely(const std::string &program)
+  {
+    const double coefficient = .03;
+    const Table  found       = preload(program,
+                                block_on_floor("1, 1, 0",
+                                               ", above, end",
+                                               "    set Friction coefficient = "
+                                                      "0.03\n    set Sliding speed "
+                                                      "= 0.02",
+                                               "0, 0, -100"),
+                                "sliding obliquely");
+    const auto   last        = found.n_rows() - 1;
+    check_close(
+      found.real(last, "normal_n"), 100., 1e-6, "sliding obliquely", 100.);
+    check_close(found.real(last, "tangential_n"),
+                100. * coefficient,
+                1e-6,
+                "friction of oblique sliding",
+                1.);
+  }
 } // namespace
 
 int
@@ -189,5 +373,8 @@ main(int argc, char **argv)
 {
   check(argc == 2, "argument: squeal");
   a_block_held_across();
+  a_block_that_modes_alone_move_across();
+  blocks_at_rest(argv[1]);
+  a_block_held_obliquely(argv[1]);
   a_bar_on_a_wall(argv[1]);
 }

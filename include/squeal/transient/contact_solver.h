@@ -151,7 +151,7 @@ namespace squeal
     struct Operator
     {
       Operator() = default;
-      explicit Operator(Eigen::MatrixXd delassus);
+      Operator(Eigen::MatrixXd delassus, const Eigen::VectorXd &speed_ratio);
 
       Eigen::MatrixXd W;
       Eigen::VectorXd rho_normal, rho_tangential; /**< N/m */

@@ -20,7 +20,8 @@ namespace squeal
     ModalOperator q_q, q_v, q_f0, q_f1, v_q, v_v, v_f0, v_f1;
 
     /** W with u_1 = a - W lambda_1: the motion of the nodes at the end of the
-     * step by forces there, the massless flexibility included, m/N. */
+     * step by forces there, the massless flexibility included, m/N, and what
+     * fill_of_null_space() adds. */
     Eigen::MatrixXd delassus(const ReducedContactModel &model) const;
 
   private:

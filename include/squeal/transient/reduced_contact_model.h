@@ -101,10 +101,29 @@ namespace squeal
                           const unsigned int     node,
                           const Eigen::Vector3d &direction);
 
-  /** Gives nodes that are held along the face some of the flexibility that
-   * they have along their normal: nothing moves them, so that any serves, and
-   * without one @p flexibility, 3 nodes x 3 nodes, m/N, could not be inverted. */
-  void fill_where_held(Eigen::MatrixXd &flexibility);
+  /** The same of @p model, which may move a node by its modes alone. */
+  bool is_held_along_face(const ReducedContactModel &model,
+                          const unsigned int         node,
+                          const Eigen::Vector3d     &direction);
+
+  /** Gives nodes that are held along the face, in one of its two directions,
+   * some of the flexibility that they have along their normal: nothing moves
+   * them, so that any serves, and without one @p flexibility, 3 nodes x 3 nodes,
+   * m/N, could not be inverted. @p speed_ratio: 0 of nodes at rest. */
+  void fill_where_held(Eigen::MatrixXd       &flexibility,
+                       const Eigen::VectorXd &speed_ratio);
+
+  /** What does the same for all other motions along the face that @p flexibility
+   * has not: of nodes that are held obliquely to the sliding, or of many nodes
+   * on a body that has fewer motions there. 3 nodes x 3 nodes, m/N, positive
+   * semidefinite and zero for what moves; empty where there is none of them. */
+  Eigen::MatrixXd fill_of_null_space(const Eigen::MatrixXd &flexibility,
+                                     const Eigen::VectorXd &speed_ratio);
+
+  /** The same of all that moves in @p model, whose motions without a stiffness
+   * would drown the others. */
+  Eigen::MatrixXd fill_of_null_space(const ReducedContactModel &model,
+                                     const Eigen::VectorXd     &speed_ratio);
 
   /** Throws InputError where the damping of @p pencil is not viscous. */
   void check_time_domain_damping(const Pencil &pencil);
