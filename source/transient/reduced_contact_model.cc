@@ -49,6 +49,13 @@ namespace squeal
     /** Of the largest motion along the face by a force of 1 N there, below
      * which one is rounding. */
     constexpr double rounding_of_face = 1e-11;
+
+    /** Whether the target slides past node @p j; without speeds all do. */
+    bool
+    slides_past(const Eigen::VectorXd &speed_ratio, const Eigen::Index j)
+    {
+      return speed_ratio.size() == 0 || speed_ratio[j] != 0.;
+    }
   } // namespace
 
   void
@@ -60,7 +67,7 @@ namespace squeal
           {
             // Across the sliding as much as the rest has, for the iteration.
             const double share =
-              c == 1 && speed_ratio[j] != 0. ? share_of_sliding : 1.;
+              c == 1 && slides_past(speed_ratio, j) ? share_of_sliding : 1.;
             W(3 * j + c, 3 * j + c) += share * W(3 * j, 3 * j);
           }
   }
@@ -109,9 +116,10 @@ namespace squeal
     const double    most = W.diagonal().maxCoeff();
     for (Eigen::Index i = 0; i < scale.size(); ++i)
       {
-        const Eigen::Index j     = i / 2;
-        const double       share = speed_ratio[j] != 0. ? share_of_sliding : 1.;
-        scale[i]                 = std::sqrt(share * W(3 * j, 3 * j));
+        const Eigen::Index j = i / 2;
+        const double       share =
+          slides_past(speed_ratio, j) ? share_of_sliding : 1.;
+        scale[i] = std::sqrt(share * W(3 * j, 3 * j));
         // fill_where_held() sees to these.
         if (is_held_along_face(W, j, Eigen::Vector3d::Unit(1 + i % 2)))
           of_face(i, i) = most;
