@@ -57,12 +57,12 @@ namespace
               continue; // the wave's flanks lie nearer than that
             check_close(length_in(consensus_line({a, b}, tolerance)),
                         is_one ? one : 2. * one,
-                        0.02,
+                        0.15,
                         "two raters" + text);
             if (apart != 1 || tolerance > 0.)
               check_close(length_in(consensus_line({a, b, none}, tolerance)),
                           is_one ? one : 0.,
-                          0.02,
+                          0.15,
                           "three raters" + text);
           }
     check_close(

@@ -182,6 +182,30 @@ namespace squeal::tribology
 
 
 
+    /** Whether @p p lies on the way from a line to another one that is no
+     * farther away than @p tolerance, but for rounding. */
+    bool
+    is_between(const std::vector<RaterLine> &lines,
+               const double                  tolerance,
+               const cv::Point              &p)
+    {
+      constexpr double rounding = 0.8; // pixels
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        for (std::size_t j = i + 1; j < lines.size(); ++j)
+          {
+            const cv::Point &a = lines[i].nearest.place(p),
+                            &b = lines[j].nearest.place(p);
+            const double apart = cv::norm(a - b);
+            if (apart <= tolerance && lines[i].counted(a) != 0 &&
+                lines[j].counted(b) != 0 &&
+                cv::norm(p - a) + cv::norm(p - b) <= apart + rounding)
+              return true;
+          }
+      return false;
+    }
+
+
+
     /** Fills in @p mask what lies between lines of two raters that are one line
      * drawn twice: ways of at most @p tolerance from one to the other. */
     void
@@ -196,6 +220,11 @@ namespace squeal::tribology
               if (const cv::Point &q = other.nearest.place(p);
                   other.counted(q) != 0 && cv::norm(p - q) <= tolerance)
                 cv::line(mask, p, q, 255);
+      // such ways leave holes between them
+      for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+          if (mask.at<uchar>(y, x) == 0 && is_between(lines, tolerance, {x, y}))
+            mask.at<uchar>(y, x) = 255;
     }
   } // namespace
 
