@@ -206,6 +206,23 @@ namespace squeal::tribology
 
 
 
+    /** Fills what is enclosed in @p mask and smaller than a square of
+     * @p tolerance: no crack goes round it, only ways between two lines. */
+    void
+    fill_holes(cv::Mat &mask, const double tolerance)
+    {
+      std::vector<std::vector<cv::Point>> outlines;
+      std::vector<cv::Vec4i>              places;
+      cv::findContours(
+        mask, outlines, places, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+      for (std::size_t i = 0; i < outlines.size(); ++i)
+        if (places[i][3] >= 0 &&
+            cv::contourArea(outlines[i]) < tolerance * tolerance)
+          cv::drawContours(mask, outlines, int(i), 255, cv::FILLED);
+    }
+
+
+
     /** Fills in @p mask what lies between lines of two raters that are one line
      * drawn twice: ways of at most @p tolerance from one to the other. */
     void
@@ -225,6 +242,7 @@ namespace squeal::tribology
         for (int x = 0; x < mask.cols; ++x)
           if (mask.at<uchar>(y, x) == 0 && is_between(lines, tolerance, {x, y}))
             mask.at<uchar>(y, x) = 255;
+      fill_holes(mask, tolerance);
     }
   } // namespace
 
