@@ -50,21 +50,19 @@ namespace
             const std::string text = ", " + std::to_string(apart) +
                                      " px apart at a tolerance of " +
                                      std::to_string(int(tolerance));
-            const double one = length_in(a);
-            // The strip between lines that far apart ends short of them.
-            const double allowed = tolerance > 5. ? 0.15 : 0.05;
-            const bool   is_one  = apart <= std::max(1., tolerance);
+            const double one    = length_in(a);
+            const bool   is_one = apart <= std::max(1., tolerance);
             if (wave > 0. && apart > 0.5 * std::max(2., tolerance) &&
                 apart < 2. * std::max(2., tolerance))
               continue; // the wave's flanks lie nearer than that
             check_close(length_in(consensus_line({a, b}, tolerance)),
                         is_one ? one : 2. * one,
-                        allowed,
+                        0.05,
                         "two raters" + text);
             if (apart != 1 || tolerance > 0.)
               check_close(length_in(consensus_line({a, b, none}, tolerance)),
                           is_one ? one : 0.,
-                          allowed,
+                          0.05,
                           "three raters" + text);
           }
     check_close(
