@@ -323,8 +323,7 @@ end
     const Outcome alone = run_program({program, "single.prm"});
     check(alone.code == 0, "the point alone runs: " + alone.errors);
     for (const Outcome *o : {&first, &alone})
-      check(unbroken(o->output).find("/Ramp time' (") !=
-              std::string::npos,
+      check(unbroken(o->output).find("/Ramp time' (") != std::string::npos,
             "a ramp without effect is warned of");
     const std::string starts = text_of("out/starts.csv");
     check(starts.find(" J, reversed") != std::string::npos &&

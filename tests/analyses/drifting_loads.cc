@@ -198,8 +198,7 @@ end
 
     const std::string steady =
       runs({"Scene/Load press/Ramp time = 0.02", "Transient/End time = 2e-3"});
-    check(has(steady, "/Ramp time' ("),
-          "a ramp without effect is warned of");
+    check(has(steady, "/Ramp time' ("), "a ramp without effect is warned of");
   }
 
   void

@@ -58,8 +58,8 @@ namespace
     const std::string said = unbroken(o.output);
     check(said.find(status) != std::string::npos,
           "in the sentence of the run, too");
-    check((said.find("/Ramp time' (") !=
-           std::string::npos) == (settings.back() == ramp),
+    check((said.find("/Ramp time' (") != std::string::npos) ==
+            (settings.back() == ramp),
           "a ramp without effect is warned of");
   }
 
