@@ -400,12 +400,7 @@ namespace squeal
                contact.friction_direction ==
                  ContactParameters::FrictionDirection::slip));
     }
-  } // namespace
 
-
-
-  namespace
-  {
     /** The bodies that turn: with a `Rotation speed` of their own, and targets
      * of contacts. */
     std::vector<unsigned int>
