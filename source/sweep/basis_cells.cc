@@ -194,8 +194,9 @@ namespace squeal
         return worst.relative <= judge_accuracy;
       });
     cell.turn.conservativeResize(Eigen::NoChange, n_total);
-    for (auto &part : cell.local.parts)
-      part = part.topLeftCorner(n_total, n_total).eval();
     cell.local.n_basis = n;
+    // Anew, not cut: products of another size round in another way, and a run
+    // that reads this cell has the same bits.
+    result.project(cell);
   }
 } // namespace squeal

@@ -52,6 +52,23 @@ namespace
 
 
 
+  /** Another run takes the basis that an undisturbed sweep has saved. */
+  void
+  check_saved_basis(const Case &c, const std::string &program)
+  {
+    const std::string directory = c.name + "_whole";
+    const Outcome     o         = run_in(directory, program, c.prm);
+    check(o.code == 0, c.name + " runs again: " + o.errors);
+    check(unbroken(o.output).find("basis of an earlier run") !=
+            std::string::npos,
+          c.name + " takes the saved basis");
+    check_same_results(c.whole,
+                       comparable_results(directory + "/out"),
+                       c.name + " with the basis of an earlier run");
+  }
+
+
+
   /** Counts of what has been tried. */
   struct Tally
   {
@@ -116,6 +133,7 @@ main(int argc, char *argv[])
   cases.push_back(undisturbed("transient", pin_on_beam(folder, ""), program));
   cases.push_back(undisturbed("campaign", pin_campaign(folder), program));
   cases.push_back(undisturbed("sweep", brake_sweep(folder), program));
+  check_saved_basis(cases.back(), program);
   Tally tally;
   for (unsigned int k = 0; tally.n_kills < n_kills; ++k)
     disturb(
