@@ -21,9 +21,9 @@ namespace
   moving_across()
   {
     ReducedContactModel m = empty_model(1, 4);
-    Eigen::Matrix3d     K; // along, normal, across
+    Eigen::MatrixXd     K(3, 3); // along, normal, across
     K << 1.5, -.3, -.2, -.3, .5, 0., -.2, 0., .9;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(K);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
     m.omega_squared << modes.eigenvalues(), 2.;
     m.damping = Eigen::Vector4d::Constant(.05);
     for (unsigned int k = 0; k < 3; ++k)

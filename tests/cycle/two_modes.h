@@ -22,9 +22,9 @@ namespace squeal
     two_modes(const double along = 1.5, const double coupling = -.3)
     {
       ReducedContactModel m = empty_model(1, 3);
-      Eigen::Matrix2d     K;
+      Eigen::MatrixXd     K(2, 2);
       K << along, coupling, coupling, .5;
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(K);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
       m.omega_squared << modes.eigenvalues(), 2.;
       m.damping = Eigen::Vector3d::Constant(.05);
       for (unsigned int k = 0; k < 2; ++k)

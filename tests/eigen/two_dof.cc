@@ -39,9 +39,9 @@ namespace
     guide.components = {"x", "rx", "ry", "rz"};
     s.supports       = {guide};
 
-    Eigen::Matrix2d springs;
+    Eigen::MatrixXd springs(2, 2);
     springs << 2., -1., -1., 2. - k3;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(springs);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(springs);
     for (int i = 0; i < 2; ++i)
       {
         SpringParameters spring;

@@ -52,9 +52,11 @@ namespace squeal
       const double        foot = .1, stiffness = .0225 / (dt * dt);
       ReducedContactModel m = empty_model(1, 4);
       m.flexibility         = dt * dt / foot * Eigen::MatrixXd::Identity(3, 3);
-      Eigen::Matrix2d K, M = Eigen::Vector2d(1. - foot, foot).asDiagonal();
+      Eigen::MatrixXd K(2, 2),
+        M = Eigen::Vector2d(1. - foot, foot).asDiagonal();
       K << 1. + stiffness, -stiffness, -stiffness, stiffness;
-      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> modes(K,
+      // Of any size: what the core has compiled.
+      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K,
                                                                             M);
       m.omega_squared << 0., 0., modes.eigenvalues();
       m.damping[3]          = 2. * std::sqrt(m.omega_squared[3]);
