@@ -167,8 +167,8 @@ namespace squeal
     // Right and left vectors all over the cell and its surroundings, the most
     // needed directions first: in the energy a direction counts by the shift
     // of the eigenvalue that it causes.
-    const unsigned int N      = model.n_total();
-    const SweepPoint   middle = 0.5 * (cell.lower + cell.upper);
+    const unsigned int                N      = model.n_total();
+    const SweepPoint                  middle = 0.5 * (cell.lower + cell.upper);
     const Eigen::LLT<Eigen::MatrixXd> energy(energy_matrix(middle));
     const Eigen::MatrixXd             L = energy.matrixL();
     // What nothing holds comes first and whole: of a defective pair at 0 Hz
@@ -224,13 +224,12 @@ namespace squeal
     };
     // Not monotone in n: what friction makes of a direction of the contact that
     // V holds in part may have an eigenvalue anywhere.
-    const unsigned int n_kept   = cell.turn.cols();
-    const auto         smallest = [&](const unsigned int from,
-                              const auto        &is_enough) {
+    const unsigned int n_kept = cell.turn.cols();
+    const auto smallest = [&](const unsigned int from, const auto &is_enough) {
       for (unsigned int n = std::min(from, n_kept);;
            n              = std::min(n + basis_step, n_kept))
         {
-          if (std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
+                       if (std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
                 return is_enough(error(n, i));
               }))
             return n;
