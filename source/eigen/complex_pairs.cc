@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/eigen/complex_pairs.h>
+#include <squeal/eigen/unstable_pair.h>
 
 #include <cmath>
 
@@ -71,5 +72,25 @@ namespace squeal
       lambda.cwiseAbs().array() * space.norms(products.damping).array() +
       space.norms(products.stiffness).array();
     return space.norms(R).array() / denominators.array().max(1e-300);
+  }
+
+
+
+  double
+  sigma_error(const ComplexPairs &pairs, const unsigned int i)
+  {
+    // Where no error is estimated, as by the direct solver, the residual is
+    // one, times the condition as far as it is known.
+    const double estimate = std::isnan(pairs.error_estimate[i])
+                              ? pairs.residual[i] * pairs.condition[i]
+                              : pairs.error_estimate[i],
+                 floor    = pairs.noise_floor[i];
+    return (estimate > floor ? estimate : floor) * std::abs(pairs.lambda[i]);
+  }
+
+  bool
+  is_unstable(const ComplexPairs &pairs, const unsigned int i)
+  {
+    return pairs.sigma(i) > sigma_error(pairs, i);
   }
 } // namespace squeal

@@ -157,21 +157,6 @@ namespace squeal
 
 
 
-  bool
-  is_unstable(const ComplexPairs &pairs, const unsigned int i)
-  {
-    // Where no error is estimated, as by the direct solver, the residual is
-    // one, times the condition as far as it is known.
-    const double estimate = std::isnan(pairs.error_estimate[i])
-                              ? pairs.residual[i] * pairs.condition[i]
-                              : pairs.error_estimate[i],
-                 floor    = pairs.noise_floor[i];
-    return pairs.sigma(i) >
-           (estimate > floor ? estimate : floor) * std::abs(pairs.lambda[i]);
-  }
-
-
-
   namespace
   {
     std::vector<ModeName>

@@ -260,10 +260,10 @@ namespace squeal
   {
     const RowSpace &space = *reference.space();
     // r^T S r of these is the relative shift of the eigenvalue.
-    const Block R = real_columns(
-      space,
-      residuals.vectors *
-        (lambda.cwiseAbs() * std::sqrt(2.)).cwiseInverse().asDiagonal());
+    ComplexBlock weighted = residuals.vectors;
+    for (Eigen::Index j = 0; j < weighted.cols(); ++j)
+      weighted.col(j) *= weight_of(lambda[j]) / std::sqrt(2.);
+    const Block R = real_columns(space, weighted);
     const Block E = transposed ? inverse.solve_transposed(R) : inverse.solve(R);
     Eigen::MatrixXd gram = inner_products(space, R, E);
     gram                 = 0.5 * (gram + gram.transpose()).eval();

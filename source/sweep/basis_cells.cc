@@ -4,6 +4,7 @@
 
 #include <squeal/base/worst_of.h>
 #include <squeal/eigen/certified_solver.h>
+#include <squeal/eigen/free_motion.h>
 #include <squeal/sweep/basis_builder.h>
 
 #include <Eigen/Cholesky>
@@ -11,6 +12,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace squeal
@@ -120,14 +122,17 @@ namespace squeal
     return 0.5 * (A + A.transpose());
   }
 
-  void
-  BasisBuilder::fit_cell(ModelCell &cell) const
+  double
+  BasisBuilder::weight_of(const std::complex<double> lambda) const
   {
-    // Right and left vectors all over the cell and its surroundings, the most
-    // needed directions first: in the energy a direction counts by the shift
-    // of the eigenvalue that it causes.
-    const unsigned int        N    = model.n_total();
-    Eigen::MatrixXd           gram = Eigen::MatrixXd::Zero(N, N);
+    // Below the band an error counts by what it is to the band: that of a free
+    // motion, 0 but for rounding, would count more than all the rest.
+    return 1. / std::max(std::abs(lambda), 2. * M_PI * options.band.lowest);
+  }
+
+  std::vector<unsigned int>
+  BasisBuilder::training_near(const ModelCell &cell) const
+  {
     std::vector<unsigned int> own;
     for (double margin = 0.25;
          own.size() < std::min<std::size_t>(10, training.size());
@@ -138,32 +143,75 @@ namespace squeal
           if (cell.contains(training[i], margin))
             own.push_back(i);
       }
+    return own;
+  }
+
+  Eigen::MatrixXd
+  BasisBuilder::free_motions(const SweepPoint &point) const
+  {
+    const double       omega = 2. * M_PI * options.band.highest;
+    const ReducedModes modes = reduced_modes(
+      model.parts, system.coefficients(point), symmetric, omega * omega);
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index i = 0; i < modes.omega_squared.size(); ++i)
+      if (is_free_motion(modes.omega_squared[i], omega * omega))
+        kept.push_back(i);
+    return modes.shapes(Eigen::all, kept);
+  }
+
+  Eigen::MatrixXd
+  BasisBuilder::directions_of(const ModelCell                 &cell,
+                              const std::vector<unsigned int> &own,
+                              const double                     floor) const
+  {
+    // Right and left vectors all over the cell and its surroundings, the most
+    // needed directions first: in the energy a direction counts by the shift
+    // of the eigenvalue that it causes.
+    const unsigned int                N      = model.n_total();
+    const SweepPoint                  middle = 0.5 * (cell.lower + cell.upper);
+    const Eigen::LLT<Eigen::MatrixXd> energy(energy_matrix(middle));
+    const Eigen::MatrixXd             L = energy.matrixL();
+    // What nothing holds comes first and whole: of a defective pair at 0 Hz
+    // the snapshots hold what rounding left.
+    const Eigen::MatrixXd free = L.transpose() * free_motions(middle);
+    const Eigen::Index    m    = free.cols();
+    Eigen::MatrixXd       Q    = Eigen::MatrixXd::Identity(N, m);
+    if (m > 0)
+      Q = Eigen::HouseholderQR<Eigen::MatrixXd>(free).householderQ() * Q;
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(N, N);
     for (const unsigned int i : own)
       {
         const ComplexPairs &pairs = snapshots[i];
         Eigen::MatrixXd     X(N, 4 * pairs.size());
         X << pairs.right.real(), pairs.right.imag(), pairs.left.real(),
           pairs.left.imag();
-        const Eigen::VectorXd weights =
-          pairs.lambda.cwiseAbs().cwiseInverse().replicate(4, 1);
-        gram += X * weights.cwiseProduct(weights).asDiagonal() * X.transpose();
+        for (unsigned int j = 0; j < pairs.size(); ++j)
+          for (unsigned int k = 0; k < 4; ++k)
+            X.col(k * pairs.size() + j) *= weight_of(pairs.lambda[j]);
+        X = (L.transpose() * X).eval();
+        X -= Q * (Q.transpose() * X).eval();
+        gram += X * X.transpose();
       }
-    const Eigen::MatrixXd A = energy_matrix(0.5 * (cell.lower + cell.upper));
-    const Eigen::LLT<Eigen::MatrixXd>                    energy(A);
-    const Eigen::MatrixXd                                L = energy.matrixL();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pod(L.transpose() *
-                                                             gram * L);
+    // Kept apart from the rest to rounding.
+    gram -= Q * (Q.transpose() * gram).eval();
+    gram -= (gram * Q).eval() * Q.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pod(gram);
     Eigen::Index                                         n_kept = 0;
-    while (n_kept < N && pod.eigenvalues()[N - 1 - n_kept] > cell_floor)
+    while (n_kept < N - m && pod.eigenvalues()[N - 1 - n_kept] > floor)
       ++n_kept;
-    const Eigen::MatrixXd U =
-      pod.eigenvectors().rightCols(n_kept).rowwise().reverse();
+    Eigen::MatrixXd U(N, m + n_kept);
+    U << Q, pod.eigenvectors().rightCols(n_kept).rowwise().reverse();
     const Eigen::MatrixXd Phi =
       L.transpose().triangularView<Eigen::Upper>().solve(U);
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(Phi);
-    cell.turn = qr.householderQ() * Eigen::MatrixXd::Identity(N, n_kept);
-    result.project(cell);
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(Phi).householderQ() *
+           Eigen::MatrixXd::Identity(N, U.cols());
+  }
 
+  bool
+  BasisBuilder::choose_sizes(ModelCell                       &cell,
+                             const std::vector<unsigned int> &own) const
+  {
+    result.project(cell);
     // Against what the common basis finds there, the last round included.
     const auto error = [&](const unsigned int n, const unsigned int i) {
       cell.local.n_basis = n;
@@ -176,25 +224,55 @@ namespace squeal
     };
     // Not monotone in n: what friction makes of a direction of the contact that
     // V holds in part may have an eigenvalue anywhere.
+    const unsigned int n_kept = cell.turn.cols();
     const auto smallest = [&](const unsigned int from, const auto &is_enough) {
-      unsigned int n = std::min<unsigned int>(from, n_kept);
-      while (n < n_kept &&
-             !std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
-               return is_enough(error(n, i));
-             }))
-        n = std::min<unsigned int>(n + basis_step, n_kept);
-      return n;
+      for (unsigned int n = std::min(from, n_kept);;
+           n              = std::min(n + basis_step, n_kept))
+        {
+                       if (std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
+                return is_enough(error(n, i));
+              }))
+            return n;
+          if (n == n_kept)
+            return n_kept + 1;
+        }
     };
     const unsigned int n =
       smallest(smallest_basis, [&](const WorstError &worst) {
         return excess(worst, options) <= options.safety;
       });
+    if (n > n_kept)
+      return false;
     const unsigned int n_total =
       smallest(n + basis_step, [&](const WorstError &worst) {
         return worst.relative <= judge_accuracy;
       });
-    cell.turn.conservativeResize(Eigen::NoChange, n_total);
+    cell.turn.conservativeResize(Eigen::NoChange, std::min(n_total, n_kept));
     cell.local.n_basis = n;
+    return n_total <= n_kept;
+  }
+
+  void
+  BasisBuilder::fit_cell(ModelCell &cell) const
+  {
+    const Eigen::Index              N   = model.n_total();
+    const std::vector<unsigned int> own = training_near(cell);
+    // All of them where the needed ones do not suffice. There W may be short
+    // of its accuracy, which is of rounding then, but not empty: what it holds
+    // is what V is judged by, unless V is all there is.
+    const bool is_all = rounds.back().basis_size == N;
+    cell.turn         = directions_of(cell, own, cell_floor);
+    if (!choose_sizes(cell, own))
+      {
+        cell.turn = directions_of(cell, own, -1.);
+        choose_sizes(cell, own);
+        if (cell.local.n_basis >= cell.turn.cols() && !is_all)
+          {
+            // The basis as it was before the last round, and that round.
+            cell.turn          = Eigen::MatrixXd::Identity(N, N);
+            cell.local.n_basis = rounds.back().basis_size;
+          }
+      }
     // Anew, not cut: products of another size round in another way, and a run
     // that reads this cell has the same bits.
     result.project(cell);

@@ -56,7 +56,10 @@ namespace squeal
           pairs.left.col(j)  = dense.left.col(kept[j]);
         }
       pairs.residual = pairs.left_residual = pairs.error_estimate =
-        pairs.noise_floor                  = Eigen::VectorXd::Zero(k);
+        Eigen::VectorXd::Zero(k);
+      pairs.noise_floor =
+        growth_as_good_as_zero * band.highest *
+        pairs.lambda.cwiseAbs().cwiseMax(1e-300).cwiseInverse();
       pairs.condition.resize(k);
       pairs.pair_partner.assign(k, -1);
       const Eigen::MatrixXcd Mx = times(p.M.topLeftCorner(n, n), pairs.right);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/unstable_pair.h>
 #include <squeal/sweep/stability.h>
 
 #include <algorithm>
@@ -11,6 +12,9 @@ namespace squeal
   namespace
   {
     using Complex = std::complex<double>;
+
+    /** Of the interval in which a coalescence is sought. */
+    constexpr unsigned int most_halvings = 6;
 
     /** Sigma less what rounding makes of it: an undamped pair has one of either
      * sign, a few digits of its condition large. */
@@ -79,14 +83,58 @@ namespace squeal
                 continue;
               const double before = squared_split(a, i, j),
                            after  = squared_split(b, k, l);
-              // Two overdamped or far apart pairs do not coalesce by a sign.
-              const double far = 0.01 * std::norm(a.lambda[i]);
-              if ((before < 0.) != (after < 0.) && std::abs(before) < far &&
-                  std::abs(after) < far)
+              if ((before < 0.) != (after < 0.))
                 result.push_back({p, i, j});
             }
       return result;
     }
+
+    /** Two points with the same two branches, and their squared splits. */
+    struct Approach
+    {
+      TrackedPoint a, b;
+      int          branch_1, branch_2;
+
+      static double
+      split(const TrackedPoint &point, const int b1, const int b2)
+      {
+        return squared_split(point.pairs, point.pair_of(b1), point.pair_of(b2));
+      }
+
+      /** Two overdamped or far apart pairs do not coalesce by a sign. */
+      bool
+      is_near(const TrackedPoint &point) const
+      {
+        return std::abs(split(point, branch_1, branch_2)) <
+               0.01 * std::norm(point.pairs.lambda[point.pair_of(branch_1)]);
+      }
+
+      /** Half of the way, of which the half with the change of sign is kept;
+       * false where either pair is lost. */
+      bool
+      halve(const BranchTracker::Solver &solver, const TrackingOptions &options)
+      {
+        TrackedPoint middle      = a;
+        middle.coordinate        = 0.5 * (a.coordinate + b.coordinate);
+        middle.pairs             = solver(middle.coordinate);
+        const PairMatches from_a = match_pairs(a.pairs, middle.pairs, options),
+                          from_b = match_pairs(b.pairs, middle.pairs, options);
+        const auto pair_of       = [&](const int branch) {
+          const int i = from_a.to[a.pair_of(branch)];
+          return i < 0 ? from_b.to[b.pair_of(branch)] : i;
+        };
+        const int i = pair_of(branch_1), j = pair_of(branch_2);
+        if (i < 0 || j < 0 || i == j)
+          return false;
+        middle.branch.assign(middle.pairs.size(), -1);
+        middle.branch[i]     = branch_1;
+        middle.branch[j]     = branch_2;
+        const bool is_behind = (split(middle, branch_1, branch_2) < 0.) ==
+                               (split(b, branch_1, branch_2) < 0.);
+        (is_behind ? b : a) = middle;
+        return true;
+      }
+    };
   } // namespace
 
 
@@ -187,7 +235,7 @@ namespace squeal
     return !knows(a.coordinate) || knows(0.5 * (a.coordinate + b.coordinate));
   }
 
-  void
+  bool
   LineStability::locate_peak(const std::vector<TrackedPoint> &line,
                              const std::size_t                at,
                              UnstableRange                   &range) const
@@ -197,6 +245,7 @@ namespace squeal
     range.peak_sigma         = top.pairs.sigma(pair);
     range.peak_at            = top.coordinate;
     range.peak_frequency     = top.pairs.frequency(pair);
+    bool   is_beyond         = is_unstable(top.pairs, pair);
     double low               = at > 0 && may_peak_between(top, line[at - 1])
                                  ? line[at - 1].coordinate
                                  : top.coordinate;
@@ -219,10 +268,12 @@ namespace squeal
             range.peak_at        = x;
             range.peak_sigma     = here.sigma();
             range.peak_frequency = here.pairs.frequency(here.pair);
+            is_beyond            = is_unstable(here.pairs, here.pair);
           }
         else
           (right ? high : low) = x;
       }
+    return is_beyond;
   }
 
 
@@ -248,7 +299,8 @@ namespace squeal
             UnstableRange range;
             range.branch     = branch;
             std::size_t last = p, top = p;
-            range.is_certain = knows(line[p].coordinate);
+            bool        is_beyond = false;
+            range.is_certain      = knows(line[p].coordinate);
             while (last + 1 < line.size() && sigma(last + 1) > 0.)
               ++last;
             for (std::size_t q = p; q <= last; ++q)
@@ -259,6 +311,7 @@ namespace squeal
                   top = q;
                 range.is_certain = range.is_certain || is_certain;
                 const int i      = line[q].pair_of(branch);
+                is_beyond        = is_beyond || is_unstable(line[q].pairs, i);
                 range.sigma_error =
                   worst_of(range.sigma_error,
                            line[q].pairs.error_estimate[i] *
@@ -278,8 +331,10 @@ namespace squeal
             if (range.has_upper_edge())
               range.upper =
                 edge(line[last], line[last + 1], branch, range.upper_slope);
-            locate_peak(line, top, range);
-            result.push_back(range);
+            is_beyond = locate_peak(line, top, range) || is_beyond;
+            // A range in which sigma nowhere exceeds its error is none.
+            if (is_beyond)
+              result.push_back(range);
             p = last;
           }
       }
@@ -302,9 +357,20 @@ namespace squeal
     const double length = whole.upper - whole.lower;
     for (const auto &[p, i, j] : approaches(line))
       {
-        const TrackedPoint &a = line[p], &b = line[p + 1];
-        const int           b1 = a.branch[i], b2 = a.branch[j];
-        const auto found = coalescence_of(continuation, a, b, b1, b2, whole);
+        const int b1 = line[p].branch[i], b2 = line[p].branch[j];
+        Approach  approach{line[p], line[p + 1], b1, b2};
+        // On a coarse line the two are soon far apart on one side.
+        bool is_near =
+          approach.is_near(approach.a) && approach.is_near(approach.b);
+        for (unsigned int step = 0; step < most_halvings && !is_near &&
+                                    approach.halve(solver, options);
+             ++step)
+          is_near =
+            approach.is_near(approach.a) && approach.is_near(approach.b);
+        if (!is_near)
+          continue;
+        const auto found =
+          coalescence_of(continuation, approach.a, approach.b, b1, b2, whole);
         if (!found)
           continue;
         ExceptionalPoint e;
@@ -313,8 +379,8 @@ namespace squeal
         e.coordinate = found->coordinate;
         e.frequency  = found->lambda.imag() / (2. * M_PI);
         e.sigma      = found->lambda.real();
-        e.is_lock_in = squared_split(b.pairs, b.pair_of(b1), b.pair_of(b2)) <
-                       squared_split(a.pairs, i, j);
+        e.is_lock_in = Approach::split(approach.b, b1, b2) <
+                       Approach::split(approach.a, b1, b2);
         if (is_known(e, result, length))
           continue;
         e.condition = condition_beside(

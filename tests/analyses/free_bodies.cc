@@ -2,10 +2,17 @@
 
 // Bodies and mechanisms that nothing holds are said by name: a warning with
 // the modes, and a refusal of complex eigenvalues where lambda = 0 is
-// defective. Argument: the program.
+// defective. Sweeps above 0 Hz have every pair, state their errors, and take no
+// rounding for growth. Argument: the program.
+
+#include <squeal/results/table.h>
 
 #include "program.h"
 
+#include <cmath>
+#include <sstream>
+
+using namespace squeal;
 using namespace squeal::testing;
 namespace fs = std::filesystem;
 
@@ -88,6 +95,122 @@ subsection Eigenvalues
   set Highest frequency = 20
 end
 )";
+
+  /** A thin free ring at three speeds about the axis, in rad/s. */
+  const std::string ring = R"(set Analysis         = sweep
+set Output directory = ring
+subsection Scene
+  set Bodies = ring
+  subsection Body ring
+    set Shape          = annulus
+    set Inner radius   = 0.099
+    set Outer radius   = 0.101
+    set Height         = 0.006
+    set Cells          = 48, 1, 1
+    set Young modulus  = 210e9
+    set Density        = 7800
+    set Rotation speed = 100
+  end
+end
+subsection Discretization
+  set Degree         = 3
+  set Estimate error = false
+end
+subsection Eigenvalues
+  set Lowest frequency  = 60
+  set Highest frequency = 450
+end
+subsection Sweep
+  set Axes               = speed
+  set Direct checks      = 2
+  set Exceptional points = false
+  subsection Axis speed
+    set Entries = Scene/Body ring/Rotation speed
+    set Scale   = list
+    set Values  = 10, 50, 200
+  end
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+)";
+
+  /** Of the inextensional ring with the tension of its turning, seen from the
+   * fixed frame: sqrt(omega_m^2 + c^2) +- c, c = m Omega (m^2 - 1) / (m^2 + 1),
+   * in Hz. */
+  double
+  closed_form(const int m, const double speed, const int direction)
+  {
+    const double still = std::sqrt(210e9 / 7800. / 12.) * .002 / .01 * m *
+                         (m * m - 1.) / std::sqrt(m * m + 1.),
+                 c = m * speed * (m * m - 1.) / (m * m + 1.);
+    return (std::sqrt(still * still + c * c) + direction * c) / (2. * M_PI);
+  }
+
+  /** What a sweep states is no less than a tenth of what its direct checks
+   * find, rounding aside, and these are within the tolerance. */
+  void
+  check_stated_errors(const std::string &directory, const Outcome &outcome)
+  {
+    const Table table = read_csv(directory + "/direct_check.csv");
+    check(table.n_rows() > 0, "pairs are checked");
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      {
+        const double error    = table.real(row, "error_rel"),
+                     estimate = table.real(row, "error_estimate_rel");
+        check(error < 1e-6 && (error < 1e-8 || error < 10. * estimate),
+              "the error of a pair is what is stated");
+      }
+    check(!says(outcome.output + outcome.errors, "direct_check.csv holds"),
+          "no warning of false errors");
+  }
+
+  void
+  sweep_of_turning_free_ring()
+  {
+    const Outcome o = run(ring, {});
+    check(o.code == 0, "sweep of a free ring: " + o.errors);
+    const Table table = read_csv("ring/eigenvalues.csv");
+    for (const double speed : {10., 50., 200.})
+      for (const int m : {2, 3})
+        for (const int direction : {-1, 1})
+          {
+            const double expected = closed_form(m, speed, direction);
+            bool         is_there = false;
+            for (std::size_t row = 0; row < table.n_rows(); ++row)
+              is_there =
+                is_there ||
+                (std::abs(table.real(row, "speed") - speed) < 1e-6 * speed &&
+                 std::abs(table.real(row, "frequency_hz") - expected) <
+                   1e-3 * expected);
+            std::ostringstream text;
+            text << "at " << speed << " rad/s there is " << expected << " Hz";
+            check(is_there, text.str());
+          }
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      check(table.integer(row, "unstable") == 0,
+            "rounding of an undamped pair is no growth");
+    check(read_csv("ring/unstable_ranges.csv").n_rows() == 0,
+          "and makes no unstable range");
+    check_stated_errors("ring", o);
+  }
+
+  void
+  sweep_of_free_pad()
+  {
+    const Outcome o =
+      run(free_pad() +
+            "subsection Sweep\n  set Axes = mu\n  set Direct checks = 2\n"
+            "  subsection Axis mu\n    set Entries = Scene/Contact pad_disc/"
+            "Friction coefficient\n    set Scale = list\n    set Values = "
+            "0.2, 0.4\n  end\nend\n",
+          {"Analysis = sweep",
+           "Output directory = pad",
+           "Eigenvalues/Lowest frequency = 500"});
+    check(o.code == 0, "sweep of a brake with a free pad: " + o.errors);
+    check_stated_errors("pad", o);
+  }
 } // namespace
 
 
@@ -97,7 +220,8 @@ main(int argc, char **argv)
 {
   check(argc == 2, "argument: the program");
   program = argv[1];
-  fs::remove_all("out");
+  for (const char *directory : {"out", "ring", "pad"})
+    fs::remove_all(directory);
 
   // Normal springs hold z, rx and ry of the pad: x, y and rz are free.
   Outcome o = run(free_pad(), {"Analysis = modes"});
@@ -136,4 +260,7 @@ main(int argc, char **argv)
                             "1 motion at 0 Hz is held by nothing, of the "
                             "bodies left, right:"),
         "the mechanism alone");
+
+  sweep_of_turning_free_ring();
+  sweep_of_free_pad();
 }

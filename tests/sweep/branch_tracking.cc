@@ -35,7 +35,8 @@ namespace
     pairs.lambda         = d.lambda;
     pairs.right          = d.right;
     pairs.left           = d.left;
-    pairs.error_estimate = Eigen::VectorXd::Zero(d.lambda.size());
+    pairs.error_estimate = pairs.noise_floor =
+      Eigen::VectorXd::Zero(d.lambda.size());
     pairs.pair_partner.assign(d.lambda.size(), -1);
     pairs.condition.resize(d.lambda.size());
     for (Eigen::Index i = 0; i < d.lambda.size(); ++i)
@@ -409,8 +410,8 @@ namespace
       pairs.lambda         = all.lambda(kept);
       pairs.right          = all.right(Eigen::all, kept);
       pairs.left           = all.left(Eigen::all, kept);
-      pairs.error_estimate = Eigen::VectorXd::Zero(n);
-      pairs.condition      = all.condition(kept);
+      pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(n);
+      pairs.condition                          = all.condition(kept);
       pairs.pair_partner.assign(n, -1);
       return pairs;
     };
@@ -455,8 +456,8 @@ namespace
     pairs.lambda         = all.lambda(kept);
     pairs.right          = all.right(Eigen::all, kept);
     pairs.left           = all.left(Eigen::all, kept);
-    pairs.error_estimate = Eigen::VectorXd::Zero(n);
-    pairs.condition      = all.condition(kept);
+    pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(n);
+    pairs.condition                          = all.condition(kept);
     pairs.pair_partner.assign(n, -1);
     return pairs;
   }

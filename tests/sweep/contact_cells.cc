@@ -101,8 +101,8 @@ namespace
     pairs.right          = Eigen::MatrixXcd::Ones(1, 1);
     pairs.left           = Eigen::MatrixXcd::Ones(1, 1);
     pairs.pair_partner   = {-1};
-    pairs.error_estimate = Eigen::VectorXd::Zero(1);
-    pairs.condition      = Eigen::VectorXd::Ones(1);
+    pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(1);
+    pairs.condition                          = Eigen::VectorXd::Ones(1);
     return pairs;
   }
 

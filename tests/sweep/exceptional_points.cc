@@ -53,8 +53,8 @@ namespace
     pairs.lambda         = d.lambda;
     pairs.right          = d.right;
     pairs.left           = d.left;
-    pairs.error_estimate = Eigen::VectorXd::Zero(2);
-    pairs.condition      = Eigen::VectorXd::Ones(2);
+    pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(2);
+    pairs.condition                          = Eigen::VectorXd::Ones(2);
     pairs.pair_partner.assign(2, -1);
     return pairs;
   }

@@ -2,7 +2,7 @@
 #ifndef squeal_output_cea_quantities_h
 #define squeal_output_cea_quantities_h
 
-#include <squeal/eigen/complex_pairs.h>
+#include <squeal/eigen/unstable_pair.h>
 #include <squeal/model/mode_solution.h>
 
 #include <vector>
@@ -53,9 +53,6 @@ namespace squeal
                                  const ModeSolution &modes,
                                  const ComplexPairs &pairs);
 
-  /** True where sigma exceeds its own error estimate, or, where there is none,
-   * what residual, condition and rounding leave open. */
-  bool is_unstable(const ComplexPairs &pairs, const unsigned int i);
 
   /** The contact state of a scene as its parameters name it: of several pairs
    * each state once, "none" without pairs. */

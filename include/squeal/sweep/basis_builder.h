@@ -8,6 +8,7 @@
 #include <squeal/sweep/parametric_system.h>
 #include <squeal/sweep/point_solver.h>
 
+#include <complex>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -109,7 +110,25 @@ namespace squeal
     /** Throws InputError where motions at 0 Hz belong to the band. */
     void require_held(const UndampedModes &modes, const double shift) const;
     std::vector<ModelCell> make_cells() const;
-    void                   fit_cell(ModelCell &cell) const;
+    /** Weight of an error of @p lambda: 1 / |lambda|, in s, at most that of the
+     * lower end of the band. */
+    double weight_of(const std::complex<double> lambda) const;
+    /** Numbers of the training points in and around @p cell. */
+    std::vector<unsigned int> training_near(const ModelCell &cell) const;
+    /** Motions that nothing holds without friction, coordinates in the common
+     * basis. */
+    Eigen::MatrixXd free_motions(const SweepPoint &point) const;
+    /** Orthonormal columns: the free motions, then the directions of the
+     * snapshots @p own that shift eigenvalues by more than @p floor, relative
+     * and squared, the most needed first. */
+    Eigen::MatrixXd directions_of(const ModelCell                 &cell,
+                                  const std::vector<unsigned int> &own,
+                                  const double                     floor) const;
+    /** Cuts the directions of @p cell to [V W] and sets the size of V; false
+     * where they do not suffice. */
+    bool choose_sizes(ModelCell                       &cell,
+                      const std::vector<unsigned int> &own) const;
+    void fit_cell(ModelCell &cell) const;
     /** K + omega^2 M of the symmetric parts, omega the end of the band. */
     Eigen::MatrixXd energy_matrix(const SweepPoint &point) const;
 

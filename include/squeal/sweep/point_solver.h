@@ -21,6 +21,11 @@ namespace squeal
                   const unsigned int                   n);
   };
 
+  /** Of the highest frequency of a band: a growth rate that may be rounding, as
+   * undamped pairs have one of either sign. The noise floor of the pairs below
+   * is this over |lambda|. */
+  constexpr double growth_as_good_as_zero = 1e-6;
+
   /** Which pairs are wanted, Hz. */
   struct Band
   {

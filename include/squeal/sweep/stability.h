@@ -10,7 +10,8 @@
 
 namespace squeal
 {
-  /** A range of one branch along a line in which sigma is positive. */
+  /** A range of one branch along a line in which sigma is positive, and
+   * somewhere by more than its own error (is_unstable()). */
   struct UnstableRange
   {
     int    branch = -1;
@@ -108,7 +109,8 @@ namespace squeal
     /** Whether a peak next to @p a may lie between it and its neighbour @p b.
      */
     bool may_peak_between(const TrackedPoint &a, const TrackedPoint &b) const;
-    void locate_peak(const std::vector<TrackedPoint> &line,
+    /** Returns whether sigma exceeds its error at the peak. */
+    bool locate_peak(const std::vector<TrackedPoint> &line,
                      const std::size_t                at,
                      UnstableRange                   &range) const;
 

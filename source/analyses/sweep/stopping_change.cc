@@ -20,10 +20,6 @@ namespace squeal
     /** What is added to the smallest change that stabilises, so that it does
      * not stand on the edge. */
     constexpr double margin_of_change = 1.1;
-    /** Of the highest frequency: a growth rate that may be rounding, as
-     * undamped pairs have one of either sign. */
-    constexpr double as_good_as_zero = 1e-6;
-
     void
     take_worse(WorstPair &worst, const GrowingPair &pair)
     {
@@ -180,7 +176,7 @@ namespace squeal
   double
   ChangedScene::rounding() const
   {
-    return as_good_as_zero * model.band().highest;
+    return growth_as_good_as_zero * model.band().highest;
   }
 
   SweepPoint

@@ -103,6 +103,24 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Whether a true error, relative as the others, is beyond the tolerances
+     * of the sweep and beyond what was stated, rounding aside. */
+    bool
+    is_false(const double           error,
+             const double           stated,
+             const double           rounding,
+             const double           size,
+             const SweepParameters &p)
+    {
+      return (error > p.frequency_tolerance ||
+              error * size > p.sigma_tolerance) &&
+             error > 3. * stated + 10. * rounding;
+    }
+  } // namespace
+
+
   Table
   direct_check_table(SweepModel          &model,
                      const SweepSolution &solution,
@@ -124,8 +142,9 @@ namespace squeal
            {"condition", Type::real, "", "of the eigenvalue", 2}})
       table.add_column(column);
     double       worst = 0., least_ratio = 1e300, largest_ratio = 0.;
-    unsigned int n_outside = 0, n_judged = 0, n_beyond = 0, n_held = 0;
-    Progress     progress(
+    unsigned int n_outside = 0, n_judged = 0, n_beyond = 0, n_held = 0,
+                 n_false = 0;
+    Progress progress(
       context.log, "direct checks", context.parameters.sweep.direct_checks);
     for (const auto &point :
          check_points(model, solution, context.parameters.sweep.direct_checks))
@@ -163,6 +182,11 @@ namespace squeal
             if (!is_reached)
               continue;
             worst = worst_of(worst, copy.error_estimate[i]);
+            n_false += is_false(copy.error_estimate[i],
+                                pairs.error_estimate[i],
+                                copy.noise_floor[i],
+                                std::abs(pairs.lambda[i]),
+                                context.parameters.sweep);
             if (copy.error_estimate[i] > 1e-10)
               {
                 const double ratio =
@@ -184,6 +208,13 @@ namespace squeal
       (n_beyond > 0 ? "; " + std::to_string(n_beyond) +
                         " pairs are beyond the reach of the direct solver"
                     : ""));
+    if (n_false > 0)
+      context.log.warning(
+        std::to_string(n_false) + " of the pairs of the direct checks " +
+        (n_false == 1 ? "is" : "are") +
+        " farther from the direct solution than Sweep/Frequency tolerance and "
+        "Sigma tolerance allow, and than three times the stated error: what "
+        "direct_check.csv holds is right, not the error that the sweep states");
     if (n_held > 0)
       context.log.info(
         "  at " + std::to_string(n_held) +

@@ -4,6 +4,7 @@
 // of unstable ranges, the errors of the basis.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/eigen/unstable_pair.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/frequency_unit.h>
@@ -55,13 +56,6 @@ namespace squeal
       return text;
     }
 
-    bool
-    is_grown(const TrackedPoint &p, const int i)
-    {
-      return p.pairs.sigma(i) >
-             p.pairs.error_estimate[i] * std::abs(p.pairs.lambda[i]);
-    }
-
     int
     n_branches(const SweepLine &line)
     {
@@ -109,7 +103,7 @@ namespace squeal
               {
                 s.x.push_back(p.coordinate);
                 s.y.push_back(unit.factor * p.pairs.frequency(i));
-                if (p.asked && is_grown(p, i))
+                if (p.asked && is_unstable(p.pairs, i))
                   {
                     unstable.x.push_back(s.x.back());
                     unstable.y.push_back(s.y.back());

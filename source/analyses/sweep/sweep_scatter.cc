@@ -3,6 +3,7 @@
 // How likely a brake squeals whose numbers scatter.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/eigen/unstable_pair.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/sweep/contact_cells.h>
 #include <squeal/sweep/first_order_index.h>
@@ -30,13 +31,14 @@ namespace squeal
       double sigma     = 0.; /**< the largest, 1/s */
       double frequency = 0.; /**< of that pair, Hz */
       double error     = 0.; /**< estimated, of sigma */
+      double unknown   = 0.; /**< that or what rounding makes of sigma */
       /** Whether all points of the grid round it have one contact state. */
       bool is_known = true;
 
       bool
       squeals() const
       {
-        return sigma > 0.;
+        return sigma > unknown;
       }
       bool
       has_pair() const
@@ -83,12 +85,19 @@ namespace squeal
     worst_pair(SweepModel &model, const SweepPoint &point)
     {
       const auto largest = [](const ComplexPairs &pairs) {
-        Sample result{-std::numeric_limits<double>::infinity(), 0., 0.};
+        Sample result{-std::numeric_limits<double>::infinity(), 0., 0., 0.};
         for (unsigned int i = 0; i < pairs.size(); ++i)
-          if (pairs.sigma(i) > result.sigma)
-            result = {pairs.sigma(i),
-                      pairs.frequency(i),
-                      pairs.error_estimate[i] * std::abs(pairs.lambda[i])};
+          {
+            const Sample own{pairs.sigma(i),
+                             pairs.frequency(i),
+                             pairs.error_estimate[i] *
+                               std::abs(pairs.lambda[i]),
+                             sigma_error(pairs, i)};
+            // One that grows for certain before one that may.
+            if (own.squeals() == result.squeals() ? own.sigma > result.sigma
+                                                  : own.squeals())
+              result = own;
+          }
         return result;
       };
       const Sample quick = largest(model.solve(point, false));
@@ -108,24 +117,26 @@ namespace squeal
         dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
       const unsigned int n_ranks =
         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-      std::vector<double> values(3 * points.size(), 0.);
+      std::vector<double> values(4 * points.size(), 0.);
       // the root's own: the first ranks have one more where they do not divide
       Progress progress(
         context.log, "scatter", (points.size() + n_ranks - 1) / n_ranks);
       for (std::size_t i = rank; i < points.size(); i += n_ranks)
         {
           const Sample s    = worst_pair(model, points[i]);
-          values[3 * i]     = s.sigma;
-          values[3 * i + 1] = s.frequency;
-          values[3 * i + 2] = s.error;
+          values[4 * i]     = s.sigma;
+          values[4 * i + 1] = s.frequency;
+          values[4 * i + 2] = s.error;
+          values[4 * i + 3] = s.unknown;
           progress.advance();
         }
       dealii::Utilities::MPI::sum(values, MPI_COMM_WORLD, values);
       std::vector<Sample> samples;
       for (std::size_t i = 0; i < points.size(); ++i)
-        samples.push_back({values[3 * i],
-                           values[3 * i + 1],
-                           values[3 * i + 2],
+        samples.push_back({values[4 * i],
+                           values[4 * i + 1],
+                           values[4 * i + 2],
+                           values[4 * i + 3],
                            has_known_contact(model.grid(), points[i])});
       return samples;
     }
