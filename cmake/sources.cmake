@@ -227,6 +227,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/growth_rule.cc
     source/transient/implicit_transient.cc
     source/transient/kept_inverse.cc
+    source/transient/lag_limit.cc
     source/transient/lagged_friction.cc
     source/transient/linearized_motion.cc
     source/transient/modal_step.cc

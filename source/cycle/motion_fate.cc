@@ -28,6 +28,31 @@ namespace squeal
       return static_cast<unsigned int>(std::max(1., std::round(whole / part)));
     }
 
+    /** Largest angle, rad, between the friction of @p forces and that of @p
+     * steady, of nodes that slip in both. A node whose friction turns is not
+     * linear: a slow motion of finite amplitude may last though no node ever
+     * changes its status. */
+    double
+    friction_turn_from(const SteadySliding              &steady,
+                       const Eigen::VectorXd            &forces,
+                       const std::vector<ContactStatus> &status)
+    {
+      double result = 0.;
+      for (std::size_t j = 0; j < status.size(); ++j)
+        {
+          const Eigen::Vector2d at_first = steady.forces.segment<2>(3 * j + 1),
+                                now      = forces.segment<2>(3 * j + 1);
+          if (steady.status[j] != ContactStatus::slip ||
+              status[j] != ContactStatus::slip || !(at_first.norm() > 0.) ||
+              !(now.norm() > 0.))
+            continue;
+          const double across = at_first[0] * now[1] - at_first[1] * now[0];
+          result =
+            std::max(result, std::atan2(std::abs(across), at_first.dot(now)));
+        }
+      return result;
+    }
+
     /** Mean of `rms_forces` over the last @p n windows. */
     double
     mean_forces(const std::vector<MotionWindow> &windows, const unsigned int n)
@@ -109,6 +134,9 @@ namespace squeal
           std::pow(energy_norm(model, run.states[i + 1], rest), 2) / n_steps;
         result.is_as_steady =
           result.is_as_steady && run.status[i] == steady.status;
+        result.friction_turn = std::max(
+          result.friction_turn,
+          friction_turn_from(steady, run.states[i + 1].forces, run.status[i]));
       }
     result.amplitude          = std::sqrt(square);
     const PairForces  forces  = pair_forces(map, run);
@@ -128,7 +156,10 @@ namespace squeal
     return windows.size() >= n_hold &&
            std::all_of(windows.end() - n_hold,
                        windows.end(),
-                       [](const auto &w) { return w.is_as_steady; }) &&
+                       [](const auto &w) {
+                         return w.is_as_steady &&
+                                w.friction_turn <= linear_turn;
+                       }) &&
            windows.back().amplitude < (windows.end() - n_hold)->amplitude;
   }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/model/drive_warnings.h>
+#include <squeal/model/pressed_model.h>
+#include <squeal/transient/lag_limit.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace squeal
 {
@@ -43,5 +47,75 @@ namespace squeal
                             t.friction_impulse_time,
                             longest,
                             log);
+  }
+
+
+
+  double
+  steepest_fall(const ContactParameters &c, const double slip_rate)
+  {
+    switch (c.friction_law)
+      {
+      case ContactParameters::FrictionLaw::constant:
+        return 0.;
+      case ContactParameters::FrictionLaw::exponential:
+        return c.decay_speed > 0.
+                 ? std::max(0.,
+                            (c.static_friction_coefficient -
+                             std::abs(c.friction_coefficient)) /
+                              c.decay_speed)
+                 : 0.;
+      case ContactParameters::FrictionLaw::table:
+        {
+          double result = 0.;
+          for (std::size_t i = 1; i < c.friction_speeds.size() &&
+                                  c.friction_speeds[i - 1] <= slip_rate;
+               ++i)
+            result = std::max(
+              result,
+              (c.friction_coefficients[i - 1] - c.friction_coefficients[i]) /
+                (c.friction_speeds[i] - c.friction_speeds[i - 1]));
+          return result;
+        }
+      }
+    unknown_choice("law of friction");
+  }
+
+
+
+  void
+  warn_of_short_lag(const PressedModel  &pressed,
+                    const SteadySliding &steady,
+                    const Parameters    &p,
+                    RunLog              &log)
+  {
+    const TransientParameters &t = p.transient;
+    if (t.integrator != TransientParameters::Integrator::reduced)
+      return;
+    const ReducedContactModel &model    = pressed.model();
+    const NodalFriction        friction = pressed.sliding_friction();
+    Eigen::VectorXd steepest(model.n_nodes()), about(model.n_nodes());
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      {
+        const ContactParameters &contact =
+          p.scene.contacts[pressed.nodes().pair_of(j)];
+        steepest[j] =
+          steepest_fall(contact, pressed.speed() * model.speed_ratio[j]);
+        about[j] = steepest[j] > 0. ? std::max(0., -friction.slope[j]) : 0.;
+      }
+    const LagLimit limit = lag_limit(model, steady, steepest, t.time_step);
+    if (!(limit.shortest > t.time_step))
+      return;
+    const LagLimit in_steady = lag_limit(model, steady, about, t.time_step);
+    log.warning(
+      "'Transient/Time step' = " + rounded_text(t.time_step, 3) +
+      " s is below the " + rounded_text(limit.shortest, 3) +
+      " s that friction which falls so steeply needs on a massless contact (" +
+      std::to_string(limit.n_above) + " of " +
+      std::to_string(steady.n_with(ContactStatus::slip)) +
+      " slipping nodes; in steady sliding " +
+      rounded_text(in_steady.shortest, 3) +
+      " s): nodes may jump between sticking and slipping, and a limit cycle "
+      "is then no result; take a longer step or 'Integrator = implicit'");
   }
 } // namespace squeal

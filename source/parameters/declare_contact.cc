@@ -92,7 +92,8 @@ namespace squeal
                    c.friction_law,
                    "How the coefficient depends on the slip rate; linearised "
                    "analyses take its value and slope at the sliding "
-                   "speed, those of a constant one the 'Friction slope'.");
+                   "speed, those of a constant one the 'Friction slope'. Where "
+                   "it falls, 'Transient/Time step' must not be too short.");
         schema.add("Static friction coefficient",
                    c.static_friction_coefficient,
                    Allowed::number(0., 5.),

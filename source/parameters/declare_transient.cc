@@ -212,7 +212,14 @@ namespace squeal
                  "over points of all bodies.",
                  "J");
       schema
-        .add("Time step", t.time_step, Allowed::positive(), "Time step.", "s")
+        .add("Time step",
+             t.time_step,
+             Allowed::positive(),
+             "Time step. Where friction falls with the slip rate, with "
+             "'Integrator = reduced', it has to be longer than the flexibility "
+             "of a contact node times its normal force times that fall; a "
+             "warning names the shortest.",
+             "s")
         .resolution();
       schema.add(
         "End time", t.end_time, Allowed::positive(), "Simulated time.", "s");

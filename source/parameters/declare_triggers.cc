@@ -20,16 +20,20 @@ namespace squeal
                    t.hold,
                    Allowed::positive(),
                    "What a motion does has to last so long before it is "
-                   "judged: no node leaves its status in steady sliding and "
-                   "the vibration falls (it comes back), or the forces of a "
-                   "window stay within 5 % of those that the largest impulse "
+                   "judged: no node leaves its status in steady sliding, "
+                   "no friction turns from that of steady sliding by more than "
+                   "0.02 rad and the vibration falls (it comes back), or the "
+                   "forces of a window stay within 5 % of those that the "
+                   "largest impulse "
                    "ends in (it squeals).",
                    "s");
         schema.add("Longest time",
                    t.longest,
                    Allowed::positive(),
                    "A motion that has done neither by then is undecided; the "
-                   "one after the largest impulse goes on until then.",
+                   "one after the largest impulse goes on until then. Where "
+                   "pairs decay slowly and friction turns within the face, "
+                   "several times the inverse of the slowest rate.",
                    "s");
       }
     } // namespace

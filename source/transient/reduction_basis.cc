@@ -11,8 +11,41 @@ namespace squeal
 {
   namespace
   {
-    /** A motion slower than this is rigid: nothing holds it. */
-    constexpr double rigid_frequency = 0.5; // Hz
+    /** A motion slower than this is rigid: nothing holds it. The second number
+     * is a share of the frequency of the matrices and holds where files have
+     * units in which all frequencies are small numbers. */
+    constexpr double rigid_frequency = 0.5, // Hz
+      rigid_share                    = 1e-4;
+
+    /** The same of the shift of a factor beside zero. */
+    constexpr double shift_share = 1e-3;
+
+    /** Size of the frequencies of @p pencil, Hz: that of a motion in which all
+     * unknowns take part; 0 where nothing is stiff. */
+    double
+    matrix_frequency(const Pencil &pencil)
+    {
+      const RowSpace &space = *pencil.space();
+      Block           x(space.n_owned(), 1);
+      for (unsigned int i = 0; i < space.n_owned(); ++i)
+        x(i, 0) = std::cos(1e3 * (space.first_owned() + i + 1.));
+      Eigen::MatrixXd sizes(1, 2);
+      sizes << x.cwiseProduct(pencil.multiply_undamped_stiffness(x)).sum(),
+        x.cwiseProduct(pencil.multiply_mass(x)).sum();
+      space.sum(sizes);
+      return std::sqrt(std::max(sizes(0, 0), 0.) / sizes(0, 1)) / (2. * M_PI);
+    }
+
+    /** @p frequency, Hz, or @p share of that of the matrices, where they have
+     * one that is so small. */
+    double
+    scaled_frequency(const Pencil &pencil,
+                     const double  frequency,
+                     const double  share)
+    {
+      const double of_matrices = share * matrix_frequency(pencil);
+      return of_matrices > 0. ? std::min(frequency, of_matrices) : frequency;
+    }
 
     /** Directions that shrink below this share of their size are dropped. */
     constexpr double krylov_drop = 1e-7;
@@ -71,8 +104,10 @@ namespace squeal
     basis.shapes        = modes.shapes.leftCols(basis.n_modes);
     basis.mass_shapes   = pencil.multiply_mass(basis.shapes);
     basis.omega_squared = modes.omega_squared.head(basis.n_modes);
+    const double rigid  = std::pow(
+      2. * M_PI * scaled_frequency(pencil, rigid_frequency, rigid_share), 2);
     for (Eigen::Index k = 0; k < basis.omega_squared.size(); ++k)
-      if (basis.omega_squared[k] < std::pow(2. * M_PI * rigid_frequency, 2))
+      if (basis.omega_squared[k] < rigid)
         basis.omega_squared[k] = 0.;
     if (interface_cut_off > 0.)
       append_ritz_vectors(pencil, relative_motion, interface_cut_off, basis);
@@ -87,7 +122,9 @@ namespace squeal
     : space(*pencil.space())
     , basis(b)
     , pencil(pencil)
-    , inverse(pencil, -std::pow(2. * M_PI * shift, 2))
+    , inverse(
+        pencil,
+        -std::pow(2. * M_PI * scaled_frequency(pencil, shift, shift_share), 2))
   {
   }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Friction that falls with the slip rate: the stick-slip oscillator on a belt,
-// and the growth rate of an oscillator against its eigenvalue.
+// the growth rate of an oscillator against its eigenvalue, and the shortest
+// step that the lag of friction holds a node in.
 
 #include "transient/hand_made.h"
 #include "transient/pressed_brake.h"
 #include "worst.h"
 
 #include <squeal/transient/implicit_transient.h>
+#include <squeal/transient/lag_limit.h>
 #include <squeal/transient/reduced_transient.h>
 #include <squeal/transient/time_step_error.h>
 
@@ -289,6 +291,76 @@ namespace
                 1e-12,
                 "eigenvalue analysis: -N mu'(V)/(2m)");
   }
+
+
+
+  /** Steps in which the node of @p m sticks, of the second half of a motion
+   * that begins near steady sliding. */
+  unsigned int
+  steps_in_stick(const ReducedContactModel &m,
+                 const ContactParameters   &law,
+                 const SteadySliding       &steady,
+                 const double               dt)
+  {
+    constexpr unsigned int n_steps = 4000;
+    ReducedTransient       run(m, dt, drive_by(law, belt), 1.);
+    run.start(
+      steady.coordinates, Eigen::Vector3d(0., 1e-3 * belt, 0.), steady.forces);
+    unsigned int n = 0;
+    for (unsigned int i = 0; i < n_steps; ++i)
+      {
+        run.advance();
+        if (2 * i >= n_steps && run.status()[0] == ContactStatus::stick)
+          ++n;
+      }
+    return n;
+  }
+
+  /** The lag holds a node in longer steps than the flexibility times the fall
+   * of its friction, and no shorter ones: an oscillator that is damped enough
+   * to come to rest sticks and slips in those. */
+  void
+  shortest_step()
+  {
+    constexpr double        flexibility = 1e-2;
+    const ContactParameters law         = falling(kinetic, kinetic + .1, .2);
+    const double            fall        = -FrictionLaw(law).slope(belt);
+    ReducedContactModel     m           = oscillator(1e-3);
+    m.flexibility = flexibility * Eigen::MatrixXd::Identity(3, 3);
+    m.damping[1]  = 1.;
+    const SteadySliding steady =
+      steady_sliding(m, FrictionLaw(law).coefficient(belt));
+    const Eigen::VectorXd fall_of_node = Eigen::VectorXd::Constant(1, fall);
+    const LagLimit        limit = lag_limit(m, steady, fall_of_node, 1e-3);
+    check_close(limit.shortest,
+                flexibility * fall,
+                1e-9,
+                "flexibility times normal force times fall");
+    check(limit.n_above == 1, "the node needs longer steps than 1 ms");
+    check(lag_limit(m, steady, fall_of_node, 1e-2).n_above == 0,
+          "and no longer ones than 10 ms");
+    const unsigned int shorter =
+                         steps_in_stick(m, law, steady, .7 * limit.shortest),
+                       longer =
+                         steps_in_stick(m, law, steady, 1.4 * limit.shortest);
+    std::printf(
+      "steps in stick: %u below the limit, %u above\n", shorter, longer);
+    check(shorter > 100, "the node jumps to and fro in shorter steps");
+    check(longer == 0, "the node slides on in longer ones");
+
+    // Nodes that give way together need the step of the stiffest sum.
+    ReducedContactModel two = empty_model(2, 0);
+    two.flexibility(1, 1) = two.flexibility(4, 4) = flexibility;
+    two.flexibility(1, 4) = two.flexibility(4, 1) = .5 * flexibility;
+    SteadySliding of_two;
+    of_two.forces = Eigen::VectorXd::Ones(6);
+    of_two.status.assign(2, ContactStatus::slip);
+    check_close(
+      lag_limit(two, of_two, Eigen::VectorXd::Constant(2, fall), 1.).shortest,
+      1.5 * flexibility * fall,
+      1e-9,
+      "two nodes: the largest eigenvalue");
+  }
 } // namespace
 
 int
@@ -300,6 +372,8 @@ main(int argc, char *argv[])
     belt_oscillator();
   else if (which == "oscillator")
     growing_oscillator();
+  else if (which == "shortest_step")
+    shortest_step();
   else
-    check(false, "an argument: belt or oscillator");
+    check(false, "an argument: belt, oscillator or shortest_step");
 }

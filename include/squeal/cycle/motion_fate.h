@@ -45,6 +45,9 @@ namespace squeal
     double rms_forces   = 0.;
     bool   is_as_steady = false; /**< every node keeps its status of steady
                                     sliding in all steps */
+    /** Largest angle between the friction of a node that slips and that of
+     * steady sliding, rad. */
+    double friction_turn = 0.;
   };
 
   /** A motion at one time. */
@@ -66,13 +69,19 @@ namespace squeal
     unsigned int n_judged = 1; /**< of the last windows */
   };
 
+  /** A motion whose friction turns by no more from that of steady sliding, rad,
+   * and in which no node opens or sticks, is the linear one: what is left out
+   * is of the square of it. */
+  constexpr double linear_turn = 0.02;
+
   /**
    * Follows motions of a model with a stable steady sliding window by window
    * until it is clear what they end in.
    *
    * A motion returns when in all windows of the hold time no node has left the
-   * status that it has in steady sliding, so that the motion is the linear one,
-   * which decays, and when its amplitude has fallen over them. It squeals when
+   * status that it has in steady sliding and no friction has turned by more
+   * than linear_turn, so that the motion is the linear one, which decays, and
+   * when its amplitude has fallen over them. It squeals when
    * it is none of these and the forces of all windows of the hold time are
    * those of a known vibration that lasts, within 5 %; where none is known,
    * when they agree so well with their mean at the longest time.

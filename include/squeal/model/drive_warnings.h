@@ -3,15 +3,31 @@
 #define squeal_model_drive_warnings_h
 
 #include <squeal/parameters/parameters.h>
+#include <squeal/transient/steady_sliding.h>
 
 namespace squeal
 {
+  class PressedModel;
   class RunLog;
 
   /** Warns of what the entries of a motion in time say about its drive and the
    * run does not do, or cannot tell apart: ramps of loads that are there from
    * the start, and a trigger while a load still comes on. */
   void warn_of_drive(const Parameters &parameters, RunLog &log);
+
+  /** The steepest fall of the law of friction of @p contact between rest and
+   * @p slip_rate, m/s: -dmu/dv, s/m; 0 where it does not fall, and where one
+   * coefficient holds for all slip rates. */
+  double steepest_fall(const ContactParameters &contact,
+                       const double             slip_rate);
+
+  /** Warns where friction falls with the slip rate and the steps of the reduced
+   * integrator are so short that its lag holds no node, see lag_limit(). @p
+   * steady is that of @p pressed. */
+  void warn_of_short_lag(const PressedModel  &pressed,
+                         const SteadySliding &steady,
+                         const Parameters    &parameters,
+                         RunLog              &log);
 } // namespace squeal
 
 #endif

@@ -430,6 +430,7 @@ namespace squeal
                            p,
                            context.log);
     warn_of_sampling(prepared.linear, p.transient, context.log);
+    warn_of_short_lag(prepared.pressed, prepared.steady, p, context.log);
     report_fastest(prepared.linear, p, context.log);
     report_reduction(prepared, p, context.log);
     SavedTransient saved(prepared.pressed.nodes(), context);

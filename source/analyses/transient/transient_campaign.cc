@@ -255,6 +255,10 @@ namespace squeal
         started.prepared = group->prepare(run);
         if (!started.prepared)
           return;
+        warn_of_short_lag(started.prepared->pressed,
+                          started.prepared->steady,
+                          run.parameters,
+                          context.log);
         // Not in the thread: a blow is a load that MUMPS solves for, and MUMPS
         // runs in one thread at a time.
         started.transient =
