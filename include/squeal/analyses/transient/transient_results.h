@@ -144,7 +144,7 @@ namespace squeal
     bool is_beyond_in_steps = false;
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
-    double largest_line = 0.;      /**< this frequency or a multiple, Hz */
+    double largest_line = 0.;      /**< as in CommonPeriod, Hz */
     std::vector<double> harmonics; /**< rms of its multiples 1.., N */
     double              repetition  = 0.; /**< as in CommonPeriod */
     double              mean_normal = 0.; /**< N */
