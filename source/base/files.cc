@@ -195,8 +195,8 @@ namespace squeal
           folder /= part;
       std::error_code error;
       const fs::path  whole = fs::weakly_canonical(folder, error);
-      auto [end, next]      = std::mismatch(
-        whole.begin(), whole.end(), result.begin(), result.end());
+      auto [end, next] =
+        std::mismatch(whole.begin(), whole.end(), result.begin(), result.end());
       if (end != whole.end())
         return false;
       for (const fs::path &pattern : patterns)

@@ -44,7 +44,9 @@ namespace squeal
       std::string
       stiffness_role() const
       {
-        return symmetric ? "stiffness" : is_friction ? "friction" : "circulatory";
+        return symmetric     ? "stiffness"
+               : is_friction ? "friction"
+                             : "circulatory";
       }
     };
 
@@ -195,10 +197,7 @@ namespace squeal
         {
           const double k = part.coefficients.stiffness.real();
           if (k != 0.)
-            add(part.label,
-                part.label,
-                part.stiffness_role(),
-                k);
+            add(part.label, part.label, part.stiffness_role(), k);
           if (part.friction_damping != 0.)
             add(part.damping_label(),
                 part.damping_label(),

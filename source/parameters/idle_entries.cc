@@ -62,7 +62,8 @@ namespace squeal
 
       /** Entries that a run changes: those of the axes of a sweep or a
        * campaign, of sensitivities, of updating and of the stiffness of a
-       * pressed pad, without the components of a vector. What they make idle at the start is of use later. */
+       * pressed pad, without the components of a vector. What they make idle at
+       * the start is of use later. */
       std::set<std::string>
       varied_entries(const Parameters &p)
       {

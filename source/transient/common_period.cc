@@ -135,7 +135,7 @@ namespace squeal
       told = told_by_all(all);
     result.frequency    = told.frequency;
     result.largest_line = told.is_common ? first.largest : told.by->largest;
-    result.repetition = repetition(first.values, interval, told.frequency);
+    result.repetition   = repetition(first.values, interval, told.frequency);
     for (const SignalLines &s : all)
       if (!is_that_of_first)
         result.repetition = std::min(

@@ -131,12 +131,11 @@ namespace squeal
     size_of_fill(const Eigen::MatrixXd &of_face, const Eigen::MatrixXd &null)
     {
       // Lifted above all others, the null space leaves its complement below.
-      const double    above = 2. * of_face.trace();
-      Eigen::MatrixXd lifted =
-        of_face + above * null * null.transpose();
+      const double          above  = 2. * of_face.trace();
+      Eigen::MatrixXd       lifted = of_face + above * null * null.transpose();
       const Eigen::VectorXd sizes =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-          lifted, Eigen::EigenvaluesOnly)
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(lifted,
+                                                       Eigen::EigenvaluesOnly)
           .eigenvalues()
           .head(of_face.rows() - null.cols());
       if (sizes.size() == 0 || !(sizes[sizes.size() - 1] > 0.))

@@ -138,7 +138,7 @@ namespace
     for (const auto &[node, pressing] : {std::make_pair(0, 80.), {1, 20.}})
       {
         m.flexibility(3 * node, 3 * node) += 1e-4;
-        m.load_motion[3 * node] -= pressing * 1e-4;
+        m.load_motion[3 * node] += pressing * 1e-4;
         m.flexibility(3 * node + 2, 3 * node + 2) += 1e-5;
       }
     return m;
@@ -161,8 +161,7 @@ namespace
                       1e-5,
                       "friction " + text);
           check_close(state.resultant()[0], 100., 1e-9, "pressure " + text);
-          check(state.n_with(ContactStatus::stick) ==
-                  (force < 50. ? 1 : 0),
+          check(state.n_with(ContactStatus::stick) == (force < 50. ? 1 : 0),
                 "the heavy node sticks below friction's limit only, " + text);
         }
   }
