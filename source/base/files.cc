@@ -179,21 +179,31 @@ namespace squeal
     }
 
     /** Whether @p result is the file @p input, lies in a folder of that name, or
-     * is one of those that * and ? in its name stand for. */
+     * is, or lies in, one of those that * and ? in its path stand for. */
     bool
     is_read(const fs::path &input, const fs::path &result)
     {
+      fs::path              folder;
+      std::vector<fs::path> patterns;
+      for (const fs::path &part : fs::absolute(input))
+        if (part.empty()) // behind a slash at the end
+          continue;
+        else if (!patterns.empty() ||
+                 part.string().find_first_of("*?") != std::string::npos)
+          patterns.push_back(part);
+        else
+          folder /= part;
       std::error_code error;
-      const fs::path  name = input.filename();
-      if (name.string().find_first_of("*?") != std::string::npos)
-        return result.parent_path() ==
-                 fs::weakly_canonical(fs::absolute(input).parent_path(),
-                                      error) &&
-               ::fnmatch(name.c_str(), result.filename().c_str(), 0) == 0;
-      const fs::path whole = fs::weakly_canonical(input, error);
-      return std::mismatch(
-               whole.begin(), whole.end(), result.begin(), result.end())
-               .first == whole.end();
+      const fs::path  whole = fs::weakly_canonical(folder, error);
+      auto [end, next] =
+        std::mismatch(whole.begin(), whole.end(), result.begin(), result.end());
+      if (end != whole.end())
+        return false;
+      for (const fs::path &pattern : patterns)
+        if (next == result.end() ||
+            ::fnmatch(pattern.c_str(), (next++)->c_str(), 0) != 0)
+          return false;
+      return true;
     }
 
     /** While it lives, a file that reaches the size limit makes a write fail

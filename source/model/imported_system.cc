@@ -42,6 +42,9 @@ namespace squeal
                            : s.friction_coefficient),
                     0.};
           return elastic_coefficients(s, f * s.friction_coefficient, 0., 0.);
+        case Role::circulatory:
+          // No material: what damping there is has been counted.
+          return {0., 0., f};
         }
       unknown_choice("role");
     }
@@ -54,7 +57,8 @@ namespace squeal
         std::make_shared<const SparseMatrix>(rows, lower_symmetric_part(part));
       const bool is_symmetric =
         part.symmetry == ImportedMatrix::Symmetry::symmetric;
-      if (is_symmetric && part.role != Role::friction)
+      if (is_symmetric && part.role != Role::friction &&
+          part.role != Role::circulatory)
         return symmetric;
       // One non-symmetric operator: the undamped, frictionless problem must
       // not take in its symmetric half. Friction that is given as K(mu) - K(0)

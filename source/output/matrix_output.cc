@@ -22,7 +22,7 @@ namespace squeal
     {
       std::string      name, label;
       TermCoefficients coefficients;
-      bool             symmetric;
+      bool             symmetric, is_friction;
       /** What it counts in C beside the damping of the whole model: whatever
        * the friction is, and by friction. */
       double fixed_damping, friction_damping;
@@ -39,6 +39,15 @@ namespace squeal
       {
         return label + "_friction_damping";
       }
+
+      /** In a scene of kind `matrices`. */
+      std::string
+      stiffness_role() const
+      {
+        return symmetric     ? "stiffness"
+               : is_friction ? "friction"
+                             : "circulatory";
+      }
     };
 
     /** The coefficient in C less alpha M + beta K of the whole model. */
@@ -49,8 +58,11 @@ namespace squeal
       const DampingParameters &d = scene.damping;
       if (d.model != DampingParameters::Model::whole_model)
         return c.damping;
+      // Beside parts of role circulatory the whole model has no damping.
+      const bool   is_elastic = term.matrix->is_symmetric() || term.is_friction;
       const double whole =
-        d.mass_damping * c.mass + d.stiffness_damping * c.stiffness.real();
+        d.mass_damping * c.mass +
+        (is_elastic ? d.stiffness_damping * c.stiffness.real() : 0.);
       const double rest = c.damping - whole;
       return std::abs(rest) <= 1e-13 * std::abs(whole) ? 0. : rest;
     }
@@ -159,9 +171,9 @@ namespace squeal
       });
     }
 
-    /** M as a whole, and C but for what comes of M, K and friction; K and
-     * friction by their parts: what the undamped, frictionless problem leaves
-     * out must stay apart. */
+    /** M as a whole, and C but for what comes of M, K and friction; K, its
+     * circulatory parts and friction by their parts: what the undamped,
+     * frictionless problem leaves out must stay apart. */
     void
     write_scene(std::ostream                 &out,
                 const SceneParameters        &scene,
@@ -185,16 +197,14 @@ namespace squeal
         {
           const double k = part.coefficients.stiffness.real();
           if (k != 0.)
-            add(part.label,
-                part.label,
-                part.symmetric ? "stiffness" : "friction",
-                k);
+            add(part.label, part.label, part.stiffness_role(), k);
           if (part.friction_damping != 0.)
             add(part.damping_label(),
                 part.damping_label(),
                 "friction",
                 part.friction_damping);
-          has_friction = has_friction || (k != 0. && !part.symmetric) ||
+          has_friction = has_friction ||
+                         (k != 0. && part.stiffness_role() == "friction") ||
                          part.friction_damping != 0.;
         }
       out << "# Matrices of the scene " << scene.name
@@ -286,6 +296,7 @@ namespace squeal
                          label_of(parts.size() + 1, term.name),
                          term.coefficients(context.parameters.scene),
                          term.matrix->is_symmetric(),
+                         term.is_friction,
                          0.,
                          0.});
         split_damping(term, context.parameters.scene, parts.back());

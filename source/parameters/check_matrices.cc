@@ -80,6 +80,7 @@ namespace squeal
                        "has its own");
         for (const MatrixPartParameters &part : scene.matrix_parts)
           if (part.role == MatrixPartParameters::Role::friction ||
+              part.role == MatrixPartParameters::Role::circulatory ||
               part.role == MatrixPartParameters::Role::normal_contact)
             refuse_entry("Scene/Matrix part " + part.name,
                          "Role",

@@ -176,7 +176,8 @@ namespace squeal
             {"damping", R::damping},
             {"stiffness", R::stiffness},
             {"normal contact", R::normal_contact},
-            {"friction", R::friction}};
+            {"friction", R::friction},
+            {"circulatory", R::circulatory}};
   }
 
 

@@ -270,9 +270,10 @@ namespace squeal
         schema.add("Role",
                    m.role,
                    "What the matrix is: mass, damping or stiffness; the "
-                   "symmetric stiffness of the contact springs; or the "
+                   "symmetric stiffness of the contact springs; the "
                    "non-symmetric friction part, which is multiplied by the "
-                   "coefficient of friction.");
+                   "coefficient of friction; or another non-symmetric part of "
+                   "the stiffness, which is not.");
         schema.add("Format",
                    m.format,
                    "Format of the file; automatic: from its ending and first "

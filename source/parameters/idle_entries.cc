@@ -61,8 +61,9 @@ namespace squeal
       }
 
       /** Entries that a run changes: those of the axes of a sweep or a
-       * campaign, of sensitivities and of updating, without the components of a
-       * vector. What they make idle at the start is of use later. */
+       * campaign, of sensitivities, of updating and of the stiffness of a
+       * pressed pad, without the components of a vector. What they make idle at
+       * the start is of use later. */
       std::set<std::string>
       varied_entries(const Parameters &p)
       {
@@ -76,6 +77,8 @@ namespace squeal
         add(p.sweep.sensitivities);
         for (const UpdatedNumberParameters &number : p.updating.numbers)
           add(number.entries);
+        if (!p.preload.stiffness_entry.empty())
+          add(std::vector<std::string>{p.preload.stiffness_entry});
         return varied;
       }
 

@@ -157,7 +157,8 @@ namespace squeal
       // no mirror images either, but no diagonal.
       const bool may_be_unsymmetric =
         raw.storage == Storage::unknown &&
-        (role == Role::friction || role == Role::damping);
+        (role == Role::friction || role == Role::damping ||
+         role == Role::circulatory);
       return may_be_unsymmetric && !has_all_diagonals(raw) ? Storage::general
                                                            : Storage::symmetric;
     }
@@ -293,7 +294,8 @@ namespace squeal
                            text_of(unsymmetric->value) + ", its mirror image " +
                            (mirror ? text_of(mirror->value) : "0") +
                            "; this role needs a symmetric matrix: give the "
-                           "frictional part as a part of role friction");
+                           "frictional part as a part of role friction, what "
+                           "else is not symmetric as one of role circulatory");
           const bool skew =
             std::all_of(raw.entries.begin(),
                         raw.entries.end(),

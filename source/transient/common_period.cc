@@ -91,6 +91,7 @@ namespace squeal
     {
       double             frequency;
       const SignalLines *by;
+      bool               is_common; /**< to all, the first signal as well */
     };
 
     /** The highest one up to that of the first signal with which all come back;
@@ -99,19 +100,19 @@ namespace squeal
     told_by_all(const AllLines &all)
     {
       const SignalLines &first = all.front();
-      ToldFrequency      result{0., &first};
+      ToldFrequency      result{0., &first, true};
       for (const SignalLines &s : all)
         for (unsigned int k = 1; k <= most_multiples; ++k)
           if (const double f = s.own / k;
               f > result.frequency && f < first.own && f >= s.lowest &&
               f > 40. * s.spectrum.frequency[1] && all_come_back(all, f))
-            result = {f, &s};
+            result = {f, &s, true};
       if (result.frequency > 0.)
         return result;
       for (const SignalLines &s : all)
         if (s.power > result.by->power)
           result.by = &s;
-      return {result.by->own, result.by};
+      return {result.by->own, result.by, false};
     }
   } // namespace
 
@@ -125,16 +126,16 @@ namespace squeal
   {
     const AllLines all = lines_that_count(signals, interval, lowest, highest);
     const SignalLines &first = all.at(0);
-    ToldFrequency      told{first.own, &first};
+    ToldFrequency      told{first.own, &first, true};
     CommonPeriod       result;
-    result.largest_line = first.largest;
     // What does not repeat itself has no period that others could share.
     const bool is_that_of_first =
       !first.is_periodic() || all_come_back(all, first.own);
     if (!is_that_of_first)
       told = told_by_all(all);
-    result.frequency  = told.frequency;
-    result.repetition = repetition(first.values, interval, told.frequency);
+    result.frequency    = told.frequency;
+    result.largest_line = told.is_common ? first.largest : told.by->largest;
+    result.repetition   = repetition(first.values, interval, told.frequency);
     for (const SignalLines &s : all)
       if (!is_that_of_first)
         result.repetition = std::min(

@@ -194,8 +194,7 @@ namespace squeal
   {
     const Eigen::MatrixXd W         = delassus();
     Eigen::MatrixXd       symmetric = 0.5 * (W + W.transpose());
-    if (const Eigen::MatrixXd fill =
-          fill_of_null_space(symmetric, model.speed_ratio);
+    if (const Eigen::MatrixXd fill = fill_of_null_space(symmetric);
         fill.size() > 0)
       symmetric += fill;
     return symmetric;

@@ -159,8 +159,7 @@ namespace squeal
         , inverse_rate(rows.across.size())
         , dashpots(rows.across_in_modes.size())
       {
-        if (const Eigen::MatrixXd fill = fill_of_null_space(m, m.speed_ratio);
-            fill.size() > 0)
+        if (const Eigen::MatrixXd fill = fill_of_null_space(m); fill.size() > 0)
           G += fill;
         for (Eigen::Index i = 0; i < mu.size(); ++i)
           {

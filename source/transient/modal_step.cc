@@ -168,8 +168,7 @@ namespace squeal
     const Eigen::MatrixXd &Psi = model.participation;
     Eigen::MatrixXd        W =
       Psi * (q_f1 * Eigen::MatrixXd(Psi.transpose())) + model.flexibility;
-    if (const Eigen::MatrixXd fill =
-          fill_of_null_space(model, model.speed_ratio);
+    if (const Eigen::MatrixXd fill = fill_of_null_space(model, W);
         fill.size() > 0)
       W += fill;
     return W;

@@ -46,6 +46,15 @@ namespace squeal
      * not, and a small share of it would stiffen the law without need. */
     constexpr double share_of_sliding = 1e-6;
 
+    /** Of the least motion along the face that there is, of those that there
+     * are not: a force reaches friction's limit by what moves, and differences
+     * between nodes that only move together do not hold it below. */
+    constexpr double share_of_least_motion = 1e-6;
+
+    /** Of the largest motion along the face, what an inverse can still tell
+     * from none. */
+    constexpr double least_share_of_largest = 1e-13;
+
     /** Of the largest motion along the face by a force of 1 N there, below
      * which one is rounding. */
     constexpr double rounding_of_face = 1e-11;
@@ -102,47 +111,115 @@ namespace squeal
     }
   } // namespace
 
-  Eigen::MatrixXd
-  fill_of_null_space(const Eigen::MatrixXd &W,
-                     const Eigen::VectorXd &speed_ratio)
+  namespace
   {
-    std::vector<int> along_face;
-    for (Eigen::Index j = 0; j < W.rows() / 3; ++j)
-      along_face.insert(along_face.end(), {int(3 * j + 1), int(3 * j + 2)});
-    if (along_face.empty() || !W.allFinite())
-      return {};
-    Eigen::MatrixXd of_face = W(along_face, along_face);
-    Eigen::VectorXd scale(of_face.rows());
-    const double    most = W.diagonal().maxCoeff();
-    for (Eigen::Index i = 0; i < scale.size(); ++i)
-      {
-        const Eigen::Index j = i / 2;
-        const double       share =
-          slides_past(speed_ratio, j) ? share_of_sliding : 1.;
-        scale[i] = std::sqrt(share * W(3 * j, 3 * j));
-        // fill_where_held() sees to these.
-        if (is_held_along_face(W, j, Eigen::Vector3d::Unit(1 + i % 2)))
-          of_face(i, i) = most;
-      }
-    if (!may_be_singular(of_face))
-      return {};
-    const Eigen::MatrixXd null = scale.asDiagonal() * null_space(of_face);
-    if (null.cols() == 0)
-      return {};
-    Eigen::MatrixXd result         = Eigen::MatrixXd::Zero(W.rows(), W.cols());
-    result(along_face, along_face) = null * null.transpose();
-    return result;
+    /** The rows along the faces but for those fill_where_held() sees to. */
+    std::vector<int>
+    moving_rows_of_face(const Eigen::MatrixXd &W)
+    {
+      std::vector<int> result;
+      for (Eigen::Index j = 0; j < W.rows() / 3; ++j)
+        for (const int c : {1, 2})
+          if (!is_held_along_face(W, j, Eigen::Vector3d::Unit(c)))
+            result.push_back(3 * j + c);
+      return result;
+    }
+
+    /** What the motions @p null, orthonormal, get beside those of @p of_face,
+     * symmetric, that are orthogonal to them. */
+    double
+    size_of_fill(const Eigen::MatrixXd &of_face, const Eigen::MatrixXd &null)
+    {
+      // Lifted above all others, the null space leaves its complement below.
+      const double          above  = 2. * of_face.trace();
+      Eigen::MatrixXd       lifted = of_face + above * null * null.transpose();
+      const Eigen::VectorXd sizes =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(lifted,
+                                                       Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .head(of_face.rows() - null.cols());
+      if (sizes.size() == 0 || !(sizes[sizes.size() - 1] > 0.))
+        return 0.;
+      const double largest = sizes[sizes.size() - 1];
+      double       least   = largest;
+      for (const double size : sizes)
+        if (size > rounding_of_face * largest)
+          least = std::min(least, size);
+      return std::max(share_of_least_motion * least,
+                      least_share_of_largest * largest);
+    }
+
+    /** What @p W gets along the motions that @p all has not. */
+    Eigen::MatrixXd
+    fill_beside(const Eigen::MatrixXd &W, const Eigen::MatrixXd &all)
+    {
+      if (!W.allFinite() || !all.allFinite())
+        return {};
+      const std::vector<int> rows = moving_rows_of_face(all);
+      if (rows.empty())
+        return {};
+      const Eigen::MatrixXd of_face = all(rows, rows);
+      if (!may_be_singular(of_face))
+        return {};
+      const Eigen::MatrixXd null = null_space(of_face);
+      if (null.cols() == 0)
+        return {};
+      Eigen::MatrixXd result = Eigen::MatrixXd::Zero(W.rows(), W.cols());
+      result(rows, rows) =
+        size_of_fill(W(rows, rows), null) * null * null.transpose();
+      return result;
+    }
+
+    /** Compliance of the modes that something holds, 0 of the others. */
+    Eigen::VectorXd
+    compliance_of_held(const ReducedContactModel &model)
+    {
+      return (model.omega_squared.array() > 0.)
+        .select(model.omega_squared.cwiseInverse(), 0.);
+    }
+
+    /** All that moves in @p model. Motions without a stiffness would drown the
+     * others: modes and residual flexibility count alike, and not at all where
+     * the latter is the rounding of what the modes leave. */
+    Eigen::MatrixXd
+    all_motions(const ReducedContactModel &model)
+    {
+      constexpr double       rounding = 1e-13; // of the motions in modes
+      const Eigen::MatrixXd &Psi      = model.participation;
+      Eigen::MatrixXd        all      = Psi * Psi.transpose();
+      const double           of_modes = all.trace();
+      if (!(of_modes > 0.))
+        return model.flexibility;
+      const double flexibility = model.flexibility.trace();
+      const double in_modes =
+        Psi.colwise().squaredNorm().dot(compliance_of_held(model));
+      if (flexibility > rounding * in_modes)
+        all = (all * (flexibility / of_modes) + model.flexibility).eval();
+      return all;
+    }
+  } // namespace
+
+  Eigen::MatrixXd
+  fill_of_null_space(const Eigen::MatrixXd &W)
+  {
+    return fill_beside(W, W);
   }
 
   Eigen::MatrixXd
-  fill_of_null_space(const ReducedContactModel &model,
-                     const Eigen::VectorXd     &speed_ratio)
+  fill_of_null_space(const ReducedContactModel &model, const Eigen::MatrixXd &W)
   {
-    Eigen::MatrixXd all = model.participation * model.participation.transpose();
-    if (const double trace = all.trace(); trace > 0.)
-      all *= model.flexibility.trace() / trace;
-    return fill_of_null_space(Eigen::MatrixXd(all + model.flexibility),
-                              speed_ratio);
+    return fill_beside(W, all_motions(model));
+  }
+
+  Eigen::MatrixXd
+  fill_of_null_space(const ReducedContactModel &model)
+  {
+    const Eigen::MatrixXd &Psi = model.participation;
+    return fill_of_null_space(
+      model,
+      Eigen::MatrixXd(Psi * compliance_of_held(model).asDiagonal() *
+                        Psi.transpose() +
+                      model.flexibility));
   }
 
 

@@ -108,7 +108,7 @@ namespace squeal
         const Eigen::MatrixXd &Psi = model.participation;
         Eigen::MatrixXd        W =
           Psi * compliance.asDiagonal() * Psi.transpose() + model.flexibility;
-        if (const Eigen::MatrixXd fill = fill_of_null_space(model, speed_ratio);
+        if (const Eigen::MatrixXd fill = fill_of_null_space(model, W);
             fill.size() > 0)
           W += fill;
         solver =

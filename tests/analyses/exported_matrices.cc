@@ -402,6 +402,84 @@ namespace
           "one mesh, one folder");
   }
 
+  const std::string turning = R"(subsection Scene
+  set Bodies = disc, pad
+  set Supports = hub, back
+  set Contacts = face
+  subsection Body disc
+    set Shape = annulus
+    set Inner radius = 0.05
+    set Outer radius = 0.15
+    set Height = 0.006
+    set Cells = 16, 2, 1
+    set Rotation speed = 100
+    set Stiffness damping = 1e-6
+  end
+  subsection Body pad
+    set Size = 0.04, 0.04, 0.01
+    set Position = 0.1, 0, 0.006
+    set Cells = 2, 2, 1
+    set Young modulus = 1e10
+    set Density = 2500
+  end
+  subsection Support hub
+    set Body = disc
+    set Face = inner
+  end
+  subsection Support back
+    set Body = pad
+    set Face = z_max
+  end
+  subsection Damping
+    set Model = per part
+  end
+  subsection Contact face
+    set Source body = pad
+    set Source face = z_min
+    set Target body = disc
+    set Target face = top
+    set Grid = 3, 3
+    set Friction direction = slip
+    set Normal stiffness = 1e7
+  end
+end
+subsection Discretization
+  set Degree = 1
+end
+subsection Eigenvalues
+  set Highest frequency = 3000
+  set Error tolerance = 1e-11
+end
+)";
+
+  /** What a turning body carries of its damping is no friction: the exported
+   * scene at half the coefficient is the scene at half the coefficient. */
+  void
+  test_carried_damping()
+  {
+    const std::string mu = "Scene/Contact face/Friction coefficient = ";
+    if (is_root)
+      {
+        std::ofstream("carried.prm") << turning;
+        std::ofstream("carried_again.prm")
+          << "include carried/matrices/scene.prm\nset Analysis = cea\n"
+          << "subsection Scene\n  set Friction coefficient = 0.5\nend\n"
+          << "subsection Eigenvalues\n  set Highest frequency = 3000\n"
+          << "  set Error tolerance = 1e-11\nend\n";
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+    run("carried.prm",
+        {"Analysis = cea", "Output/Export matrices = true", mu + "0.5"},
+        "carried");
+    run("carried.prm", {"Analysis = cea", mu + "0.25"}, "carried_half");
+    run("carried_again.prm", {}, "carried_again");
+    if (is_root)
+      check_equal(eigenvalues("carried_again"),
+                  eigenvalues("carried_half"),
+                  1e-9,
+                  "damping that a turning body carries, at half the friction");
+  }
+
   void
   test_modes()
   {
@@ -452,6 +530,8 @@ main(int argc, char **argv)
               "Scene/Body pad/Stiffness damping = 1e-7",
               "Scene/Spring lower_left/Dashpot = 20"});
   test_ladder();
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    test_carried_damping();
   test_modes();
   return 0;
 }

@@ -183,6 +183,15 @@ namespace
                     "Sweep/Sensitivities = " + guide + "Stiffness"})
             .empty(),
           "so do sensitivities");
+    check(notes_of("example.prm",
+                   {guide + "Stiffness = 0",
+                    guide + "Stiffnesses = 1, 1, 1",
+                    guide + "Direction = 0, 1, 0",
+                    "Analysis = preload",
+                    "Preload/Stiffness entry = " + guide + "Stiffness",
+                    "Preload/Stiffness values = 1e5, 1e6"})
+              .find("Direction") == std::string::npos,
+          "and the entry over which a preload tells the stiffness");
   }
 
   /** Of two included files the later one overrides the earlier, and a file what

@@ -215,7 +215,11 @@ namespace
          {directory + "/matrices/mass.mtx",
           directory + "/../own/matrices/mass.mtx",
           fs::absolute(directory).string() + "/matrices/m*.mtx",
+          fs::absolute(directory).string() + "/mat*/mass.mtx",
+          directory + "/../o?n/mat*/m*.mtx",
           directory + "/matrices",
+          directory + "/matrices/",
+          directory + "/mat*/",
           directory})
       check_throws<InputError>(
         [&] {
@@ -228,6 +232,7 @@ namespace
                             {{entry, ""},
                              {entry, directory + "/pad.msh"},
                              {entry, directory + "/matrices/k*.mtx"},
+                             {entry, directory + "/pad*/mass.mtx"},
                              {entry, directory + "/matrices/mass"},
                              {entry, directory + "_again"}});
     fs::remove(directory + "/matrices/mass.mtx");

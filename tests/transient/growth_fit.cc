@@ -303,6 +303,9 @@ namespace
     check(std::abs(none.frequency - .137 * f) < .5,
           "without a common period the loudest tells: " +
             std::to_string(none.frequency));
+    check(std::abs(none.largest_line - .137 * f) < .5,
+          "and the largest line is its own: " +
+            std::to_string(none.largest_line));
     std::minstd_rand                 generator(7);
     std::normal_distribution<double> normal;
     MotionSignal                     noise{{}, true};

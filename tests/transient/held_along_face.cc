@@ -6,7 +6,8 @@
 // so in its modes alone, a bar between two planes of symmetry on a wall, under
 // a force that is there at once (the wall force is twice that force for every
 // other passage of the wave, and nothing between), blocks at rest that are held
-// in some direction, and a block that is held obliquely to the sliding.
+// in some direction, a block that is held obliquely to the sliding, and nodes
+// at rest that move along the face only together.
 // Argument: squeal.
 
 #include "analyses/program.h"
@@ -109,6 +110,60 @@ namespace
                 motions(nearly, about, 1e5),
                 1e-4,
                 "sticking, those of a block with little flexibility");
+  }
+
+  /** Two nodes at rest under 80 and 20 N that a body moves along the face
+   * together, by @p force, N, on a spring of 1e5 N/m; along their normals each
+   * has a spring of its own of 1e4 N/m. The spring along is in the mode or,
+   * without @p in_mode, in the flexibility. */
+  ReducedContactModel
+  nodes_that_move_together(const double force, const bool in_mode)
+  {
+    ReducedContactModel m = empty_model(2, 1);
+    m.omega_squared[0]    = 1e5;
+    m.cut_off             = 1e4;
+    m.speed_ratio.setZero();
+    Eigen::VectorXd along = Eigen::VectorXd::Zero(6);
+    along[1] = along[4] = -1.;
+    if (in_mode)
+      {
+        m.participation.col(0) = along;
+        m.load[0]              = force;
+      }
+    else
+      {
+        m.flexibility = 1e-5 * along * along.transpose();
+        m.load_motion = force * 1e-5 * along;
+      }
+    for (const auto &[node, pressing] : {std::make_pair(0, 80.), {1, 20.}})
+      {
+        m.flexibility(3 * node, 3 * node) += 1e-4;
+        m.load_motion[3 * node] += pressing * 1e-4;
+        m.flexibility(3 * node + 2, 3 * node + 2) += 1e-5;
+      }
+    return m;
+  }
+
+  void
+  friction_of_nodes_that_move_together()
+  {
+    for (const double force : {30., 45., 60.})
+      for (const bool in_mode : {true, false})
+        {
+          const std::string text = "of nodes that move together under " +
+                                   number(force) +
+                                   (in_mode ? " N, in a mode" : " N");
+          const SteadySliding state =
+            press_at_rest(nodes_that_move_together(force, in_mode), .5, 10)
+              .back();
+          check_close(std::abs(state.resultant()[1]),
+                      std::min(force, .5 * 100.),
+                      1e-5,
+                      "friction " + text);
+          check_close(state.resultant()[0], 100., 1e-9, "pressure " + text);
+          check(state.n_with(ContactStatus::stick) == (force < 50. ? 1 : 0),
+                "the heavy node sticks below friction's limit only, " + text);
+        }
   }
 
   const std::string bar = R"(set Output directory = out
@@ -374,6 +429,7 @@ main(int argc, char **argv)
   check(argc == 2, "argument: squeal");
   a_block_held_across();
   a_block_that_modes_alone_move_across();
+  friction_of_nodes_that_move_together();
   blocks_at_rest(argv[1]);
   a_block_held_obliquely(argv[1]);
   a_bar_on_a_wall(argv[1]);

@@ -314,7 +314,8 @@ namespace squeal
       damping,
       stiffness,
       normal_contact, /**< symmetric stiffness of the contact springs */
-      friction        /**< non-symmetric, multiplied by mu */
+      friction,       /**< non-symmetric, multiplied by mu */
+      circulatory     /**< non-symmetric, of no friction */
     };
     enum class Format
     {

@@ -23,7 +23,9 @@ namespace squeal
     double frequency = 0.; /**< Hz; 0: there is no line */
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
     double frequency_ci = std::numeric_limits<double>::quiet_NaN();
-    double largest_line = 0.; /**< of the first signal, Hz */
+    /** Of the first signal, of the loudest one where that tells the frequency;
+     * Hz. */
+    double largest_line = 0.;
     /** repetition() of the first signal; where the period is not that of the
      * first one alone, the least of those that count. */
     double repetition = 0.;

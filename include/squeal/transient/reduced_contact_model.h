@@ -115,15 +115,20 @@ namespace squeal
 
   /** What does the same for all other motions along the face that @p flexibility
    * has not: of nodes that are held obliquely to the sliding, or of many nodes
-   * on a body that has fewer motions there. 3 nodes x 3 nodes, m/N, positive
-   * semidefinite and zero for what moves; empty where there is none of them. */
-  Eigen::MatrixXd fill_of_null_space(const Eigen::MatrixXd &flexibility,
-                                     const Eigen::VectorXd &speed_ratio);
+   * on a body that has fewer motions there. Forces in these do nothing, so that
+   * it is 1e-6 of the least motion that there is, which leaves the sum of
+   * friction to what moves. 3 nodes x 3 nodes, m/N, positive semidefinite and
+   * zero for what moves; empty where there is none of them. */
+  Eigen::MatrixXd fill_of_null_space(const Eigen::MatrixXd &flexibility);
 
-  /** The same of all that moves in @p model, whose motions without a stiffness
-   * would drown the others. */
+  /** The same for what @p model does not move, beside @p flexibility, that of
+   * the model as it is solved: its motions without a stiffness would drown the
+   * others. */
   Eigen::MatrixXd fill_of_null_space(const ReducedContactModel &model,
-                                     const Eigen::VectorXd     &speed_ratio);
+                                     const Eigen::MatrixXd     &flexibility);
+
+  /** The same beside what its held modes and the rest give way at rest. */
+  Eigen::MatrixXd fill_of_null_space(const ReducedContactModel &model);
 
   /** Throws InputError where the damping of @p pencil is not viscous. */
   void check_time_domain_damping(const Pencil &pencil);

@@ -76,7 +76,7 @@ namespace squeal
         {"unstable_pairs", Type::text, "", "Hz (1/s), about the contact"},
         {"integrator", Type::text, "", ""},
         {"frequency_ci_hz", Type::real, "Hz", "of the quarters", 2},
-        {"largest_line_hz", Type::real, "Hz", "of the normal force", 6},
+        {"largest_line_hz", Type::real, "Hz", "of the force that is judged", 6},
         {"sigma_full_contact_per_s", Type::real, "1/s", "whole face closed", 4},
         {"macroscopic_friction", Type::real, "", "mean friction over normal"},
         {"phase_deg", Type::real, "deg", "tangential against normal", 4},

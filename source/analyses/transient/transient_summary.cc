@@ -101,7 +101,7 @@ namespace squeal
         {"largest_line_hz",
          Type::real,
          "Hz",
-         "of the normal force, in samples",
+         "of the force that is judged, in samples",
          6},
         {"repetition",
          Type::real,

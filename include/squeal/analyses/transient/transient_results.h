@@ -143,11 +143,11 @@ namespace squeal
     /** It is that of the steps. */
     bool is_beyond_in_steps = false;
     /** Largest deviation of its quarters, Hz; NaN if none has a line. */
-    double frequency_ci = std::numeric_limits<double>::quiet_NaN();
-    double largest_line = 0.;      /**< this frequency or a multiple, Hz */
-    std::vector<double> harmonics; /**< rms of its multiples 1.., N */
-    double              repetition  = 0.; /**< as in CommonPeriod */
-    double              mean_normal = 0.; /**< N */
+    double              frequency_ci = std::numeric_limits<double>::quiet_NaN();
+    double              largest_line = 0.; /**< as in CommonPeriod, Hz */
+    std::vector<double> harmonics;         /**< rms of its multiples 1.., N */
+    double              repetition  = 0.;  /**< as in CommonPeriod */
+    double              mean_normal = 0.;  /**< N */
     double rms_normal = 0.; /**< N, about the mean; of the moment or the node
                                where that is judged */
     /** What the quarters of the sum of the normal forces vibrate by at most,
