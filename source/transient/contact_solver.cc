@@ -24,6 +24,9 @@ namespace squeal
     /** Diagonal entries of an operator that differ by more, relatively, are
      * those of another problem. */
     constexpr double largest_change = 0.2;
+    /** Of a node beside all others at rest, along its face over along its
+     * normal: that of an elastic body is about one. */
+    constexpr double largest_ratio_of_stiffness = 10.;
     /** Of the largest free motion, by which motions are off. */
     constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
   } // namespace
@@ -70,10 +73,12 @@ namespace squeal
       now.W.partialPivLu().solve(Eigen::MatrixXd::Identity(n, n));
     for (Eigen::Index j = 0; j < now.rho_normal.size(); ++j)
       {
-        now.rho_normal[j]     = std::max(now.rho_normal[j], K(3 * j, 3 * j));
-        now.rho_tangential[j] = std::max({now.rho_tangential[j],
-                                          K(3 * j + 1, 3 * j + 1),
-                                          K(3 * j + 2, 3 * j + 2)});
+        now.rho_normal[j] = std::max(now.rho_normal[j], K(3 * j, 3 * j));
+        // What fills motions that are none is as stiff as can be.
+        const double along_face =
+          std::min(std::max(K(3 * j + 1, 3 * j + 1), K(3 * j + 2, 3 * j + 2)),
+                   largest_ratio_of_stiffness * now.rho_normal[j]);
+        now.rho_tangential[j] = std::max(now.rho_tangential[j], along_face);
       }
   }
 
