@@ -222,7 +222,7 @@ namespace squeal::tribology
       const std::size_t n =
         std::clamp(known.size() / cells_of_term, least_terms, most_terms);
       std::vector<Eigen::VectorXd> columns;
-      Eigen::ArrayXd power = Eigen::ArrayXd::Ones(map.size());
+      Eigen::ArrayXd               power = Eigen::ArrayXd::Ones(map.size());
       for (std::size_t k = 0; k < std::min<std::size_t>(n, 3); ++k)
         {
           power *= map.array();
