@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace squeal
 {
@@ -40,6 +41,39 @@ namespace squeal
         refuse(file.path(),
                "is incomplete: the run that wrote it has not "
                "ended; make it again");
+    }
+
+
+
+    /**
+     * Whether the 512 bytes in front of the HDF5 part of a file are those of a
+     * history of squeal (sealed_file.h) with a damaged mark, so that
+     * is_sealed_file() does not know it: at least half of the bytes of the mark
+     * are there, or one of the words behind it, or all are zero, as no writer
+     * leaves them. Blocks of other programs (MATLAB) are none.
+     */
+    bool
+    has_damaged_mark(const std::string &path)
+    {
+      constexpr std::size_t size        = 512;
+      constexpr char        signature[] = {'\x89', 'H', 'D', 'F'};
+      if (!input_file_fault(path).empty())
+        return false;
+      std::string   block(size, ' ');
+      std::ifstream in(path, std::ios::binary);
+      if (!in.read(block.data(), size) ||
+          block.compare(0, sizeof(signature), signature, sizeof(signature)) ==
+            0)
+        return false;
+      const std::string mark =
+        std::string("squeal ") + HistoryWriter::sealed_kind + "\n";
+      std::size_t n_alike = 0;
+      for (std::size_t i = 0; i < mark.size(); ++i)
+        n_alike += block[i] == mark[i];
+      return 2 * n_alike >= mark.size() ||
+             block.find(" bytes\n") != std::string::npos ||
+             block.find("checksum ") != std::string::npos ||
+             block.find_first_not_of('\0') == std::string::npos;
     }
 
 
@@ -104,6 +138,27 @@ namespace squeal
           refuse(file, "holds a value that is not a number in '" + name + "'");
     }
 
+    /** Most of the cosine between two axes, and of the length of a mean of unit
+     * directions: with the rounding of hand-written numbers. */
+    constexpr double largest_cosine = .01, longest_mean = 1.001;
+
+    /** @p axes are three directions, one after the other. */
+    void
+    check_axes(const std::string &file, const std::vector<double> &axes)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double *a = &axes[3 * i], *b = &axes[3 * ((i + 1) % 3)];
+          const double  lengths =
+            std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
+          const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+          if (!(std::abs(product) < largest_cosine * lengths))
+            refuse(file,
+                   "has 'nodes/axes' that are not perpendicular: rows " +
+                     std::to_string(i) + " and " + std::to_string((i + 1) % 3));
+        }
+    }
+
     /** The pieces of a face of @p n_nodes nodes. */
     std::vector<std::array<unsigned int, 4>>
     quads_of(const Hdf5File    &file,
@@ -150,6 +205,10 @@ namespace squeal
           refuse(path,
                  "is damaged: its checksum is another one; make it again");
       }
+    else if (has_damaged_mark(path))
+      refuse(path,
+             "is damaged: the mark of squeal in its first 512 bytes is another "
+             "one; make it again");
     else if (input_file_fault(path).empty() && ends_by_signal([&]() {
                const auto names =
                  pair_names(Hdf5File(path, Hdf5File::Mode::read));
@@ -212,6 +271,7 @@ namespace squeal
         if (axes.size() != 9)
           refuse(file.path(), "has 'nodes/axes' that are not three directions");
         check_numbers(file.path(), "nodes/axes", axes);
+        check_axes(file.path(), axes);
         for (unsigned int i = 0; i < 9; ++i)
           what.axes[i / 3][i % 3] = axes[i];
       }
@@ -221,6 +281,12 @@ namespace squeal
         if (sliding.size() != 2)
           refuse(file.path(), "has 'nodes/sliding' that are not two numbers");
         check_numbers(file.path(), "nodes/sliding", sliding);
+        const double length = std::hypot(sliding[0], sliding[1]);
+        if (length > longest_mean)
+          refuse(file.path(),
+                 "has 'nodes/sliding' of length " + shortest_text(length) +
+                   ": it is the mean of unit directions, no speed, and at "
+                   "most 1 long");
         what.sliding = {{sliding[0], sliding[1]}};
       }
     for (std::uint64_t i = 0; i < n; ++i)
@@ -390,10 +456,12 @@ namespace squeal
     const std::vector<double> states = file.read(of_pair + "status");
     if (nodes.size() != times.size() || states.size() != times.size())
       refuse(file.path(), "has status changes of different numbers");
+    check_numbers(file.path(), of_pair + "time", times);
     std::vector<StatusChange> changes(times.size());
     for (std::size_t i = 0; i < times.size(); ++i)
       {
         if (!(nodes[i] >= 0. && nodes[i] < what.n_nodes()) ||
+            nodes[i] != std::floor(nodes[i]) ||
             (states[i] != 0. && states[i] != 1. && states[i] != 2.))
           refuse(file.path(),
                  "has a status change of an unknown node or state");

@@ -11,6 +11,8 @@
 #include <squeal/base/timers.h>
 #include <squeal/results/history_stream.h>
 
+#include <hdf5.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -238,6 +240,112 @@ namespace
 
 
 
+  /** What the reader says of a file @p path; "" where it takes it. */
+  std::string
+  refusal(const std::string &path)
+  {
+    try
+      {
+        HistoryReader(path, "").status_changes();
+      }
+    catch (const InputError &e)
+      {
+        return e.what();
+      }
+    return "";
+  }
+
+  /** Bits of the mark by which squeal knows its files, the whole block, and
+   * blocks that are not squeal's. */
+  void
+  damaged_marks()
+  {
+    HistoryStream stream = stream_of("mark.h5", {5});
+    stream.start();
+    run(stream, {5}, 0, 50);
+    write(stream, {5}, "mark_history.h5");
+    const std::string bytes = read_file("mark_history.h5");
+    const auto        of    = [](const std::string &text) {
+      std::ofstream("mark_changed.h5", std::ios::binary) << text;
+      return refusal("mark_changed.h5");
+    };
+    check(of(bytes).empty(), "a whole file is read");
+    for (std::size_t i = 0; i < 80; ++i)
+      {
+        std::string wrong = bytes;
+        wrong[i]          = static_cast<char>(wrong[i] ^ 1);
+        check(of(wrong).find("is damaged") != std::string::npos,
+              "a bit of byte " + std::to_string(i) + " is refused");
+      }
+    check(of(std::string(512, '\0') + bytes.substr(512)).find("is damaged") !=
+            std::string::npos,
+          "an empty block is refused");
+    std::string other = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
+    other.resize(512, ' ');
+    check(of(other + bytes.substr(512)).empty(), "a block of others is none");
+    check(of(bytes.substr(512)).empty(), "nor is a file without a block");
+    fs::remove("mark_changed.h5");
+  }
+
+  /** Changes of status, directions and axes that cannot be. */
+  void
+  values_that_cannot_be()
+  {
+    HistoryStream stream = stream_of("cannot.h5", {5});
+    stream.start();
+    run(stream, {5}, 0, 50);
+    write(stream, {5}, "cannot_history.h5");
+    const std::string bytes = read_file("cannot_history.h5").substr(512);
+    const auto        with  = [&](const std::string         &name,
+                          const std::vector<double> &values,
+                          const bool                 is_refused) {
+      std::ofstream("cannot_changed.h5", std::ios::binary) << bytes;
+      {
+        const hid_t file =
+          H5Fopen("cannot_changed.h5", H5F_ACC_RDWR, H5P_DEFAULT);
+        const hsize_t size  = values.size();
+        const hid_t   space = H5Screate_simple(1, &size, nullptr);
+        if (H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0)
+          H5Ldelete(file, name.c_str(), H5P_DEFAULT);
+        const hid_t data = H5Dcreate2(file,
+                                      name.c_str(),
+                                      H5T_NATIVE_DOUBLE,
+                                      space,
+                                      H5P_DEFAULT,
+                                      H5P_DEFAULT,
+                                      H5P_DEFAULT);
+        H5Dwrite(data,
+                 H5T_NATIVE_DOUBLE,
+                 H5S_ALL,
+                 H5S_ALL,
+                 H5P_DEFAULT,
+                 values.data());
+        H5Dclose(data);
+        H5Sclose(space);
+        H5Fclose(file);
+      }
+      const std::string said = refusal("cannot_changed.h5");
+      check(said.empty() != is_refused, name + ": " + said);
+      return said;
+    };
+    const std::size_t n =
+      HistoryReader("cannot_history.h5", "").status_changes().size();
+    std::vector<double> times(n, 1e-5), nodes(n, 1.);
+    with("status_changes/time", times, false);
+    with("status_changes/node", nodes, false);
+    times[0] = NAN;
+    nodes[0] = .7;
+    with("status_changes/time", times, true);
+    with("status_changes/node", nodes, true);
+    with("nodes/sliding", {.6, .8}, false);
+    with("nodes/sliding", {3., 4.}, true);
+    with("nodes/axes", {0., 1., 0., -1., 0., 0., 0., 0., 1.}, false);
+    with("nodes/axes", {1., 0., 0., 1., 0., 0., 0., 0., 1.}, true);
+    fs::remove("cannot_changed.h5");
+  }
+
+
+
   /** A hundred and twenty nodes, as many as a pad of the thesis has. */
   void
   memory_does_not_grow()
@@ -281,5 +389,7 @@ main()
   what_is_read();
   stop_and_go_on();
   other_files();
+  damaged_marks();
+  values_that_cannot_be();
   memory_does_not_grow();
 }

@@ -182,7 +182,9 @@ main(int argc, char **argv)
           report.find("href=\"http") == std::string::npos,
         "the report needs no network");
 
-  // The same chain with cracks anywhere.
+  // The same chain with cracks anywhere, of which the expected values are not.
+  const std::string anywhere = "prm/tribobrake/fatigue_study/anywhere.prm";
+  write_text(anywhere, "include 9_correlation.prm\ndrop Result checks\n");
   for (const std::string seed : {"21", "22", "23"})
     {
       run({"--set",
@@ -199,7 +201,7 @@ main(int argc, char **argv)
                                       seed + ".png")
                            .string(),
            "prm/tribobrake/fatigue_study/7_squealing_segmentation.prm"});
-      run({"prm/tribobrake/fatigue_study/9_correlation.prm"});
+      run({anywhere});
       found = verdicts(results + "correlation");
       check(found.at(1) != "synthetic: supported",
             "no link, seed " + seed + ": " + found.at(1));

@@ -99,6 +99,24 @@ namespace
       check_throws<InputError>([&]() { fit_placement(line, line, kind); },
                                "collinear",
                                "points on a line are refused");
+    // pixels and, um on the pad, upright with the middle one read 10 um too low
+    const std::vector<cv::Point2d> flat = {{10., 100.},
+                                           {200., 106.},
+                                           {390., 98.}},
+                                   read = {{-190., 0.}, {0., 3.}, {190., 2.}};
+    for (const T kind : {T::similarity, T::affine})
+      check_throws<InputError>([&]() { fit_placement(flat, read, kind); },
+                               "nearly so",
+                               "so are points nearly on a line");
+    // one wrong point of three leaves both ways to lay the image
+    const std::vector<cv::Point2d> wide = {{10., 100.},
+                                           {200., 160.},
+                                           {390., 98.}},
+                                   off  = {{-190., 0.}, {0., 20.}, {190., 0.}};
+    check_throws<InputError>(
+      [&]() { fit_placement(wide, off, T::similarity); },
+      "its mirror image alike",
+      "points that fit a mirrored image as well are refused");
     check_throws<InputError>(
       [&]() {
         fit_placement({{0., 0.}}, {{0., 0.}}, T::affine);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace squeal::tribology
 {
@@ -41,6 +43,38 @@ namespace squeal::tribology
              " nodes, as if friction drove the sliding: traction and slip rate "
              "of a face point the same way; turn the sign of one "
              "of them, or friction energy and power are wrong";
+    }
+
+
+
+    /** A line for the first pair of nodes at the same place; "" without. */
+    std::string
+    note_of_places(const HistoryLayout &layout)
+    {
+      std::vector<std::size_t> order(layout.n_nodes());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(),
+                order.end(),
+                [&](const std::size_t a, const std::size_t b) {
+                  return std::tie(layout.points[a], a) <
+                         std::tie(layout.points[b], b);
+                });
+      std::size_t n_double = 0;
+      std::string first;
+      for (std::size_t i = 1; i < order.size(); ++i)
+        if (layout.points[order[i]] == layout.points[order[i - 1]])
+          {
+            ++n_double;
+            if (first.empty())
+              first = std::to_string(order[i - 1]) + " and " +
+                      std::to_string(order[i]);
+          }
+      return n_double == 0
+               ? ""
+               : std::to_string(n_double) +
+                   " nodes lie where another one lies, such as " + first +
+                   ": each counts with its own area, so that the face is too "
+                   "large where both have the whole one";
     }
   } // namespace
 
@@ -141,6 +175,8 @@ namespace squeal::tribology
                       " Pa: contact time, impacts and stick-slip follow the "
                       "status, wear and pressures do not; mend the status, or "
                       "leave it out and it follows from the pressure");
+    if (const std::string places = note_of_places(layout); !places.empty())
+      lines.push_back(places);
     if (const std::string energy = note_of_energy(sums); !energy.empty())
       lines.push_back(energy);
     if (const std::string direction = note_of_direction(); !direction.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/base/unknown_choice.h>
 #include <squeal/tribology/damage/history_contradictions.h>
 #include <squeal/tribology/damage/history_damage.h>
 #include <squeal/tribology/damage/peak_loss.h>
@@ -169,15 +170,77 @@ namespace squeal::tribology
 
 
 
-    void
-    require_finite(const HistoryDamage &result)
+    /** Whether the rule for mean stresses divides by what a strength leaves of
+     * them, which makes the damage infinite at the strength. */
+    bool
+    has_strength(const FatigueParameters::MeanStress rule)
     {
-      for (const HistoryDamage::Node &node : result.nodes)
-        for (const double damage : node.damage)
-          if (!std::isfinite(damage))
-            throw InputError("a mean stress of the history exceeds 'Fatigue/"
-                             "Ultimate strength' or 'Strength coefficient': "
-                             "raise it or choose another 'Mean stress'");
+      using Rule = FatigueParameters::MeanStress;
+      switch (rule)
+        {
+        case Rule::goodman:
+        case Rule::gerber:
+        case Rule::morrow:
+          return true;
+        case Rule::none:
+        case Rule::swt:
+        case Rule::walker:
+          return false;
+        }
+      unknown_choice("mean stress");
+    }
+
+
+
+    /** @p largest is the largest stress of the history. */
+    void
+    require_finite(const HistoryDamage     &result,
+                   const FatigueParameters &fatigue,
+                   const double             largest)
+    {
+      for (std::size_t k = 0; k < result.nodes.size(); ++k)
+        for (std::size_t i = 0; i < result.nodes[k].damage.size(); ++i)
+          {
+            if (std::isfinite(result.nodes[k].damage[i]))
+              continue;
+            if (has_strength(fatigue.mean_stress))
+              throw InputError(
+                "a mean stress of the history exceeds 'Fatigue/Ultimate "
+                "strength' or 'Strength coefficient': raise it or choose "
+                "another 'Mean stress'");
+            throw InputError(
+              "the damage of 'Fatigue/Exponents' " +
+              shortest_text(fatigue.exponents[i]) + " at node " +
+              std::to_string(k) +
+              " is beyond the numbers: raise 'Fatigue/Reference stress', or "
+              "look at the largest stress of the history, " +
+              rounded_text(largest, 3) + " Pa");
+          }
+    }
+
+
+
+    /** A line for changes of status that no sample reaches; "" without. */
+    std::string
+    note_of_changes(const std::vector<StatusChange> &changes,
+                    const HistoryReader             &reader)
+    {
+      // squeal's own may lie behind the last sample, by less than one spacing
+      const auto [first, last] = reader.time_range();
+      const double spacing     = (last - first) / (reader.n_samples() - 1.);
+      std::size_t  n_beyond    = 0;
+      for (const StatusChange &change : changes)
+        n_beyond +=
+          change.time < first - spacing || change.time > last + spacing;
+      return n_beyond == 0
+               ? ""
+               : std::to_string(n_beyond) + " of " +
+                   std::to_string(changes.size()) +
+                   " times in 'status_changes/time' are not between the first "
+                   "sample and the last one, " +
+                   rounded_text(first, 6) + " to " + rounded_text(last, 6) +
+                   " s: those behind are not counted; are they in seconds, and "
+                   "from the same start?";
     }
   } // namespace
 
@@ -276,11 +339,10 @@ namespace squeal::tribology
     std::vector<DamageCounter> counters(n, DamageCounter(rules));
     std::vector<DamageCounter> averaged(n, DamageCounter(plain));
     const RowMajor  weights = grid.averaging(fatigue.averaging_length);
-    SurfaceSummer   summer(reader.layout(),
-                         surface,
-                         reader.layout().has_status
-                             ? reader.status_changes()
-                             : std::vector<StatusChange>());
+    const auto      changes = reader.layout().has_status
+                                ? reader.status_changes()
+                                : std::vector<StatusChange>();
+    SurfaceSummer   summer(reader.layout(), surface, changes);
     PeakLoss        loss(fatigue, n);
     Eigen::VectorXd begin, end; // stresses of the first and last sample
 
@@ -351,13 +413,15 @@ namespace squeal::tribology
             node.straight = counters[k].straight_damages();
           }
       }
-    require_finite(result);
+    require_finite(
+      result, fatigue, std::max(std::abs(lowest), std::abs(highest)));
     result.lost_share = loss.finish(damages, areas);
     for (const std::string &note : contradictions.notes(summer.sums()))
       result.notes.push_back(note);
     for (const std::string &note :
          {note_of_averaging(weights, fatigue.averaging_length),
           spacing.note(),
+          note_of_changes(changes, reader),
           note_of_order(result, fatigue),
           PeakLoss::note(result.lost_share,
                          fatigue.exponents[loss.exponent()])})

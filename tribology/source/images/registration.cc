@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
 #include <squeal/tribology/images/registration.h>
 
 #include <opencv2/calib3d.hpp>
@@ -34,13 +35,38 @@ namespace squeal::tribology
 
 
 
+    /** Residuals (um, rms) of an image that is mirrored and of one that is not
+     * must differ by this factor, and the larger one be this part of the spread
+     * of the points: nearly on a line both fit, and errors of reading decide.
+     */
+    constexpr double least_ratio = 3., least_part = .05;
+
+    void
+    require_one_orientation(const double one,
+                            const double other,
+                            const double spread)
+    {
+      const double less = std::min(one, other), more = std::max(one, other);
+      if (more < least_ratio * less || more < least_part * spread)
+        throw InputError(
+          "the registration points of 'Segmentation/Image points' and 'Pad "
+          "points' fit the image and its mirror image alike (" +
+          rounded_text(less, 3) + " and " + rounded_text(more, 3) +
+          " um rms): add a point off their line, or mend a wrong one");
+    }
+
+
+
+    /** Throws InputError where the points do not tell whether the image is
+     * mirrored. */
     cv::Matx33d
     fit_similarity(const std::vector<cv::Point2d> &from,
                    const std::vector<cv::Point2d> &to)
     {
       // z' = a z + b, or a conj(z) + b where the y axes oppose each other.
-      cv::Matx33d best;
-      double      least = -1.;
+      cv::Matx33d         best;
+      double              least = -1., spread = 0.;
+      std::vector<double> residuals;
       for (const double sign : {1., -1.})
         {
           cv::Point2d cf(0., 0.), ct(0., 0.);
@@ -72,18 +98,23 @@ namespace squeal::tribology
                               0.,
                               1.);
           double            error = 0.;
+          spread                  = 0.;
           for (std::size_t i = 0; i < from.size(); ++i)
             {
               const cv::Vec3d q = m * cv::Vec3d(from[i].x, from[i].y, 1.);
               error +=
                 std::pow(q[0] - to[i].x, 2) + std::pow(q[1] - to[i].y, 2);
+              spread += (to[i] - ct).dot(to[i] - ct);
             }
+          residuals.push_back(std::sqrt(error / from.size()));
           if (least < 0. || error < least)
             {
               least = error;
               best  = m;
             }
         }
+      require_one_orientation(
+        residuals[0], residuals[1], std::sqrt(spread / from.size()));
       return best;
     }
 
@@ -245,11 +276,16 @@ namespace squeal::tribology
       throw InputError("'Segmentation/Image points' has " +
                        std::to_string(pixels.size()) + " points: at least " +
                        std::to_string(n_needed) + " are needed");
-    constexpr double least_flatness = 0.01;
-    if (flatness(pixels) < least_flatness || flatness(pad) < least_flatness)
+    // Across a line nothing but errors of reading is fitted.
+    const double least_flatness = kind == T::homography ? .01 : .05,
+                 flattest       = std::min(flatness(pixels), flatness(pad));
+    if (flattest < least_flatness)
       throw InputError("the registration points of 'Segmentation/Image points' "
-                       "or 'Pad points' are collinear: choose points that do "
-                       "not lie on one line");
+                       "or 'Pad points' are collinear or nearly so (as wide "
+                       "across their line as " +
+                       rounded_text(100. * flattest, 2) +
+                       " % of along it): choose points that do not lie on one "
+                       "line");
     Placement placement;
     if (kind == T::similarity)
       placement.to_pad = fit_similarity(pixels, pad);

@@ -17,6 +17,9 @@ namespace squeal::tribology
     /** Rings of cells from the rim on that have a term each. */
     constexpr std::size_t n_rings = 6;
 
+    /** Known cells for each term of a measured cause, and its terms. */
+    constexpr std::size_t cells_of_term = 15, least_terms = 2, most_terms = 8;
+
     /** Where a cell lies along one axis of the grid. */
     struct OnAxis
     {
@@ -202,6 +205,39 @@ namespace squeal::tribology
                       : 0.;
       return result;
     }
+
+
+
+    /** A cubic spline of a standardised map, from which any smooth effect of it
+     * is made; its knots are quantiles, so that a few extreme cells do not take
+     * them all. NaN where the map is. */
+    std::vector<Eigen::VectorXd>
+    curves(const Eigen::VectorXd &map)
+    {
+      std::vector<double> known;
+      for (const double v : map)
+        if (std::isfinite(v))
+          known.push_back(v);
+      std::sort(known.begin(), known.end());
+      const std::size_t n =
+        std::clamp(known.size() / cells_of_term, least_terms, most_terms);
+      std::vector<Eigen::VectorXd> columns;
+      Eigen::ArrayXd               power = Eigen::ArrayXd::Ones(map.size());
+      for (std::size_t k = 0; k < std::min<std::size_t>(n, 3); ++k)
+        {
+          power *= map.array();
+          columns.emplace_back(power);
+        }
+      for (std::size_t knot = 4; knot <= n; ++knot)
+        {
+          const double at = known[(known.size() - 1) * (knot - 3) / (n - 2)];
+          columns.push_back(map);
+          for (double &v : columns.back())
+            if (std::isfinite(v))
+              v = std::pow(std::max(0., v - at), 3);
+        }
+      return columns;
+    }
   } // namespace
 
 
@@ -229,9 +265,8 @@ namespace squeal::tribology
     for (const MeasuredCause &cause : measured)
       {
         causes.names.push_back(cause.name);
-        const Eigen::VectorXd map = standardised(cause.map);
-        columns.push_back(map);
-        columns.push_back(map.array().square());
+        for (Eigen::VectorXd &column : curves(standardised(cause.map)))
+          columns.push_back(std::move(column));
       }
     causes.values.resize(n, columns.size());
     for (std::size_t c = 0; c < columns.size(); ++c)

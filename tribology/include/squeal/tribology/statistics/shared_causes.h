@@ -46,7 +46,9 @@ namespace squeal::tribology
    *           15 % of the length, even, sloping and bent across; last row;
    *           both outermost columns
    *
-   * Each measured map enters with its square. Throws std::logic_error for
+   * Each measured map enters as a cubic spline of its values with the knots at
+   * their quantiles, of one term for 15 known cells, 2 (with its square) to 8.
+   * Throws std::logic_error for
    * the edge "automatic", which tells no place.
    */
   SharedCauses shared_causes(const GridMap                    &grid,

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What is wrong with a history is said in the words of what is wrong: nodes at
+// one place, changes of status that no sample reaches, damage beyond the
+// numbers. Argument: the program.
+#include "../analyses/program.h"
+
+#include <squeal/results/contact_history.h>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  std::string program;
+
+  bool
+  has(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+
+  Outcome
+  run_damage(const std::string &file, const std::string &fatigue)
+  {
+    write_text("test.prm",
+               "set Analysis = damage\nset Output directory = damage\n"
+               "set Overwrite = true\nsubsection History\n  set File = " +
+                 file + "\nend\nsubsection Fatigue\n" + fatigue +
+                 "end\nsubsection Subsurface\n  set Compute = false\nend\n"
+                 "subsection Output\n  set Plots = false\nend\n");
+    return run_program({program, "test.prm"});
+  }
+
+  /** Nodes at one place, and changes of status that no sample reaches. */
+  void
+  doubled_nodes_and_late_changes()
+  {
+    for (const bool is_wrong : {false, true})
+      {
+        HistoryLayout layout;
+        layout.sliding = {{0., 1.}};
+        for (const double y : {0., 1e-3})
+          for (const double x : {0., 1e-3})
+            layout.points.push_back({{x, y, 0.}});
+        if (is_wrong)
+          layout.points.push_back(layout.points[2]);
+        const std::size_t n = layout.n_nodes();
+        layout.areas.assign(n, .25e-6);
+        if (is_wrong)
+          layout.areas[2] = layout.areas[4] = .125e-6;
+        layout.has_gap = layout.has_slip_rate = layout.has_resultants = false;
+        layout.has_status                                             = true;
+        HistorySamples s;
+        s.time = {0., 1e-3, 2e-3};
+        s.pressure.assign(3 * n, 1e6);
+        s.traction.assign(6 * n, 1e5);
+        s.status.assign(3 * n, std::uint8_t(ContactStatus::slip));
+        HistoryWriter writer("doubled.h5", layout);
+        writer.append(s);
+        writer.append(
+          {StatusChange{is_wrong ? 10. : 1e-3, 0, ContactStatus::slip}});
+        writer.finish();
+        const Outcome outcome = run_damage("doubled.h5", "");
+        check(outcome.code == 0, "the run ends well: " + outcome.errors);
+        const std::string record = text_of("damage/run.json");
+        check(has(record,
+                  "1 nodes lie where another one lies, such as 2 and "
+                  "4") == is_wrong,
+              "nodes at one place are said");
+        check(has(record,
+                  "1 of 1 times in 'status_changes/time' are not "
+                  "between") == is_wrong,
+              "so are changes of status that no sample reaches");
+      }
+  }
+
+
+
+  /** The damage at an exponent of 100 under stresses far above the one of
+   * reference. */
+  void
+  beyond_numbers()
+  {
+    HistoryLayout layout;
+    for (const double y : {0., 1e-3})
+      for (const double x : {0., 1e-3})
+        layout.points.push_back({{x, y, 0.}});
+    layout.areas.assign(4, .25e-6);
+    layout.has_gap = layout.has_slip_rate = layout.has_resultants = false;
+    layout.has_status                                             = false;
+    HistorySamples s;
+    s.time = {0., 1., 2.};
+    s.pressure.assign(12, 0.);
+    std::fill_n(s.pressure.begin() + 4, 4, 1e12);
+    s.traction.assign(24, 0.);
+    HistoryWriter writer("huge.h5", layout);
+    writer.append(s);
+    writer.finish();
+    for (const std::string rule : {"none", "goodman"})
+      {
+        const Outcome outcome = run_damage(
+          "huge.h5",
+          "  set Exponents = 100\n  set Reference stress = 1\n"
+          "  set Mean stress = " +
+            rule + "\n" +
+            (rule == "none" ? "" : "  set Ultimate strength = 1e7\n"));
+        check(outcome.code == 2 &&
+                has(outcome.errors, "'Fatigue/Exponents' 100 at node 0 is") ==
+                  (rule == "none") &&
+                has(outcome.errors, "a mean stress of the history exceeds") ==
+                  (rule == "goodman"),
+              rule +
+                ": what makes the damage infinite is said: " + outcome.errors);
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "one argument");
+  program = argv[1];
+  doubled_nodes_and_late_changes();
+  beyond_numbers();
+}
