@@ -249,7 +249,8 @@ namespace squeal
       });
     cell.turn.conservativeResize(Eigen::NoChange, std::min(n_total, n_kept));
     cell.local.n_basis = n;
-    return n_total <= n_kept;
+    // With nothing in W the error would be stated as 0.
+    return n_total <= n_kept && n_total > n;
   }
 
   void
