@@ -116,6 +116,7 @@ namespace squeal
       " slipping nodes; in steady sliding " +
       rounded_text(in_steady.shortest, 3) +
       " s): nodes may jump between sticking and slipping, and a limit cycle "
-      "is then no result; take a longer step or 'Integrator = implicit'");
+      "is then no result; take a longer step or, with mortar contact, "
+      "'Integrator = implicit'");
   }
 } // namespace squeal
