@@ -249,8 +249,9 @@ namespace squeal
       });
     cell.turn.conservativeResize(Eigen::NoChange, std::min(n_total, n_kept));
     cell.local.n_basis = n;
-    // With nothing in W the error would be stated as 0.
-    return n_total <= n_kept && n_total > n;
+    // A W that is short of its accuracy still judges V; with nothing in it the
+    // error would be stated as 0.
+    return n < n_kept;
   }
 
   void
