@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
-#include <squeal/base/unknown_choice.h>
+#include <squeal/contact/friction_law.h>
 #include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/transient/lag_limit.h>
@@ -51,38 +51,6 @@ namespace squeal
 
 
 
-  double
-  steepest_fall(const ContactParameters &c, const double slip_rate)
-  {
-    switch (c.friction_law)
-      {
-      case ContactParameters::FrictionLaw::constant:
-        return 0.;
-      case ContactParameters::FrictionLaw::exponential:
-        return c.decay_speed > 0.
-                 ? std::max(0.,
-                            (c.static_friction_coefficient -
-                             std::abs(c.friction_coefficient)) /
-                              c.decay_speed)
-                 : 0.;
-      case ContactParameters::FrictionLaw::table:
-        {
-          double result = 0.;
-          for (std::size_t i = 1; i < c.friction_speeds.size() &&
-                                  c.friction_speeds[i - 1] <= slip_rate;
-               ++i)
-            result = std::max(
-              result,
-              (c.friction_coefficients[i - 1] - c.friction_coefficients[i]) /
-                (c.friction_speeds[i] - c.friction_speeds[i - 1]));
-          return result;
-        }
-      }
-    unknown_choice("law of friction");
-  }
-
-
-
   void
   warn_of_short_lag(const PressedModel  &pressed,
                     const SteadySliding &steady,
@@ -99,9 +67,9 @@ namespace squeal
       {
         const ContactParameters &contact =
           p.scene.contacts[pressed.nodes().pair_of(j)];
-        steepest[j] =
-          steepest_fall(contact, pressed.speed() * model.speed_ratio[j]);
-        about[j] = steepest[j] > 0. ? std::max(0., -friction.slope[j]) : 0.;
+        steepest[j] = FrictionLaw(contact).steepest_fall(pressed.speed() *
+                                                         model.speed_ratio[j]);
+        about[j]    = steepest[j] > 0. ? std::max(0., -friction.slope[j]) : 0.;
       }
     const LagLimit limit = lag_limit(model, steady, steepest, t.time_step);
     if (!(limit.shortest > t.time_step))

@@ -52,6 +52,10 @@ namespace squeal
     /** dmu/d|v_t|, s/m; at a point of a table the mean of both sides', by which
      * small vibrations about it grow. */
     double slope(const double slip_rate) const;
+    /** The largest -dmu/d|v_t| between rest and @p slip_rate, m/s, in s/m; 0
+     * where the coefficient does not fall, and where all slip rates have one.
+     */
+    double steepest_fall(const double slip_rate) const;
     /** What the tangential force of a node that sticks is limited by. */
     double at_rest() const;
 

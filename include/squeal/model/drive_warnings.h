@@ -15,12 +15,6 @@ namespace squeal
    * the start, and a trigger while a load still comes on. */
   void warn_of_drive(const Parameters &parameters, RunLog &log);
 
-  /** The steepest fall of the law of friction of @p contact between rest and
-   * @p slip_rate, m/s: -dmu/dv, s/m; 0 where it does not fall, and where one
-   * coefficient holds for all slip rates. */
-  double steepest_fall(const ContactParameters &contact,
-                       const double             slip_rate);
-
   /** Warns where friction falls with the slip rate and the steps of the reduced
    * integrator are so short that its lag holds no node, see lag_limit(). @p
    * steady is that of @p pressed. */
