@@ -4,6 +4,7 @@
 // of unstable ranges, the errors of the basis.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/base/worst_of.h>
 #include <squeal/eigen/unstable_pair.h>
 #include <squeal/parameters/entry_traits.h>
 #include <squeal/results/chart.h>
@@ -160,11 +161,25 @@ namespace squeal
         }
       if (chart.series.empty())
         {
-          chart.y.lower = -1.;
-          chart.y.upper = 1.;
-          ChartSeries s = series("no unstable range", Ink::grey, Style::lines);
-          s.x           = {model.grid().lower(0), model.grid().upper(0)};
-          s.y           = {-0.5, -0.5};
+          // What damps least, in its place.
+          ChartSeries s =
+            series("largest, no unstable range", Ink::grey, Style::lines);
+          double size = 0.;
+          for (const auto &p : line.points)
+            if (p.pairs.size() > 0)
+              {
+                s.x.push_back(p.coordinate);
+                s.y.push_back(p.pairs.lambda.real().maxCoeff());
+                size = worst_of(size, std::abs(s.y.back()));
+              }
+          // Undamped pairs have nothing but rounding.
+          if (!(size > growth_as_good_as_zero * model.band().highest))
+            {
+              chart.y.lower = -1.;
+              chart.y.upper = 1.;
+            }
+          chart.x.lower = model.grid().lower(0);
+          chart.x.upper = model.grid().upper(0);
           chart.series.push_back(s);
         }
       return chart;
