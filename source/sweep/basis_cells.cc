@@ -226,16 +226,16 @@ namespace squeal
     // V holds in part may have an eigenvalue anywhere.
     const unsigned int n_kept = cell.turn.cols();
     const auto smallest = [&](const unsigned int from, const auto &is_enough) {
-      for (unsigned int n = std::min(from, n_kept);;
-           n              = std::min(n + basis_step, n_kept))
+      unsigned int n = std::min(from, n_kept);
+      while (!std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
+        return is_enough(error(n, i));
+      }))
         {
-                       if (std::all_of(own.begin(), own.end(), [&](const unsigned int i) {
-                return is_enough(error(n, i));
-              }))
-            return n;
           if (n == n_kept)
             return n_kept + 1;
+          n = std::min(n + basis_step, n_kept);
         }
+      return n;
     };
     const unsigned int n =
       smallest(smallest_basis, [&](const WorstError &worst) {
