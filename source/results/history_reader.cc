@@ -49,8 +49,8 @@ namespace squeal
      * Whether the 512 bytes in front of the HDF5 part of a file are those of a
      * history of squeal (sealed_file.h) with a damaged mark, so that
      * is_sealed_file() does not know it: at least half of the bytes of the mark
-     * are there, or one of the words behind it, or all are zero, as no writer
-     * leaves them. Blocks of other programs (MATLAB) are none.
+     * are there, or one of the words behind it. Blocks of other programs
+     * (MATLAB), and empty ones as HDF5 itself makes them, are none.
      */
     bool
     has_damaged_mark(const std::string &path)
@@ -72,8 +72,7 @@ namespace squeal
         n_alike += block[i] == mark[i];
       return 2 * n_alike >= mark.size() ||
              block.find(" bytes\n") != std::string::npos ||
-             block.find("checksum ") != std::string::npos ||
-             block.find_first_not_of('\0') == std::string::npos;
+             block.find("checksum ") != std::string::npos;
     }
 
 

@@ -22,6 +22,8 @@ namespace squeal
     /** Directions of a cell that shift its eigenvalues by less, relative, are
      * left out. */
     constexpr double cell_floor = 1e-13;
+    /** Of the lower end of the band, below which snapshots count alike. */
+    constexpr double least_of_band = 0.01;
 
     constexpr unsigned int most_cells = 64;
 
@@ -125,9 +127,11 @@ namespace squeal
   double
   BasisBuilder::weight_of(const std::complex<double> lambda) const
   {
-    // Below the band an error counts by what it is to the band: that of a free
-    // motion, 0 but for rounding, would count more than all the rest.
-    return 1. / std::max(std::abs(lambda), 2. * M_PI * options.band.lowest);
+    // That of a free motion, 0 but for rounding, would count more than all the
+    // rest. What is held counts in full, below the band as well: a basis that
+    // holds a low mode in part has an eigenvalue for it inside the band.
+    const double least = least_of_band * 2. * M_PI * options.band.lowest;
+    return 1. / std::max(std::abs(lambda), least);
   }
 
   std::vector<unsigned int>

@@ -277,9 +277,8 @@ namespace
         check(of(wrong).find("is damaged") != std::string::npos,
               "a bit of byte " + std::to_string(i) + " is refused");
       }
-    check(of(std::string(512, '\0') + bytes.substr(512)).find("is damaged") !=
-            std::string::npos,
-          "an empty block is refused");
+    check(of(std::string(512, '\0') + bytes.substr(512)).empty(),
+          "an empty block, as HDF5 itself makes it, is none");
     std::string other = "MATLAB 7.3 MAT-file, Platform: GLNXA64";
     other.resize(512, ' ');
     check(of(other + bytes.substr(512)).empty(), "a block of others is none");

@@ -110,8 +110,8 @@ namespace squeal
     /** Throws InputError where motions at 0 Hz belong to the band. */
     void require_held(const UndampedModes &modes, const double shift) const;
     std::vector<ModelCell> make_cells() const;
-    /** Weight of an error of @p lambda: 1 / |lambda|, in s, at most that of the
-     * lower end of the band. */
+    /** Weight of an error of @p lambda: 1 / |lambda|, in s, at most that of a
+     * hundredth of the lower end of the band. */
     double weight_of(const std::complex<double> lambda) const;
     /** Numbers of the training points in and around @p cell. */
     std::vector<unsigned int> training_near(const ModelCell &cell) const;
