@@ -16,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -94,10 +95,11 @@ namespace
       const std::size_t               first,
       const std::size_t               end)
   {
+    const std::size_t n_all =
+      std::accumulate(n_nodes.begin(), n_nodes.end(), std::size_t(0));
     for (std::size_t k = first; k < end; ++k)
       {
-        stream.append(StatusChange{
-          1e-5 * k, k % (n_nodes[0] + n_nodes[1]), ContactStatus::slip});
+        stream.append(StatusChange{1e-5 * k, k % n_all, ContactStatus::slip});
         stream.append(samples(k, n_nodes));
       }
   }
