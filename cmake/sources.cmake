@@ -235,8 +235,10 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc
     source/transient/run_in.cc
+    source/transient/sliding_flexibility.cc
     source/transient/slow_part.cc
     source/transient/spectrum.cc
+    source/transient/statics_by_part.cc
     source/transient/steady_sliding.cc
     source/transient/time_step_error.cc
     source/transient/turning_inertia.cc)

@@ -162,6 +162,14 @@ namespace squeal
     }
     if (is_state_of_moving())
       reduced = frequencies_alone(*basis, contact_nodes);
+    else if (flexibility == Flexibility::of_sliding_by_part)
+      {
+        Timers::Section section(timers, "Solve: contact flexibility");
+        const Block     loads = loads_of(scene);
+        by_part               = std::make_shared<const StaticsByPart>(
+          separated.system, scene, *basis, cut_off, contact_nodes, loads);
+        reduced = by_part->at(scene, loads, contact_nodes).value();
+      }
     else
       {
         Timers::Section section(timers, "Solve: contact flexibility");
@@ -220,6 +228,7 @@ namespace squeal
     , cut_off(other.cut_off)
     , interface_cut_off(other.interface_cut_off)
     , flexibility(other.flexibility)
+    , by_part(other.by_part)
   {
     reduced.turn_back(contact_nodes.turned_back_from(other.contact_nodes));
     reduced.speed_ratio = contact_nodes.speed_ratio();
@@ -232,6 +241,33 @@ namespace squeal
     if (moving)
       result.moving = std::make_shared<const MovingScene>(*moving, p, timers);
     return result;
+  }
+
+  std::optional<PressedModel>
+  PressedModel::with_moduli(const Parameters &p) const
+  {
+    if (!by_part)
+      return std::nullopt;
+    PressedModel result(*this, p);
+    const Block  loads = loads_of(p.scene);
+    auto         model = by_part->at(p.scene, loads, result.contact_nodes);
+    if (!model)
+      return std::nullopt;
+    result.reduced = std::move(*model);
+    result.load    = loads.rowwise().sum();
+    // Those of other moduli are not there: nothing of it can move.
+    result.pencil.reset();
+    result.basis.reset();
+    return result;
+  }
+
+  Block
+  PressedModel::loads_of(const SceneParameters &of) const
+  {
+    Block loads(load.rows(), of.loads.size());
+    for (std::size_t i = 0; i < of.loads.size(); ++i)
+      loads.col(i) = force_of(of.loads[i]).col(0);
+    return loads;
   }
 
   NodalFriction

@@ -69,6 +69,22 @@ namespace squeal
   }
 
 
+  PressedModel
+  pressed_for_many_states(const Parameters &parameters,
+                          const Model      &model,
+                          Timers           &timers)
+  {
+    // The state of a held support is that of another scene.
+    return pressed_model_of(parameters,
+                            model,
+                            cut_off_of_statics(parameters),
+                            timers,
+                            0.,
+                            has_held_support(parameters.scene)
+                              ? Flexibility::of_sliding
+                              : Flexibility::of_sliding_by_part);
+  }
+
 
   std::vector<ContactStates>
   preload_states(const PressedModel &pressed,

@@ -3,6 +3,8 @@
 #include <squeal/eigen/mass_basis.h>
 #include <squeal/transient/reduced_contact_model.h>
 
+#include "sliding_flexibility.h"
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -259,46 +261,6 @@ namespace squeal
 
   namespace
   {
-    /** Shift over cut-off: an error of 6e-8 of the flexibility, while rigid
-     * motions, which are taken out again, stand 2e7 above the modes left. */
-    constexpr double shift_of_sliding = 2.5e-4;
-
-    /** B A B^T with forces along and across the sliding only at nodes that are
-     * at rest, three rows a node; see Flexibility::of_sliding. */
-    Eigen::MatrixXd
-    flexibility_of_sliding(const ResidualResponse &residual_response,
-                           const Functionals      &B,
-                           const ContactNodes     &nodes)
-    {
-      std::vector<unsigned int> solved, sliding;
-      for (const ContactPair &pair : nodes.pairs())
-        for (unsigned int j = pair.first; j < pair.first + pair.n_nodes(); ++j)
-          {
-            solved.push_back(3 * j);
-            if (pair.slides())
-              sliding.push_back(j);
-            else
-              solved.insert(solved.end(), {3 * j + 1, 3 * j + 2});
-          }
-      const Eigen::Index n = B.n_rows(), n_solved = solved.size();
-      Eigen::MatrixXd    unit = Eigen::MatrixXd::Zero(n, n_solved);
-      for (Eigen::Index k = 0; k < n_solved; ++k)
-        unit(solved[k], k) = 1.;
-      const Eigen::MatrixXd columns =
-        B.apply(residual_response.approximate(B.apply_transposed(unit)));
-
-      Eigen::MatrixXd G          = Eigen::MatrixXd::Zero(n, n);
-      G(Eigen::all, solved)      = columns;
-      G(solved, Eigen::all)      = columns.transpose();
-      const Eigen::MatrixXd both = columns(solved, Eigen::all);
-      G(solved, solved)          = 0.5 * (both + both.transpose());
-      for (const unsigned int i : sliding)
-        for (const unsigned int j : sliding)
-          for (const unsigned int along : {1, 2})
-            G(3 * i + along, 3 * j + along) = G(3 * i, 3 * j);
-      return G;
-    }
-
     /** Sets the columns of @p observers that hold NaN on some rank to zero, as
      * no system may be solved with them, and says which hold none. */
     std::vector<bool>
@@ -386,7 +348,11 @@ namespace squeal
         model.residual_coupling      = std::move(residual.coupling);
       }
     else
-      model.flexibility = flexibility_of_sliding(residual_response, B, nodes);
+      {
+        const SlidingFlexibility sliding(nodes);
+        model.flexibility = sliding.complete(B.apply(
+          residual_response.approximate(B.apply_transposed(sliding.forces()))));
+      }
     // Springs give way: their compliance adds to that of the bodies.
     model.flexibility.diagonal() += nodes.compliance();
     model.load_motion = B.apply(residual_response(load));

@@ -7,9 +7,11 @@
 #include <squeal/model/model.h>
 #include <squeal/model/open_scene.h>
 #include <squeal/transient/full_transient.h>
+#include <squeal/transient/statics_by_part.h>
 #include <squeal/transient/steady_sliding.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace squeal
@@ -81,8 +83,13 @@ namespace squeal
     PressedModel with_friction(const std::vector<double> &of_pairs) const;
     /** The same bodies under the same loads, which slide at the speeds, in the
      * directions and with the friction of @p parameters; they are kept. */
-    PressedModel  with_sliding(const Parameters &parameters,
-                               Timers           &timers) const;
+    PressedModel with_sliding(const Parameters &parameters,
+                              Timers           &timers) const;
+    /** The same scene with the moduli, the sliding and the sizes of the loads
+     * of @p parameters, which are kept, for the states of steady sliding alone.
+     * Of pressed_for_many_states() only; empty where these differ in more than
+     * StaticsByPart takes. Collective. */
+    std::optional<PressedModel> with_moduli(const Parameters &parameters) const;
     NodalFriction sliding_friction() const; /**< in steady sliding */
     /** The largest sliding speed of a pair, m/s, that the speeds of nodes are
      * measured by. */
@@ -125,6 +132,8 @@ namespace squeal
 
   private:
     PressedModel(const PressedModel &other, const Parameters &parameters);
+    /** A column for every load of @p scene, N. */
+    Block loads_of(const SceneParameters &scene) const;
     /** Whether all that is asked of this scene, whose support is held, is the
      * state, which is that of the guided scene. */
     bool                          is_state_of_moving() const;
@@ -139,9 +148,10 @@ namespace squeal
     Block                                 load, observed; /**< nodal forces */
     std::function<Block(const LoadParameters &)> force_of;
     Eigen::VectorXd struck; /**< velocities of a disturbance, of unit size */
-    ReducedContactModel reduced;
-    double              cut_off, interface_cut_off;
-    Flexibility         flexibility;
+    ReducedContactModel                  reduced;
+    double                               cut_off, interface_cut_off;
+    Flexibility                          flexibility;
+    std::shared_ptr<const StaticsByPart> by_part; /**< or null */
     struct MovingScene;
     std::shared_ptr<const MovingScene> moving; /**< of held supports */
   };
@@ -182,6 +192,12 @@ namespace squeal
   PressedModel pressed_for_states(const Parameters &parameters,
                                   const Model      &model,
                                   Timers           &timers);
+
+  /** The same, from which PressedModel::with_moduli() makes those of other
+   * moduli and loads. */
+  PressedModel pressed_for_many_states(const Parameters &parameters,
+                                       const Model      &model,
+                                       Timers           &timers);
 
   /** The parameters without damping, which steady sliding does not feel: it may
    * be of a kind that motions in time cannot have. */

@@ -141,7 +141,10 @@ namespace squeal
      * the work. Where a target slides friction has the direction of the
      * sliding, whatever the faces move along themselves: what forces along the
      * faces move there is taken from the normals, which keeps G positive. */
-    of_sliding
+    of_sliding,
+    /** The same part by part, so that other moduli and loads ask for no other
+     * solution; see StaticsByPart. */
+    of_sliding_by_part
   };
 
   /**

@@ -106,24 +106,46 @@ namespace squeal
     {
       PressedCondition(const Parameters &p, Timers &timers)
         : parameters(without_damping(p))
-        , open(parameters, timers, {}, Model::Contacts::open)
-        , pressed(pressed_for_states(parameters, open, timers))
+        , open(std::make_unique<Model>(parameters,
+                                       timers,
+                                       std::vector<ContactStates>(),
+                                       Model::Contacts::open))
+        , pressed(pressed_for_many_states(parameters, *open, timers))
       {
       }
-      const Parameters   parameters;
-      const Model        open;
-      const PressedModel pressed;
+
+      const Parameters                   parameters;
+      const std::unique_ptr<const Model> open;
+      const PressedModel                 pressed;
     };
 
-    std::vector<ContactStates>
-    states_of(const Parameters       &here,
-              const PressedCondition &pressed,
-              Timers                 &timers)
+    /** The contact of steady sliding under one condition after another. */
+    class PressedConditions
     {
-      const Parameters undamped = without_damping(here);
-      return preload_states(
-        pressed.pressed.with_sliding(undamped, timers), undamped, timers);
-    }
+    public:
+      /** @p bodies: the same number under conditions whose bodies and loads are
+       * the same. */
+      std::vector<ContactStates>
+      states(const Parameters &here, const std::size_t bodies, Timers &timers)
+      {
+        if (!has_preload_state(here.scene))
+          return {};
+        const Parameters undamped = without_damping(here);
+        if (first)
+          if (const auto other = first->pressed.with_moduli(undamped))
+            return preload_states(*other, undamped, timers);
+        if (first && bodies == bodies_of_first)
+          return preload_states(
+            first->pressed.with_sliding(undamped, timers), undamped, timers);
+        first.emplace(here, timers);
+        bodies_of_first = bodies;
+        return preload_states(first->pressed, undamped, timers);
+      }
+
+    private:
+      std::optional<PressedCondition> first;
+      std::size_t                     bodies_of_first = 0;
+    };
 
     ConditionPairs
     pairs_of(const SolvedScene        &scene,
@@ -153,22 +175,21 @@ namespace squeal
     {
       std::vector<ConditionPairs> result(all.size());
       std::size_t                 n_done = 0;
+      PressedConditions           pressed;
+      std::size_t                 n_groups = 0;
       for (const auto &[key, members] : with_same_bodies(all))
         {
-          std::optional<PressedCondition> pressed;
-          std::unique_ptr<SolvedScene>    first;
+          ++n_groups;
+          std::unique_ptr<SolvedScene> first;
           for (const std::size_t k : members)
             {
               context.log.heading(text_of(all[k]) + ", " +
                                   std::to_string(++n_done) + " of " +
                                   std::to_string(all.size()));
               const Parameters here = parameters_of(context.parameters, all[k]);
-              if (!pressed && has_preload_state(here.scene))
-                pressed.emplace(here, context.timers);
-              auto scene = std::make_unique<SolvedScene>(
+              auto             scene = std::make_unique<SolvedScene>(
                 here,
-                pressed ? states_of(here, *pressed, context.timers)
-                        : std::vector<ContactStates>(),
+                pressed.states(here, n_groups, context.timers),
                 first.get(),
                 context.log,
                 context.timers);
