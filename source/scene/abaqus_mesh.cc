@@ -138,24 +138,32 @@ namespace squeal
       text.fail_at(
         n, "instance " + prm::in_quotes(open_instance) + " is there twice");
     draft = it->second;
-    Tensor<1, 3>          shift;
-    std::array<double, 7> turn{};
-    if (next_data())
-      {
-        for (unsigned int c = 0; c < 3; ++c)
-          shift[c] = real(c, "translation");
-        if (next_data())
-          {
-            if (fields.size() != 7)
-              text.fail("a rotation has 7 numbers: two points and an angle");
-            for (unsigned int c = 0; c < 7; ++c)
-              turn[c] = real(c, "rotation");
-            if (turn[0] == turn[3] && turn[1] == turn[4] && turn[2] == turn[5])
-              text.fail("the two points of the rotation's axis are the same");
-          }
-      }
-    place_instance(draft, shift, turn);
+    read_place();
     current = &draft;
+  }
+
+  void
+  AbaqusReader::read_place()
+  {
+    place = {};
+    if (!next_data())
+      return;
+    if (fields.size() > 3)
+      text.fail("a translation has 3 numbers; a rotation stands in the line "
+                "behind it");
+    for (unsigned int c = 0; c < 3; ++c)
+      place.shift[c] = real(c, "translation");
+    if (!next_data())
+      return;
+    auto &turn = place.turn;
+    if (fields.size() != 7)
+      text.fail("a rotation has 7 numbers: two points and an angle");
+    for (unsigned int c = 0; c < 7; ++c)
+      turn[c] = real(c, "rotation");
+    if (turn[0] == turn[3] && turn[1] == turn[4] && turn[2] == turn[5])
+      text.fail("the two points of the rotation's axis are the same");
+    if (next_data())
+      text.fail("an instance has a translation and a rotation, no third line");
   }
 
   void
@@ -163,6 +171,8 @@ namespace squeal
   {
     if (open_instance.empty())
       text.fail_at(keyword.line, "*END INSTANCE without *INSTANCE");
+    // Its own nodes move with those of the part.
+    place_instance(draft, place);
     resolve_sections(draft);
     Instance  &instance      = instances[upper_case(open_instance)];
     const auto first_node    = model.points.size(),

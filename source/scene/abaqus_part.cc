@@ -113,16 +113,15 @@ namespace squeal
 
 
   void
-  place_instance(AbaqusPart                  &part,
-                 const Tensor<1, 3>          &shift,
-                 const std::array<double, 7> &turn)
+  place_instance(AbaqusPart &part, const InstancePlace &place)
   {
+    const auto        &turn = place.turn;
     const Point<3>     a(turn[0], turn[1], turn[2]);
     const Tensor<1, 3> axis  = Point<3>(turn[3], turn[4], turn[5]) - a;
     const double       angle = turn[6] * (M_PI / 180.);
     for (auto &x : part.points)
       {
-        x += shift;
+        x += place.shift;
         if (angle == 0.)
           continue;
         const Tensor<1, 3> e = axis / axis.norm(), r = x - a,

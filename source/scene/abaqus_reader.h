@@ -68,6 +68,7 @@ namespace squeal
                                       const bool         of_nodes,
                                       const std::string &instance) const;
     void                      read_surface();
+    void                      read_place();
     void                      read_section();
     void                      resolve_sections(AbaqusPart &part) const;
     void                      read_elastic();
@@ -85,6 +86,7 @@ namespace squeal
     bool                              ends_with_comma = false;
     MeshFile                          file;
     AbaqusPart                        model, draft;
+    InstancePlace                     place; /**< of the draft */
     AbaqusPart                       *current = &model;
     std::string                       open_part, open_instance;
     bool                              is_assembly_open = false;

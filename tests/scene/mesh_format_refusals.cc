@@ -135,6 +135,12 @@ ENDDATA
       spoilt("*Node",
              std::string(keyword) + "\n*Node",
              std::string(full) + " is not read");
+    spoilt("1., 0., 0.\n*End Instance",
+           "0., 0., 0., 0., 0., 1., 90.\n*End Instance",
+           "a translation has 3 numbers; a rotation stands in the line behind");
+    spoilt("1., 0., 0.\n*End Instance",
+           "1., 0., 0.\n0., 0., 0., 0., 0., 1., 90.\n1.,\n*End Instance",
+           "an instance has a translation and a rotation, no third line");
     spoilt("*Node", "*MAT\n*Node", "*MAT may be short for *");
     spoilt("*Surface", "*SURF", "SURFACE: spell it out");
     spoilt("*Part", "*ENDPART\n*Part", "*END PART without *PART");

@@ -241,6 +241,19 @@ Cube-1.20, S2
           if (name == "Cube-2.Side")
             check(std::abs(x[1] - 1.) < 1e-14, "and so are its faces");
         }
+    // The same nodes inside the instance, of a part without any.
+    const std::string nodes =
+      instances.substr(instances.find("*NODE"),
+                       instances.find("*End Part") - instances.find("*NODE"));
+    const std::string independent =
+      "*Part, name=Cube\n*End Part\n*Assembly, name=A\n"
+      "*Instance, name=Cube-2, part=Cube\n10., 0., 0.\n"
+      "10., 0., 0., 10., 0., 1., 90.\n" +
+      nodes + "*End Instance\n*End Assembly\n";
+    const BodyMesh meshed =
+      mesh_of(independent, Shape::abaqus, "Cube-2", {"Cube-2.Side"});
+    check(meshed.vertices == second.vertices,
+          "nodes of an instance stand where those of its part would");
     check(mesh_of(instances, Shape::abaqus, "one", {"mixed"}).cells.size() == 1,
           "a set of the assembly names elements of an instance");
   }

@@ -53,12 +53,15 @@ namespace squeal
                     const AbaqusPart  &part,
                     const std::string &name);
 
-  /** Moves the points of an instance, then turns them by an angle about the
-   * axis from one point to another. @p turn: the two points and the angle in
-   * degrees. */
-  void place_instance(AbaqusPart                  &part,
-                      const dealii::Tensor<1, 3>  &shift,
-                      const std::array<double, 7> &turn);
+  /** Where an instance stands in its assembly. */
+  struct InstancePlace
+  {
+    dealii::Tensor<1, 3>  shift;  /**< m */
+    std::array<double, 7> turn{}; /**< two points of the axis, m; degrees */
+  };
+
+  /** Shifts the points of an instance, then turns them by the right hand. */
+  void place_instance(AbaqusPart &part, const InstancePlace &place);
 
   /** Makes a mesh file of a whole model: groups of sets and surfaces. Of the
    * sets of nodes those that @p wanted names; of surfaces, too, unless it is
