@@ -156,11 +156,31 @@ namespace squeal
       return system.reduce ? *system.reduce(plain) : plain;
     }
 
+    /** Shares below this are rounding. */
+    constexpr double rounding_of_weights = 1e-10;
+
+    /** What of the unit vector @p direction the weights of a side have not: the
+     * share of what supports hold, which has no unknown. */
+    dealii::Tensor<1, 3>
+    held_share(const Functionals::Row          &row,
+               const dealii::Tensor<1, 3>      &direction,
+               const std::vector<NodeTableRow> &unknowns)
+    {
+      dealii::Tensor<1, 3> share = direction;
+      for (const auto &[dof, weight] : row)
+        if (const unsigned int c = unknowns[dof].label.component;
+            c >= 1 && c <= 3)
+          share[c - 1] -= weight;
+      return share;
+    }
+
     void
-    write_contact(std::ostream          &out,
-                  const Model           &model,
-                  const std::string     &name,
-                  const ContactGeometry &g)
+    write_contact(std::ostream                    &out,
+                  const Model                     &model,
+                  const std::string               &name,
+                  const ContactGeometry           &g,
+                  const std::vector<NodeTableRow> &unknowns,
+                  const bool                       has_target)
     {
       const auto &space = model.discretization()->space();
       for (unsigned int k = 0; k < 3; ++k)
@@ -177,21 +197,32 @@ namespace squeal
                       target ? g.target_rows : g.source_rows,
                       directions,
                       space);
+              if (target && !has_target)
+                continue;
               for (std::size_t j = 0; j < g.points.size(); ++j)
-                for (const auto &[dof, weight] : rows.rows()[j])
-                  if (weight != 0.)
-                    {
-                      out << name << ',' << j + 1 << ','
-                          << (target ? "target" : "source") << ','
-                          << (k == 0   ? "normal"
-                              : k == 1 ? "sliding"
-                                       : "transverse")
-                          << ',' << dof + 1 << ',' << shortest_text(weight);
-                      for (unsigned int c = 0; c < 3; ++c)
-                        out << ',' << shortest_text(g.points[j][c]);
-                      out << ',' << shortest_text(g.areas[j]) << ','
-                          << shortest_text(g.speed_ratio[j]) << '\n';
-                    }
+                {
+                  const auto write = [&](const std::string &unknown,
+                                         const double       weight) {
+                    out << name << ',' << j + 1 << ','
+                        << (target ? "target" : "source") << ','
+                        << (k == 0   ? "normal"
+                            : k == 1 ? "sliding"
+                                     : "transverse")
+                        << ',' << unknown << ',' << shortest_text(weight);
+                    for (unsigned int c = 0; c < 3; ++c)
+                      out << ',' << shortest_text(g.points[j][c]);
+                    out << ',' << shortest_text(g.areas[j]) << ','
+                        << shortest_text(g.speed_ratio[j]) << '\n';
+                  };
+                  const Functionals::Row &row = rows.rows()[j];
+                  for (const auto &[dof, weight] : row)
+                    if (weight != 0.)
+                      write(std::to_string(dof + 1), weight);
+                  const auto held = held_share(row, directions[j], unknowns);
+                  for (unsigned int c = 0; c < 3; ++c)
+                    if (std::abs(held[c]) > rounding_of_weights)
+                      write(std::string("held ") + "xyz"[c], held[c]);
+                }
             }
         }
     }
@@ -326,7 +357,12 @@ namespace squeal
         out
           << "contact,pair,side,direction,dof,weight,x,y,z,area,speed_ratio\n";
         for (std::size_t i = 0; i < scene.contacts.size(); ++i)
-          write_contact(out, model, scene.contacts[i].name, system.contacts[i]);
+          write_contact(out,
+                        model,
+                        scene.contacts[i].name,
+                        system.contacts[i],
+                        unknowns,
+                        scene.contacts[i].target_body != "ground");
       });
     write_atomically(context.output.file(folder + "/scene.prm"),
                      [&](std::ostream &out) { write_prm(out, scene); });

@@ -81,17 +81,25 @@ namespace squeal
                const std::string &file,
                Pair              &pair)
       {
-        const unsigned int dof    = find_dof(term, numbering, file);
-        const bool         target = term.side == Side::target;
-        const double       weight = target ? term.weight : -term.weight;
-        RowTerms &row = pair[static_cast<unsigned int>(term.direction)];
-        if (!row.weights.emplace(dof, weight).second)
-          throw InputError(place(file, term.line) + numbering.describe(dof) +
-                           " is given twice in the " + name_of(term.direction) +
-                           " row of pair " + std::to_string(term.pair));
-        const unsigned int component =
-          numbering.labels().empty() ? 0 : numbering.labels()[dof].component;
-        row.sides[target ? 1 : 0].emplace(dof, term.weight);
+        const bool   target = term.side == Side::target;
+        const double weight = target ? term.weight : -term.weight;
+        RowTerms    &row    = pair[static_cast<unsigned int>(term.direction)];
+        unsigned int component = term.label.component;
+        if (!term.is_held)
+          {
+            const unsigned int dof = find_dof(term, numbering, file);
+            if (!row.weights.emplace(dof, weight).second)
+              throw InputError(
+                place(file, term.line) + numbering.describe(dof) +
+                " is given twice in the " + name_of(term.direction) +
+                " row of pair " + std::to_string(term.pair));
+            row.sides[target ? 1 : 0].emplace(dof, term.weight);
+            component = numbering.labels().empty()
+                          ? 0
+                          : numbering.labels()[dof].component;
+          }
+        else if (numbering.labels().empty())
+          component = 0;
         if (!target && component >= 1 && component <= 3)
           row.direction[component - 1] += term.weight;
         row.sums[component] += weight;
@@ -118,7 +126,9 @@ namespace squeal
               " do not add up to the same" +
               (component == 0 ? ""
                               : " in component " + std::to_string(component)) +
-              ": a rigid translation would act on the contact");
+              ": a rigid translation would act on the contact, or the "
+              "share of unknowns that supports hold ('held x', 'held y', "
+              "'held z') is missing");
       }
 
       void

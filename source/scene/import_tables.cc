@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace squeal
@@ -242,6 +243,32 @@ namespace squeal
         term.speed_ratio = table.real("speed_ratio");
       require_positive(table, term.speed_ratio, "speed ratio");
     }
+
+    /** 1 to 3 of "held x" to "held z". */
+    std::optional<unsigned int>
+    held_axis(const std::string &text)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        if (text == std::string("held ") + "xyz"[c])
+          return c + 1;
+      return std::nullopt;
+    }
+
+    /** The unknown of a line: by its number, by node and component, or one that
+     * supports hold. */
+    void
+    read_unknown(const Table &table, const bool has_labels, ContactTerm &term)
+    {
+      const std::string &text = table.text(has_labels ? "node" : "dof");
+      const auto         axis = held_axis(text);
+      term.is_held            = axis.has_value();
+      if (axis)
+        term.label.component = *axis;
+      else if (has_labels)
+        term.label = table.label();
+      else
+        term.dof = table.dof();
+    }
   } // namespace
 
 
@@ -267,10 +294,7 @@ namespace squeal
         term.pair      = table.integer("pair");
         term.side      = read_side(table);
         term.direction = read_direction(table);
-        if (has_labels)
-          term.label = table.label();
-        else
-          term.dof = table.dof();
+        read_unknown(table, has_labels, term);
         term.weight = table.real("weight");
         term.line   = table.file.line_number();
         if (table.has("stiffness_factor"))

@@ -323,6 +323,14 @@ namespace
                      sliding,
                    "pairs.csv:4: the normal weights of target and source of "
                    "pair 1 do not add up to the same");
+    refuse_pattern("shares of what is held on an axis that is none",
+                   "1,target,normal,held w,.6\n",
+                   "pairs.csv:2");
+    // The same sum with what supports hold of it: the next fault is named.
+    refuse_pattern("sides that balance with what is held",
+                   "1,target,normal,1,.6\n1,target,normal,held z,.4\n"
+                   "1,source,normal,3,1\n",
+                   "pair 1 has no sliding row");
   }
 } // namespace
 

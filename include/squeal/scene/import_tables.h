@@ -66,7 +66,10 @@ namespace squeal
     /** Number of the unknown, from 1, or 0 where it has a name. */
     long     dof = 0;
     DofLabel label;
-    double   weight = 0.;
+    /** Whether supports hold the unknown: it is not in the matrices, and has a
+     * component alone. */
+    bool   is_held = false;
+    double weight  = 0.;
     /** Multiplies the normal stiffness of the pair. */
     double stiffness_factor = 1.;
     /** Contact pair of the scene that the point pair belongs to; empty where
@@ -91,7 +94,9 @@ namespace squeal
    *
    * so that the normal row is the approach z_d - z_p of the two faces, normal
    * pointing out of the target, and the sliding row is the displacement of the
-   * target against the source along the target's motion.
+   * target against the source along the target's motion. `held x`, `held y` or
+   * `held z` in the place of the number or node is the share of unknowns that
+   * supports hold, which are not in the matrices.
    *
    * With @p of_contacts, for scenes that name their contacts, there are the
    * columns contact, x, y, z and area in place of the stiffness factor, and
