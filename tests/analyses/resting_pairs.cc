@@ -190,6 +190,39 @@ namespace
                0.,
                "a frequency response has the same");
   }
+
+  /** The stop alone presses the pad, up to the limit of friction; the slab
+   * carries it without. */
+  void
+  pressed_to_the_limit()
+  {
+    const std::string loaded  = braced_pad + R"(
+subsection Scene
+  set Loads = press
+  subsection Load press
+    set Body  = pad
+    set Face  = z_max
+    set Force = 150, 60, -60
+  end
+end
+)";
+    const Settings    at_rest = {"Scene/Contact c/Sliding speed = 0",
+                                 "Scene/Contact c/Friction coefficient = 0",
+                                 "Scene/Contact c/Contact state = preload"},
+                   pressed =
+                     joined(at_rest, {stop + "Contact state = preload"});
+    const Table way =
+      table_of(loaded, joined(pressed, {"Analysis = preload"}), "preload.csv");
+    const std::size_t last = way.n_rows() - 1;
+    check(way.real(last, "a_n_slip") > 0. && way.real(last, "a_n_open") == 0.,
+          "nodes of the abutment have slipped on the way, and none opens");
+    const Table pairs = pairs_of(loaded, pressed);
+    check(n_unstable(pairs) == 0, "nothing grows at rest");
+    same_pairs(
+      pairs,
+      pairs_of(loaded, joined(at_rest, {stop + "Contact state = stick"})),
+      "nodes at the limit of friction stick");
+  }
 } // namespace
 
 int
@@ -199,4 +232,5 @@ main(int argc, char **argv)
   program = argv[1];
   mass_at_rest();
   pad_in_its_abutment();
+  pressed_to_the_limit();
 }
