@@ -279,22 +279,49 @@ namespace squeal
       unknown_choice("friction direction");
     }
 
+    /** Refuses a sliding direction that leaves the face. That of the turning
+     * target does so on facets, and on faces that are no faces of revolution.
+     */
+    void
+    require_sliding_along_face(const ContactParameters &contact,
+                               const Point             &x,
+                               const Vector            &normal,
+                               const Vector            &V)
+    {
+      const double across = std::abs(V * normal) / V.norm();
+      if (across <= normal_speed)
+        return;
+      const std::string head =
+        "contact " + contact.name + ": the sliding direction " +
+        text_of(V / V.norm()) + " at " + text_of(x) +
+        " m is not along the face, whose normal is " + text_of(normal) + ": ";
+      if (contact.friction_direction !=
+          ContactParameters::FrictionDirection::slip)
+        throw InputError(head + "set 'Scene/Contact " + contact.name +
+                         "/Friction direction' to slip, or to given with a "
+                         "'Sliding direction' along the face");
+      const auto degrees = [](const double sine) {
+        return rounded_text(180. / M_PI * std::asin(std::min(sine, 1.)), 2);
+      };
+      throw InputError(
+        head + "the target face '" + contact.target_face + "' of body '" +
+        contact.target_body + "' is " + degrees(across) +
+        " degrees off a face of revolution about the axis of that body, and "
+        "may be " +
+        degrees(normal_speed) +
+        ": facets of a coarse mesh are so; take more cells round the axis or a "
+        "higher 'Discretization/Degree' (mesh files: with mid-side nodes on "
+        "the round face), or mend 'Rotation axis' and 'Rotation centre' or "
+        "'Position' of the body");
+    }
+
     ContactFrame
     frame_of(const ContactParameters &contact,
              const Point             &x,
              const Vector            &normal,
              const Vector            &V)
     {
-      const double across = V * normal / V.norm();
-      if (!(std::abs(across) <= normal_speed))
-        throw InputError(
-          "contact " + contact.name + ": the sliding direction " +
-          text_of(V / V.norm()) + " at " + text_of(x) +
-          " m is not along the face, whose normal is " + text_of(normal) +
-          ": set 'Scene/Contact " + contact.name +
-          "/Friction direction' to slip, or to given with a 'Sliding "
-          "direction' "
-          "along the face");
+      require_sliding_along_face(contact, x, normal, V);
       ContactFrame frame;
       frame.normal  = normal;
       frame.sliding = unit(V - (V * normal) * normal);

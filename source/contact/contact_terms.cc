@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/exceptions.h>
 #include <squeal/contact/contact_terms.h>
 #include <squeal/contact/friction_law.h>
 #include <squeal/contact/spring_stiffness.h>
@@ -42,6 +43,43 @@ namespace squeal
       return w;
     }
   } // namespace
+
+
+
+  ContactStatus
+  status_of_face(const ContactParameters &contact)
+  {
+    if (contact.state == ContactParameters::State::stick)
+      return ContactStatus::stick;
+    return contact.sliding_speed > 0. || FrictionLaw(contact).at_rest() == 0.
+             ? ContactStatus::slip
+             : ContactStatus::stick;
+  }
+
+
+
+  void
+  refuse_other_status(const SceneParameters &scene, AffineSystem &system)
+  {
+    std::vector<ContactStatus> statuses;
+    for (const auto &contact : scene.contacts)
+      statuses.push_back(status_of_face(contact));
+    // Every pencil of the system asks for each of its terms.
+    auto &coefficients = system.terms.front().coefficients;
+    coefficients = [statuses, own = coefficients](const SceneParameters &s) {
+      for (std::size_t i = 0; i < statuses.size(); ++i)
+        if (s.contacts[i].state == ContactParameters::State::full &&
+            status_of_face(s.contacts[i]) != statuses[i])
+          throw InputError(
+            "Scene/Contact " + s.contacts[i].name +
+            "/Contact state: with 'full' the pair sticks at rest ('Sliding "
+            "speed = 0') where it has friction, and is free along the face "
+            "elsewhere, and the values of this analysis have both: leave out "
+            "the speed or the friction coefficient 0, or set 'Contact state "
+            "= preload' with 'Formulation = springs'");
+      return own(s);
+    };
+  }
 
 
 
@@ -97,18 +135,23 @@ namespace squeal
     const NodalShares slope = shares_of_largest(
       [&](const double ratio) { return sliding_slope(contact, ratio); },
       geometry.speed_ratio);
+    // At rest a coefficient that rises from zero damps slip of any direction.
+    std::vector<std::shared_ptr<const Functionals>> directions = {
+      geometry.tangential};
+    if (!(contact.sliding_speed > 0.))
+      directions.push_back(geometry.transverse);
     // Also where it is zero in this scene: sweeps may change that.
-    system.terms.push_back(
-      {"friction slope of " + contact.name,
-       std::make_shared<LowRankMatrix>(geometry.tangential,
-                                       force.cwiseProduct(slope.share),
-                                       geometry.tangential),
-       [number, slope, unit_of_force](const SceneParameters &s) {
-         const auto &c = s.contacts[number];
-         return TermCoefficients{
-           0., unit_of_force(c) * sliding_slope(c, slope.speed_ratio), 0.};
-       },
-       true});
+    for (const auto &rows : directions)
+      system.terms.push_back(
+        {"friction slope of " + contact.name,
+         std::make_shared<LowRankMatrix>(
+           rows, force.cwiseProduct(slope.share), rows),
+         [number, slope, unit_of_force](const SceneParameters &s) {
+           const auto &c = s.contacts[number];
+           return TermCoefficients{
+             0., unit_of_force(c) * sliding_slope(c, slope.speed_ratio), 0.};
+         },
+         true});
   }
 
 

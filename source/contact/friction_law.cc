@@ -291,8 +291,9 @@ namespace squeal
   sliding_slope(const ContactParameters &c, const double speed_ratio)
   {
     const FrictionLaw law(c);
-    return law.is_constant() ? c.friction_slope
-                             : law.slope(c.sliding_speed * speed_ratio);
+    if (law.is_constant()) // whose slope is that of sliding alone
+      return c.sliding_speed > 0. ? c.friction_slope : 0.;
+    return law.slope(c.sliding_speed * speed_ratio);
   }
 
 

@@ -17,12 +17,6 @@ namespace squeal
 {
   namespace
   {
-    bool
-    slips(const ContactParameters &contact)
-    {
-      return contact.state == ContactParameters::State::full;
-    }
-
     /** The nodes of a mortar pair that slip: the sliding there, and what takes
      * the normal force out of the forces on the source nodes. */
     struct MortarContact
@@ -385,8 +379,7 @@ namespace squeal
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {
         const auto         &contact = scene.contacts[i];
-        const ContactStatus status =
-          slips(contact) ? ContactStatus::slip : ContactStatus::stick;
+        const ContactStatus status  = status_of_face(contact);
         if (contact.formulation == ContactParameters::Formulation::springs)
           {
             ContactGeometry g = make_contact_geometry(d, evaluator, contact);
@@ -423,6 +416,7 @@ namespace squeal
     require_known_friction(scene, dependent, mortar_contacts);
     if (!dependent.rows.empty())
       eliminate(result, dependent, mortar_contacts);
+    refuse_other_status(scene, result.system);
     return result;
   }
 

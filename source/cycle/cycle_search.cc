@@ -420,6 +420,47 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** find_cycle(); throws ComputationError where that breaks off. */
+    CycleResult
+    cycle_from_pair(const PeriodMap            &map,
+                    const SteadySliding        &steady,
+                    const LinearizedMotion     &linear,
+                    const Eigen::Index          k,
+                    const LimitCycleParameters &settings)
+    {
+      CycleResult  result;
+      const double period = 2. * M_PI / linear.lambda[k].imag();
+      result.pair         = linear.lambda[k];
+      set_start_amplitudes(
+        change_amplitudes(
+          map,
+          steady,
+          linear,
+          k,
+          stable_steps(map.reduced_model(),
+                       period,
+                       std::max(settings.run_steps, amplitude_steps),
+                       1)),
+        result);
+      MotionState start =
+        state_of_pair(steady, linear, k, settings.start * result.half_change);
+      if (!(settings.run_time > 0.))
+        return of_returns(
+          map, start, {{period, 1.}}, settings, std::move(result), true);
+      const double part =
+        std::max(periods_of_part * period, settings.run_time / most_parts);
+      LeadingRun run(map,
+                     {start, {}, 0.},
+                     run_step(map.reduced_model(), linear, k, settings),
+                     part,
+                     settings.run_time,
+                     shortest_period * period);
+      return along(run, map, settings, std::move(result));
+    }
+  } // namespace
+
   CycleResult
   find_cycle(const PeriodMap            &map,
              const SteadySliding        &steady,
@@ -427,34 +468,19 @@ namespace squeal
              const Eigen::Index          k,
              const LimitCycleParameters &settings)
   {
-    CycleResult  result;
-    const double period = 2. * M_PI / linear.lambda[k].imag();
-    result.pair         = linear.lambda[k];
-    set_start_amplitudes(
-      change_amplitudes(
-        map,
-        steady,
-        linear,
-        k,
-        stable_steps(map.reduced_model(),
-                     period,
-                     std::max(settings.run_steps, amplitude_steps),
-                     1)),
-      result);
-    MotionState start =
-      state_of_pair(steady, linear, k, settings.start * result.half_change);
-    if (!(settings.run_time > 0.))
-      return of_returns(
-        map, start, {{period, 1.}}, settings, std::move(result), true);
-    const double part =
-      std::max(periods_of_part * period, settings.run_time / most_parts);
-    LeadingRun run(map,
-                   {start, {}, 0.},
-                   run_step(map.reduced_model(), linear, k, settings),
-                   part,
-                   settings.run_time,
-                   shortest_period * period);
-    return along(run, map, settings, std::move(result));
+    try
+      {
+        return cycle_from_pair(map, steady, linear, k, settings);
+      }
+    catch (const ComputationError &e)
+      {
+        CycleResult result;
+        result.pair       = linear.lambda[k];
+        result.broken_off = "the search for a limit cycle from the pair at " +
+                            rounded_text(result.pair.imag() / (2. * M_PI), 6) +
+                            " Hz has broken off: " + e.what();
+        return result;
+      }
   }
 
 

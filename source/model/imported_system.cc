@@ -188,17 +188,16 @@ namespace squeal
       {
         ContactGeometry g =
           imported_geometry(system.system.space, model.contacts[i]);
-        const bool sticks =
-          scene.contacts[i].state == ContactParameters::State::stick;
-        const ContactStates all =
-          i < states.size() && !states[i].empty()
-            ? states[i]
-            : ContactStates{uniform_state(
-                g, sticks ? ContactStatus::stick : ContactStatus::slip)};
+        const ContactStates all = i < states.size() && !states[i].empty()
+                                    ? states[i]
+                                    : ContactStates{uniform_state(
+                                        g, status_of_face(scene.contacts[i]))};
         add_spring_contact(scene, i, g, all, system.system);
         system.contacts.push_back(std::move(g));
         system.states.push_back(all.front());
       }
+    if (!model.contacts.empty())
+      refuse_other_status(scene, system.system);
   }
 
 

@@ -400,7 +400,12 @@ namespace squeal
           "contact " + c.name,
           std::to_string(system.contacts[i].points.size()) + " points" +
             (is_rigid ? "" : ", " + rounded_text(1e6 * area, 6) + " mm2") +
-            ", " + text_of_friction(c));
+            ", " + text_of_friction(c) +
+            (what_contacts_do != Contacts::open &&
+                 c.state == ContactParameters::State::full &&
+                 status_of_face(c) == ContactStatus::stick
+               ? ", at rest: sticks"
+               : ""));
       }
     lines.emplace_back("degree of the elements",
                        std::to_string(space->degree()));

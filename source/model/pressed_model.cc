@@ -433,7 +433,14 @@ namespace squeal
     for (const ContactPair &pair : contact_nodes.pairs())
       {
         ContactState state;
-        state.status                 = pair.part(steady.status);
+        state.status = pair.part(steady.status);
+        // Nothing slides there: nodes at the limit of friction, which slipped
+        // on the way, stick to where they are.
+        if (!pair.slides() && FrictionLaw(pair.parameters).at_rest() > 0.)
+          std::replace(state.status.begin(),
+                       state.status.end(),
+                       ContactStatus::slip,
+                       ContactStatus::stick);
         state.in_newtons             = true;
         const Eigen::VectorXd forces = pair.part(steady.forces);
         for (unsigned int j = 0; j < pair.n_nodes(); ++j)

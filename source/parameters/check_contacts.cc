@@ -204,6 +204,11 @@ namespace squeal
                        "Sliding speed",
                        "must be greater than 0 with the 'Transverse slip "
                        "term', which divides by it");
+        if (contact.friction_slope != 0. && !(contact.sliding_speed > 0.))
+          refuse_entry(section,
+                       "Friction slope",
+                       "must be 0 at 'Sliding speed = 0': it is that of "
+                       "sliding, and the pair is at rest");
         check_friction_law(contact, section);
         if (contact.formulation != ContactParameters::Formulation::springs)
           return;

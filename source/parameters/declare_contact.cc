@@ -80,7 +80,10 @@ namespace squeal
                    c.state,
                    "The whole face slips (full) or sticks (stick); 'preload': "
                    "the open, sticking and slipping parts of the steady "
-                   "sliding; in a sweep those of every point of the grid.");
+                   "sliding; in a sweep those of every point of the grid. "
+                   "Where 'Sliding speed = 0' nothing slides: with 'full' the "
+                   "face sticks if it has friction at rest, and without it is "
+                   "free along itself.");
       }
 
 
@@ -177,7 +180,8 @@ namespace squeal
              c.friction_slope,
              Allowed::number(),
              "Slope of the coefficient of friction over the sliding "
-             "speed; negative values feed energy into vibrations.",
+             "speed; negative values feed energy into vibrations. 0 in a pair "
+             "at rest.",
              "s/m")
         .affine();
       schema

@@ -189,6 +189,47 @@ namespace
     refuses(brake_with_plate("plate.msh"),
             {"pad_disc", "is not along the face", "(0, -0.02000, 0.9998)"},
             "sliding that is not along a tilted plate is refused");
+    // Between the nodes of its quadratic arcs a face is not round by 0.1
+    // degrees.
+    refuses(R"(
+set Analysis         = cea
+set Output directory = out
+set Overwrite        = true
+subsection Scene
+  set Bodies   = drum, lining
+  set Contacts = rub
+  subsection Body drum
+    set Shape        = annulus
+    set Inner radius = 0.1
+    set Outer radius = 0.112
+    set Height       = 0.03
+    set Cells        = 12, 1, 1
+  end
+  subsection Body lining
+    set Shape        = annulus
+    set Inner radius = 0.08
+    set Outer radius = 0.1
+    set Height       = 0.03
+    set Cells        = 12, 1, 1
+  end
+  subsection Contact rub
+    set Formulation        = mortar
+    set Source body        = lining
+    set Source face        = outer
+    set Target body        = drum
+    set Target face        = inner
+    set Friction direction = slip
+  end
+end
+subsection Discretization
+  set Degree = 2
+end
+)",
+            {"rub",
+             "is not along the face",
+             "and may be 0.057",
+             "more cells round the axis"},
+            "a face that is not round about the axis is refused");
     write_block(plate, [&](const double x, const double y, const double z) {
       return at(x, y, z + (z > 0. ? 10. * x * x : 0.));
     });

@@ -9,6 +9,22 @@
 namespace squeal
 {
   /**
+   * The status of the whole face of a pair whose contact state is `full` or
+   * `stick`. Nothing slides in a pair at rest (a sliding speed of 0), whatever
+   * its sliding direction: with `full` its face sticks where the law has
+   * friction at rest, and is free along itself (it slips without friction)
+   * where it has none.
+   */
+  ContactStatus status_of_face(const ContactParameters &contact);
+
+  /**
+   * Lets the coefficients of @p system throw InputError for scenes of a sweep
+   * in which a pair has another status_of_face() than in @p scene: the terms
+   * are those of one status.
+   */
+  void refuse_other_status(const SceneParameters &scene, AffineSystem &system);
+
+  /**
    * Adds the contact of pair @p number, linearised about steady sliding, by
    * point springs: normal springs k_n at closed points; at slipping ones the
    * friction mu k_n B_t^T B_n (rows of K: y_d: +mu k_n (z_d - z_p), y_p:

@@ -128,7 +128,7 @@ namespace squeal
   std::string text_of_friction(const ContactParameters &contact);
 
   /** dmu/d|v_t| there, s/m: that of the law, or of a constant law the pair's
-   * own `friction_slope`. */
+   * own `friction_slope`, which pairs at rest do not have. */
   double sliding_slope(const ContactParameters &contact,
                        const double             speed_ratio);
 

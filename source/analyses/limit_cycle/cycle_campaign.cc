@@ -6,7 +6,6 @@
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
-#include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/model/pressed_scene.h>
@@ -121,7 +120,7 @@ namespace squeal
         return text.empty() ? text : text + ": ";
       }
 
-      /** A search that breaks off has not converged. */
+      /** The log says why a search has broken off. */
       CycleResult
       cycle_of(const SteadyModel          &about,
                const LinearizedMotion     &linear,
@@ -129,18 +128,11 @@ namespace squeal
                const LimitCycleParameters &settings)
       {
         Timers::Section section(context.timers, "Solve: limit cycles");
-        try
-          {
-            return find_cycle(
-              period_map_of(about), about.sliding, linear, k, settings);
-          }
-        catch (const ComputationError &e)
-          {
-            context.log.warning(e.what());
-            CycleResult result;
-            result.pair = linear.lambda[k];
-            return result;
-          }
+        CycleResult     result =
+          find_cycle(period_map_of(about), about.sliding, linear, k, settings);
+        if (!result.broken_off.empty())
+          context.log.warning(result.broken_off);
+        return result;
       }
 
       RunContext        &context;

@@ -263,6 +263,8 @@ namespace squeal
       for (const Eigen::Index k : pairs)
         {
           cycles.push_back(find_cycle(map, steady, linear, k, p.limit_cycle));
+          if (!cycles.back().broken_off.empty())
+            context.log.warning(cycles.back().broken_off);
           progress.advance();
         }
     }

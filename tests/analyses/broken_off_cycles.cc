@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Where a motion far above the band grows so fast that it takes over in a
+// period of the pair that a limit cycle is sought from, the contact of that
+// motion has no solution: the search has not converged, and the log says why,
+// alone and in a campaign. Argument: the program.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  /** Two pads of a floating caliper on a plate, whose pair of 1908 Hz grows;
+   * with this cut-off another motion does at 1.2 MHz, by e^60 in a period of
+   * it. */
+  const std::string cycle = R"(
+set Analysis         = limit cycle
+set Output directory = out
+set Overwrite        = true
+subsection Scene
+  set Bodies   = disc, upper, lower, caliper
+  set Ties     = piston
+  set Springs  = left, right, one, other, back
+  set Loads    = press, reaction
+  set Contacts = above, below
+  subsection Body disc
+    set Size          = 0.06, 0.08, 0.01
+    set Position      = 0, 0, -0.01
+    set Cells         = 2, 4, 1
+    set Young modulus = 110e9
+    set Density       = 7200
+  end
+  subsection Body upper
+    set Size          = 0.02, 0.03, 0.01
+    set Position      = 0, 0, 0
+    set Cells         = 1, 2, 1
+    set Young modulus = 3e9
+    set Density       = 2500
+  end
+  subsection Body lower
+    set Size          = 0.02, 0.03, 0.01
+    set Position      = 0, 0, -0.02
+    set Cells         = 1, 2, 1
+    set Young modulus = 3e9
+    set Density       = 2500
+  end
+  subsection Body caliper
+    set Shape    = rigid
+    set Mass     = 0.3
+    set Inertia  = 1e-4, 2e-4, 1.5e-4
+    set Position = 0.002, 0.001, -0.03
+  end
+  subsection Tie piston
+    set Source body = lower
+    set Source face = z_min
+    set Target body = caliper
+  end
+  subsection Spring left
+    set Kind        = area
+    set Body        = disc
+    set Face        = y_min
+    set Stiffnesses = 2e11, 3e11, 2e11
+  end
+  subsection Spring right
+    set Kind        = area
+    set Body        = disc
+    set Face        = y_max
+    set Stiffnesses = 2e11, 3e11, 2e11
+  end
+  subsection Spring one
+    set Body        = caliper
+    set First point = 0.02, 0.02, -0.03
+    set Stiffnesses = 2e7, 1.2e7, 1e6
+  end
+  subsection Spring other
+    set Body        = caliper
+    set First point = -0.02, -0.015, -0.025
+    set Stiffnesses = 2e7, 1.2e7, 1e6
+  end
+  subsection Spring back
+    set Kind        = area
+    set Body        = upper
+    set Face        = z_max
+    set Stiffnesses = 8e10, 5e10, 0
+    set Direction   = 0, -0.8, 1
+    set Stiffness   = 4e10
+  end
+  subsection Load press
+    set Body  = upper
+    set Face  = z_max
+    set Force = 0, 0, -400
+  end
+  subsection Load reaction
+    set Body  = caliper
+    set Force = 0, 0, 400
+  end
+  subsection Contact above
+    set Formulation          = mortar
+    set Source body          = upper
+    set Source face          = z_min
+    set Target body          = disc
+    set Target face          = z_max
+    set Sliding speed        = 0.4
+    set Friction coefficient = 0.5
+    set Transverse slip term = true
+  end
+  subsection Contact below
+    set Formulation          = mortar
+    set Source body          = lower
+    set Source face          = z_max
+    set Target body          = disc
+    set Target face          = z_min
+    set Sliding speed        = 0.4
+    set Friction coefficient = 0.5
+    set Transverse slip term = true
+  end
+  subsection Damping
+    set Model             = whole model
+    set Mass damping      = 5
+    set Stiffness damping = 5e-7
+  end
+end
+subsection Discretization
+  set Degree         = 1
+  set Estimate error = false
+end
+subsection Eigenvalues
+  set Lowest frequency  = 100
+  set Highest frequency = 15000
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+subsection Transient
+  set Cut-off = 50000
+end
+subsection Limit cycle
+  set Run time = 0.002
+)";
+
+  const std::string campaign = R"(
+  set Campaign = true
+end
+subsection Sweep
+  set Axes = mu
+  subsection Axis mu
+    set Entries = Scene/Contact above/Friction coefficient, Scene/Contact below/Friction coefficient
+    set Scale   = list
+    set Values  = 0, 0.5
+  end
+end
+)";
+
+  Outcome
+  run(const std::string &program, const std::string &text)
+  {
+    std::filesystem::remove_all("out");
+    write_text("run.prm", text);
+    const Outcome o = run_program({program, "run.prm"});
+    check(o.code == 0, "the search ends: " + o.errors);
+    return o;
+  }
+
+  void
+  says_why(const Outcome &o)
+  {
+    check(unbroken(o.output + o.errors).find("has broken off: the contact") !=
+            std::string::npos,
+          "the log says why: " + o.output + o.errors);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "the program is given");
+  says_why(run(argv[1], cycle + "end\n"));
+  check(read_csv("out/limit_cycle.csv").text(0, "cycle_status") ==
+          "not converged",
+        "the search has not converged");
+  says_why(run(argv[1], cycle + campaign));
+  const Table points = read_csv("out/campaign.csv");
+  check(points.n_rows() == 2 && points.text(0, "outcome") == "steady sliding" &&
+          points.text(1, "outcome") == "no limit cycle found",
+        "a campaign goes on: " + points.text(0, "outcome") + ", " +
+          points.text(1, "outcome"));
+}
