@@ -133,8 +133,7 @@ namespace
   {
     constexpr std::size_t n = 4000;
     write_history(n, [&](const std::size_t i) {
-      return 1e6 *
-             std::max(0., std::sin(2. * M_PI * i / period + .3) - cut);
+      return 1e6 * std::max(0., std::sin(2. * M_PI * i / period + .3) - cut);
     });
     const double damage =
       std::pow(.5 * (1. - cut), 10.) * double(n - 1) / period;
@@ -157,7 +156,8 @@ namespace
           check(damage.lost.is_known != says_unknown(damage),
                 "what is not known is said: pulses" + name);
           if (samples < 2.1)
-            check(!damage.lost.is_known, "nobody knows the top of pulses" + name);
+            check(!damage.lost.is_known,
+                  "nobody knows the top of pulses" + name);
           if (samples >= 3.2)
             check(damage.lost.is_known, "known is that of pulses" + name);
           if (damage.lost.is_known)
@@ -169,8 +169,7 @@ namespace
       return 1e6 * (1. + .1 * std::sin(.3 * double(i)) + (i % 70 == 0));
     });
     check(says_unknown(count(plain())), "nor of spikes of a single sample");
-    write_history(n,
-                  [](const std::size_t i) { return 1e6 * (i % 5 < 2); });
+    write_history(n, [](const std::size_t i) { return 1e6 * (i % 5 < 2); });
     check(says_unknown(count(plain())), "nor of two equal samples");
   }
 

@@ -272,7 +272,7 @@ namespace
             check(std::abs(found - width) <= 2. * error,
                   "faint cracks within two deviations" + text);
             if (width >= 6.)
-              check(std::abs(found / width - 1.) < 0.1,
+              check(std::abs(found / width - 1.) < 0.15,
                     "wide faint cracks show their depth" + text);
           }
   }

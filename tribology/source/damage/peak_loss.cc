@@ -101,8 +101,8 @@ namespace squeal::tribology
   {
     if (!lost.is_known)
       return "not known: too few samples a pulse";
-    return lost.share < 1e-3 ? "below 0.1 %" :
-                               rounded_text(100. * lost.share, 2) + " %";
+    return lost.share < 1e-3 ? "below 0.1 %"
+                             : rounded_text(100. * lost.share, 2) + " %";
   }
 
 

@@ -47,9 +47,9 @@ namespace squeal::tribology
         // the second difference and tan(phi) from the first one, both over the
         // value itself. The highest sample lies within half an interval of the
         // top.
-        const double value  = now - .5 * (raised + turning);
-        const double cosine = std::clamp(
-          1. - bend / (2. * value), least_cosine, 1.);
+        const double value = now - .5 * (raised + turning);
+        const double cosine =
+          std::clamp(1. - bend / (2. * value), least_cosine, 1.);
         const double slope  = (next - before) / (2. * value);
         const double square = std::min(slope * slope / (1. - cosine * cosine),
                                        (1. - cosine) / (1. + cosine));
@@ -73,8 +73,7 @@ namespace squeal::tribology
     // Two equal samples are a pulse of their own, more are a step.
     if (now == before)
       return is_open(earlier) && is_open(next);
-    const double cosine =
-      1. - (2. * now - before - next) / (now - turning);
+    const double cosine = 1. - (2. * now - before - next) / (now - turning);
     return is_open(before) || is_open(next) || cosine < alone;
   }
 
