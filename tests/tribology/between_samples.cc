@@ -5,6 +5,7 @@
 // where it repeats.
 #include <squeal/tribology/damage/history_damage.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -79,6 +80,22 @@ namespace
     return false;
   }
 
+  bool
+  loses_nothing()
+  {
+    const LostDamage lost = count(plain()).lost;
+    return lost.is_known && lost.share == 0.;
+  }
+
+  bool
+  says_unknown(const HistoryDamage &damage)
+  {
+    for (const std::string &note : damage.notes)
+      if (note.find("it is not known how much is lost") != std::string::npos)
+        return PeakLoss::figure(damage.lost).rfind("not known", 0) == 0;
+    return false;
+  }
+
   /** A sine of amplitude 1 MPa: damage 1 a period, for all slopes. */
   void
   lost_peaks()
@@ -96,16 +113,64 @@ namespace
           const std::string name = " of " + std::to_string(period) +
                                    " samples a period about " +
                                    std::to_string(mean) + " MPa";
-          check_close(damage.lost_share, lost, .02, "lost peaks" + name, .2);
+          check_close(damage.lost.share, lost, .02, "lost peaks" + name, .2);
           check(says_it(damage) == (lost > .05), "are said" + name);
+          check(damage.lost.is_known, "and known" + name);
         }
     const HistoryDamage whole = count(plain()), pieces = count(plain(), 7);
-    check(whole.lost_share == pieces.lost_share, "pieces: the same bits");
+    check(whole.lost.share == pieces.lost.share, "pieces: the same bits");
     write_history(
       n, [&](const std::size_t i) { return 1e6 * (i % 7 < 3 ? 0. : 2.); });
-    check(count(plain()).lost_share == 0., "steps lose nothing");
+    check(loses_nothing(), "steps lose nothing");
     write_history(n, [](std::size_t) { return 1e6; });
-    check(count(plain()).lost_share == 0., "nor does a steady pressure");
+    check(loses_nothing(), "nor does a steady pressure");
+  }
+
+  /** Pulses of a contact that opens: what of a sine of 1 MPa is above @p cut.
+   * The share of the damage that is lost, by the height of the pulses. */
+  double
+  write_pulses(const double period, const double cut)
+  {
+    constexpr std::size_t n = 4000;
+    write_history(n, [&](const std::size_t i) {
+      return 1e6 * std::max(0., std::sin(2. * M_PI * i / period + .3) - cut);
+    });
+    const double damage =
+      std::pow(.5 * (1. - cut), 10.) * double(n - 1) / period;
+    return 1. - count(plain()).nodes[0].damage[0] / damage;
+  }
+
+  /** What is lost of short pulses is right or not known. */
+  void
+  lost_pulses()
+  {
+    for (const double cut : {-.3, 0., .3, .6, .8})
+      for (const double period :
+           {3.07, 4.13, 5.31, 6.47, 7.77, 10.3, 15.3, 20.3})
+        {
+          const double        lost    = write_pulses(period, cut);
+          const HistoryDamage damage  = count(plain());
+          const double        samples = std::acos(cut) / M_PI * period;
+          const std::string   name    = " of " + std::to_string(samples) +
+                                   " samples above " + std::to_string(cut);
+          check(damage.lost.is_known != says_unknown(damage),
+                "what is not known is said: pulses" + name);
+          if (samples < 2.1)
+            check(!damage.lost.is_known,
+                  "nobody knows the top of pulses" + name);
+          if (samples >= 3.2)
+            check(damage.lost.is_known, "known is that of pulses" + name);
+          if (damage.lost.is_known)
+            check_close(
+              damage.lost.share, lost, .1, "lost of pulses" + name, 1.);
+        }
+    const std::size_t n = 700;
+    write_history(n, [](const std::size_t i) {
+      return 1e6 * (1. + .1 * std::sin(.3 * double(i)) + (i % 70 == 0));
+    });
+    check(says_unknown(count(plain())), "nor of spikes of a single sample");
+    write_history(n, [](const std::size_t i) { return 1e6 * (i % 5 < 2); });
+    check(says_unknown(count(plain())), "nor of two equal samples");
   }
 
   /** Node 0 opens for a fifth of each interval; node 1 stays. */
@@ -189,6 +254,7 @@ int
 main()
 {
   lost_peaks();
+  lost_pulses();
   recorded_changes();
   period();
 }

@@ -248,6 +248,37 @@ namespace
 
 
 
+  /** Faint cracks, one and three of them in noise: where depth and width are
+   * not told apart the deviation contains what may be. */
+  void
+  check_faint_cracks()
+  {
+    for (const double depth : {0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35})
+      for (const double width : {2., 3., 4., 6., 8.})
+        for (const std::vector<double> &places :
+             {std::vector<double>{0.}, std::vector<double>{0., 50., -50.}})
+          {
+            const double noise = places.size() > 1 ? 2. : 0.;
+            const auto [found, error] =
+              width_of(blurred_cracks(width, depth, places, places, noise, 9.));
+            std::printf("width %.1f depth %.2f, %zu: %.3f +- %.3f\n",
+                        width,
+                        depth,
+                        places.size(),
+                        found,
+                        error);
+            const std::string text = " at width " + std::to_string(width) +
+                                     ", depth " + std::to_string(depth);
+            check(std::abs(found - width) <= 2. * error,
+                  "faint cracks within two deviations" + text);
+            if (width >= 6.)
+              check(std::abs(found / width - 1.) < 0.15,
+                    "wide faint cracks show their depth" + text);
+          }
+  }
+
+
+
   /** Bands that no profile of a pixel reaches over, and a line on nothing. */
   void
   check_wide_cracks()
@@ -381,6 +412,7 @@ main()
   check_circles();
   check_junction();
   check_widths();
+  check_faint_cracks();
   check_wide_cracks();
   check_parallel_cracks();
   check_cells();

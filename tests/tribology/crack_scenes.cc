@@ -6,6 +6,7 @@
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/segmentation.h>
 #include <squeal/tribology/images/specimen_shapes.h>
+#include <squeal/tribology/images/statistics.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -128,6 +129,38 @@ namespace
 
 
 
+  /** Rows of dashes with gaps of @p gap pixels, in which there is nothing. */
+  void
+  check_gaps(const double gap)
+  {
+    constexpr double dash  = 21.;
+    cv::Mat          layer = fine_layer();
+    double           drawn = 0.;
+    for (int k = 0; k < 3; ++k)
+      for (double x = 80.; x + dash < 520.; x += dash + gap)
+        {
+          const PixelPath path = wave(x, x + dash, 150. * (k + 1), k);
+          draw(layer, path, 3.);
+          drawn += cv::arcLength(path, false) / fine;
+        }
+    const Segmentation    found = segment(exposed(layer, 0.55));
+    const ImageStatistics s     = measure(found, 1., {});
+    std::printf("gaps of %g px: %.0f +- %.0f of %.0f px, %.0f bridged\n",
+                gap,
+                1e3 * s.crack_length,
+                1e3 * s.crack_length_error,
+                drawn,
+                found.cracks.bridged);
+    const std::string text = ", gaps of " + std::to_string(int(gap)) + " px";
+    check(std::abs(1e3 * s.crack_length - drawn) <=
+            2. * 1e3 * s.crack_length_error,
+          "length within two deviations" + text);
+    if (gap == 0.)
+      check(found.cracks.bridged == 0., "a crack without gaps has none");
+  }
+
+
+
   void
   check_pits()
   {
@@ -201,6 +234,8 @@ main()
   cv::setNumThreads(1);
   check_ends();
   check_network();
+  for (const double gap : {0., 12., 18., 27.})
+    check_gaps(gap);
   check_pits();
   check_seen_length();
   return 0;

@@ -4,7 +4,6 @@
 #include <squeal/base/unknown_choice.h>
 #include <squeal/tribology/damage/history_contradictions.h>
 #include <squeal/tribology/damage/history_damage.h>
-#include <squeal/tribology/damage/peak_loss.h>
 #include <squeal/tribology/damage/sample_spacing.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
@@ -415,7 +414,7 @@ namespace squeal::tribology
       }
     require_finite(
       result, fatigue, std::max(std::abs(lowest), std::abs(highest)));
-    result.lost_share = loss.finish(damages, areas);
+    result.lost = loss.finish(damages, areas);
     for (const std::string &note : contradictions.notes(summer.sums()))
       result.notes.push_back(note);
     for (const std::string &note :
@@ -423,8 +422,7 @@ namespace squeal::tribology
           spacing.note(),
           note_of_changes(changes, reader),
           note_of_order(result, fatigue),
-          PeakLoss::note(result.lost_share,
-                         fatigue.exponents[loss.exponent()])})
+          PeakLoss::note(result.lost, fatigue.exponents[loss.exponent()])})
       if (!note.empty())
         result.notes.push_back(note);
     return result;

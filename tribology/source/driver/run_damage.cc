@@ -268,7 +268,6 @@ namespace squeal::tribology
                  const std::vector<double> &exponents)
     {
       const std::string slope = slope_name(exponents.back());
-      const double      lost  = study.damage.lost_share;
       return {
         {"nodes", std::to_string(study.grid.n_nodes())},
         {"samples", std::to_string(study.damage.samples)},
@@ -278,7 +277,7 @@ namespace squeal::tribology
          rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
         {"part of the mean damage lost between samples, " +
            slope_name(*std::max_element(exponents.begin(), exponents.end())),
-         lost < 1e-3 ? "below 0.1 %" : rounded_text(100. * lost, 2) + " %"},
+         PeakLoss::figure(study.damage.lost)},
         {"points kept by a counter", std::to_string(study.damage.deepest)}};
     }
 

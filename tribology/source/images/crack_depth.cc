@@ -2,108 +2,171 @@
 #include <squeal/tribology/images/crack_depth.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace squeal::tribology
 {
   namespace
   {
-    constexpr double assumed_mean  = 0.57; // depth, mean over an image
-    constexpr double assumed_error = 0.10; // of that, deviation
-    constexpr double spread        = 0.13; // of depths in an image
+    constexpr double assumed_mean  = 0.57;  // depth, mean over an image
+    constexpr double assumed_error = 0.175; // of that, relative
+    constexpr double spread        = 0.23;  // of depths in an image, relative
+    // How probable it is that the assumption does not hold for an image. All
+    // widths of the same missing light are then as likely.
+    constexpr double another = 0.5;
     // b^2 but for the bends that show: optics 0.49, pixel 1/12, smoothing and
     // interpolation of profiles 1/3 + 1/6, what a smoothed centre line hides of
     // the bends (0.3 pixels)^2.
     constexpr double straight_blur  = 1.163; // pixels^2
     constexpr double blur_error     = 0.20;  // of b, relative
     constexpr double peak_error     = 0.03;  // texture and noise
-    constexpr double smallest_depth = 0.3, largest_depth = 0.95;
+    constexpr double smallest_depth = 0.06, largest_depth = 0.95;
+    // Depths of which probabilities are taken, and dips of a crack.
+    constexpr int         n_depths  = 48;
+    constexpr std::size_t some_dips = 200;
 
-    double
-    square(const double x)
+    // Nodes of Gauss and Hermite for the logarithm of the blur, in deviations.
+    constexpr int n_blurs = 5, likeliest = 2;
+    constexpr std::array<double, n_blurs>
+      blur_nodes   = {{-2.857, -1.356, 0., 1.356, 2.857}},
+      blur_weights = {{0.01126, 0.22208, 0.53333, 0.22208, 0.01126}};
+
+    template <typename T>
+    auto
+    square(const T &x)
     {
       return x * x;
     }
 
 
 
-    /** Peak of a dip and how it changes with depth and with blur. */
-    struct Peak
+    /** Logarithms from the smallest to the largest depth. */
+    Eigen::ArrayXd
+    logarithms_of_depths()
     {
-      double value, by_depth, by_blur; // by_blur: by the logarithm of b
-    };
-
-    Peak
-    peak_of(const double deficit, const double depth, const double blur)
-    {
-      const double x = deficit / depth / (2. * std::sqrt(2.) * blur);
-      const double e = std::erf(x);
-      const double s = 2. / std::sqrt(M_PI) * x * std::exp(-x * x);
-      return {depth * e, std::max(1e-3, e - s), -depth * s};
+      return Eigen::ArrayXd::LinSpaced(
+        n_depths, std::log(smallest_depth), std::log(largest_depth));
     }
 
 
 
-    /** What a dip says of its depth. */
-    struct Depth
+    /** Probabilities of the @p depths (logarithms, columns) of cracks in images
+     * of which the means are the same ones (rows). */
+    Eigen::MatrixXd
+    scatter_of(const Eigen::ArrayXd &depths)
     {
-      double value;
-      double variance;
-      double by_blur; // change with the logarithm of b
-    };
+      Eigen::MatrixXd scatter(n_depths, n_depths);
+      for (int i = 0; i < n_depths; ++i)
+        {
+          const Eigen::ArrayXd p =
+            (-0.5 * square((depths - depths[i]) / spread)).exp();
+          scatter.row(i) = p / p.sum();
+        }
+      return scatter;
+    }
 
-    /** One step from a depth @p before. Judged there, not at its end: a narrow
-     * crack with a peak a little too low could else pass for a wide one that
-     * is shallow, of which the depth would be known well. */
-    Depth
-    depth_of(const Dip &dip, const double before, const double blur)
+
+
+    /** Probabilities of the means of images (rows) for each blur (columns), and
+     * for each once more where the assumption does not hold. */
+    Eigen::ArrayXXd
+    assumed_means(const Eigen::ArrayXd &depths)
     {
-      const Peak p = peak_of(dip.deficit, before, blur);
-      return {before + (dip.peak - p.value) / p.by_depth,
-              (square(peak_error) + square(blur_error * p.by_blur)) /
-                square(p.by_depth),
-              -p.by_blur / p.by_depth};
+      const Eigen::ArrayXd near =
+        (-0.5 * square((depths - std::log(assumed_mean)) / assumed_error))
+          .exp();
+      const Eigen::ArrayXd any = (-depths).exp();
+      Eigen::ArrayXXd      result(n_depths, 2 * n_blurs);
+      for (int k = 0; k < n_blurs; ++k)
+        {
+          result.col(k) = blur_weights[k] * (1. - another) / near.sum() * near;
+          result.col(n_blurs + k) = blur_weights[k] * another / any.sum() * any;
+        }
+      return result;
+    }
+
+
+
+    /** Positive numbers of which @p logarithms are known but for a constant. */
+    Eigen::ArrayXXd
+    shares_of(const Eigen::ArrayXXd &logarithms)
+    {
+      const Eigen::ArrayXXd p = (logarithms - logarithms.maxCoeff()).exp();
+      return p / p.sum();
+    }
+
+
+
+    /** The depth (logarithm) below which half of the @p shares lie. */
+    double
+    median_of(const Eigen::ArrayXd &depths, const Eigen::ArrayXd &shares)
+    {
+      const double half  = 0.5 * shares.sum();
+      double       below = 0.;
+      int          i     = 0;
+      while (i + 1 < n_depths && below + shares[i] < half)
+        below += shares[i++];
+      // A share belongs to the half steps on both sides.
+      const double step = depths[1] - depths[0];
+      return depths[i] + step * ((half - below) / shares[i] - 0.5);
     }
   } // namespace
+
+
+
+  Eigen::ArrayXXd
+  CrackDepth::likelihood(const Dip &dip) const
+  {
+    Eigen::ArrayXXd result(n_depths, n_blurs);
+    for (int k = 0; k < n_blurs; ++k)
+      {
+        const double b = blur * std::exp(blur_error * blur_nodes[k]);
+        for (int i = 0; i < n_depths; ++i)
+          {
+            const double depth = std::exp(depths[i]);
+            const double peak =
+              depth * std::erf(dip.deficit / depth / (2. * std::sqrt(2.) * b));
+            result(i, k) = -0.5 * square((dip.peak - peak) / peak_error);
+          }
+      }
+    return result;
+  }
 
 
 
   CrackDepth::CrackDepth(const std::vector<std::vector<Dip>> &cracks,
                          const double                         bends)
     : blur(std::sqrt(straight_blur + bends))
-    , mean_depth(assumed_mean)
-    , error(assumed_error)
+    , depths(logarithms_of_depths())
+    , scatter(scatter_of(depths))
   {
-    // Each crack has one vote: its pixels are wrong together.
-    double sum = 0., depth = 0., by_blur = 0.;
+    Eigen::ArrayXXd logarithms = assumed_means(depths).log();
     for (const std::vector<Dip> &crack : cracks)
       {
-        double weights = 0., mean = 0., change = 0., length = 0.;
-        for (const Dip &dip : crack)
+        // Each crack has one vote: its pixels are wrong together.
+        Eigen::ArrayXXd   vote    = Eigen::ArrayXXd::Zero(n_depths, n_blurs);
+        double            weights = 0.;
+        const std::size_t step    = 1 + crack.size() / some_dips;
+        for (std::size_t i = 0; i < crack.size(); i += step)
           {
-            const Depth  d = depth_of(dip, assumed_mean, blur);
-            const double w = dip.deficit / d.variance;
-            weights += w;
-            mean += w * d.value;
-            change += w * d.by_blur;
-            length += dip.deficit;
+            vote += crack[i].deficit * likelihood(crack[i]);
+            weights += crack[i].deficit;
           }
         if (weights <= 0.)
           continue;
-        // The wider a crack the more of the area rests on its depth.
-        const double w = 1. / (square(spread) + length / weights);
-        sum += w;
-        depth += w * mean / weights;
-        by_blur += w * change / weights;
+        vote /= weights;
+        const Eigen::ArrayXXd of_means =
+          (scatter * (vote - vote.maxCoeff()).exp().matrix()).array().log();
+        logarithms.leftCols(n_blurs) += of_means;
+        logarithms.rightCols(n_blurs) += of_means;
       }
-    if (sum <= 0.)
-      return;
-    const double seen     = depth / sum;
-    const double variance = 1. / sum + square(blur_error * by_blur / sum);
-    const double part =
-      square(assumed_error) / (square(assumed_error) + variance);
-    mean_depth = assumed_mean + part * (seen - assumed_mean);
-    error      = assumed_error * std::sqrt(1. - part);
+    const Eigen::ArrayXXd shares = shares_of(logarithms);
+    means  = shares.leftCols(n_blurs) + shares.rightCols(n_blurs);
+    before = scatter.transpose() * means.matrix();
+    const Eigen::VectorXd holds = shares.col(likeliest),
+                          other = shares.col(n_blurs + likeliest);
+    likely = scatter.transpose() * (holds.sum() < other.sum() ? other : holds);
   }
 
 
@@ -111,16 +174,26 @@ namespace squeal::tribology
   CrackDepth::Width
   CrackDepth::width(const Dip &dip) const
   {
-    const double prior = square(spread) + square(error);
-    const Depth  d     = depth_of(dip, mean_depth, blur);
-    const double seen  = prior / (prior + d.variance);
-    const double depth = std::clamp(mean_depth + seen * (d.value - mean_depth),
-                                    smallest_depth,
-                                    largest_depth);
-    const double width = dip.deficit / depth;
-    const double own = square((1. - seen) * spread) + square(seen) * d.variance;
-    return {width,
-            width * std::sqrt(own) / depth,
-            width * (1. - seen) * error / depth};
+    const Eigen::ArrayXXd logarithms = likelihood(dip);
+    const Eigen::ArrayXXd seen  = (logarithms - logarithms.maxCoeff()).exp();
+    const Eigen::ArrayXd  usual = logarithms.col(likeliest);
+    Width                 result;
+    result.value =
+      dip.deficit /
+      std::exp(median_of(depths, likely * (usual - usual.maxCoeff()).exp()));
+    // How wide the crack is for each depth, less the value: its mean square,
+    // and that of its means over the cracks of an image, which are common.
+    const Eigen::ArrayXd  off    = dip.deficit * (-depths).exp() - result.value;
+    const Eigen::ArrayXXd shares = before * seen,
+                          part   = (scatter * seen.matrix()).array(),
+                          sum =
+                            (scatter * (seen.colwise() * off).matrix()).array();
+    const double all = (shares.colwise() * square(off)).sum(),
+                 common =
+                   (means * (part > 0.).select(square(sum) / part, 0.)).sum(),
+                 total = shares.sum();
+    result.common      = std::sqrt(common / total);
+    result.own         = std::sqrt(std::max(0., (all - common) / total));
+    return result;
   }
 } // namespace squeal::tribology

@@ -14,6 +14,11 @@ namespace squeal::tribology
   namespace
   {
     constexpr double rounding = 1. / 12.; // pixels^2, of a skeleton
+    // A gap of a line, pixels, beside a line that is as dark as its darker
+    // quarter within that distance.
+    constexpr int         beside_gap   = 25; // pixels
+    constexpr std::size_t shortest_gap = 6;
+    constexpr float       light_in_gap = 1.F / 3.F; // of the darkness beside
 
     /** Variance of the centre line across itself, pixels^2, over the length of
      * a profile's mean: the median over its pixels. */
@@ -86,6 +91,55 @@ namespace squeal::tribology
 
 
 
+    /** How dark the line is about @p p: three of four pixels are no darker. */
+    float
+    darkness_about(const cv::Mat1f &peaks, const cv::Point &p)
+    {
+      const cv::Rect box = cv::Rect(p.x - beside_gap,
+                                    p.y - beside_gap,
+                                    2 * beside_gap + 1,
+                                    2 * beside_gap + 1) &
+                           cv::Rect({0, 0}, peaks.size());
+      std::vector<float> sample;
+      for (int y = box.y; y < box.br().y; ++y)
+        for (int x = box.x; x < box.br().x; ++x)
+          if (peaks(y, x) > 0.F)
+            sample.push_back(peaks(y, x));
+      if (sample.empty())
+        return 0.F;
+      const auto quarter = sample.begin() + 3 * sample.size() / 4;
+      std::nth_element(sample.begin(), quarter, sample.end());
+      return *quarter;
+    }
+
+
+
+    /** Pixels of the gaps of all @p line. Free ends are none: a crack may fade
+     * there. */
+    double
+    bridged_pixels(const cv::Mat &line, const cv::Mat1f &peaks)
+    {
+      PixelPath pixels;
+      cv::findNonZero(line, pixels);
+      cv::Mat light = cv::Mat::zeros(line.size(), CV_8U);
+      for (const cv::Point &p : pixels)
+        if (peaks(p) < light_in_gap * darkness_about(peaks, p))
+          light.at<uchar>(p) = 255;
+      double sum = 0.;
+      for (const LinePiece &gap : line_pieces(light))
+        {
+          const bool has_end = std::any_of(
+            gap.pixels.begin(), gap.pixels.end(), [&line](const cv::Point &p) {
+              return n_neighbours(line, p) < 2;
+            });
+          if (gap.pixels.size() >= shortest_gap && !has_end)
+            sum += double(gap.pixels.size());
+        }
+      return sum;
+    }
+
+
+
     void
     fill_disc(cv::Mat &area, const cv::Point &p, const double width)
     {
@@ -145,6 +199,7 @@ namespace squeal::tribology
             doubts(crack.pixels[i])   = float(dips[i].doubt);
           }
       }
+    map.bridged = bridged_pixels(centre_line, peaks);
     limit_deficits(deficits, cracks);
     std::vector<std::vector<Dip>> dips;
     for (const LinePiece &crack : cracks)

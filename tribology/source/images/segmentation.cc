@@ -145,7 +145,9 @@ namespace squeal::tribology
     result.cracks = measure_cracks(grey, middle, found.ridges, widest);
     keep_seen(result.cracks.area, seen);
     result.cracks.doubt = found.doubt;
-    result.excluded     = found.excluded;
+    // A crack may be covered there, or there are two.
+    result.cracks.doubt.invented += result.cracks.bridged;
+    result.excluded = found.excluded;
     if (!rims.empty())
       {
         cv::Mat taken = cv::Mat::zeros(grey.size(), CV_8U);

@@ -2,6 +2,7 @@
 #ifndef squeal_tribology_damage_history_damage_h
 #define squeal_tribology_damage_history_damage_h
 
+#include <squeal/tribology/damage/peak_loss.h>
 #include <squeal/tribology/damage/surface.h>
 #include <squeal/tribology/fatigue/damage_counter.h>
 #include <squeal/tribology/history/contact_grid.h>
@@ -38,11 +39,10 @@ namespace squeal::tribology
     /** Time that the counted cycles take, s: the duration, or the period of a
      * history that repeats. Damage and cycles per second are over this. */
     double period = 0.;
-    /** Share of the mean damage of the largest exponent that the samples miss,
-     * an estimate (PeakLoss). */
-    double lost_share     = 0.;
-    bool   has_slip_rate  = false; /**< in the history */
-    bool   has_stick_slip = false; /**< it tells sticking from slipping */
+    /** Of the mean damage of the largest exponent (PeakLoss). */
+    LostDamage lost;
+    bool       has_slip_rate  = false; /**< in the history */
+    bool       has_stick_slip = false; /**< it tells sticking from slipping */
     std::uint64_t                samples = 0;
     std::size_t                  deepest = 0; /**< points kept by a counter */
     std::vector<Node>            nodes;

@@ -10,11 +10,22 @@
 
 namespace squeal::tribology
 {
+  /** What the samples of a history miss of its damage. */
+  struct LostDamage
+  {
+    double share = 0.; /**< 0 to 1, an estimate */
+    /** Whether the samples tell it: not where unseen extrema (PeakSharpener)
+     * carry more than a fifth of the damage. */
+    bool is_known = true;
+  };
+
   /**
    * How much damage a history loses because its samples miss the peaks: it is
    * counted once more with the peaks of PeakSharpener, by the rules of the
    * section "Fatigue" for the largest exponent, which loses most. An estimate:
-   * exact for sines, and blind to what comes and goes between two samples.
+   * exact for sines, within a tenth of the damage for pulses of a contact that
+   * opens, not known for pulses of fewer than three samples, and blind to what
+   * comes and goes between two samples.
    */
   class PeakLoss
   {
@@ -30,14 +41,18 @@ namespace squeal::tribology
     /** Which of the exponents is the largest. */
     std::size_t exponent() const;
 
-    /** Ends the history. Share, 0 to 1, of the mean damage of the face that is
-     * lost; @p damages are those of the samples for that exponent and @p areas
+    /** Ends the history. What is lost of the mean damage of the face;
+     * @p damages are those of the samples for that exponent and @p areas
      * the tributary areas, m^2, one a node. 0 where nothing is counted. */
-    double finish(const std::vector<double> &damages,
-                  const std::vector<double> &areas);
+    LostDamage finish(const std::vector<double> &damages,
+                      const std::vector<double> &areas);
 
-    /** A line for a run that loses more than 5 %, "" for others. */
-    static std::string note(double share, double exponent);
+    /** The share in percent, or that it is not known. */
+    static std::string figure(const LostDamage &lost);
+
+    /** A line for a run that loses more than 5 % or an unknown share, "" for
+     * others. */
+    static std::string note(const LostDamage &lost, double exponent);
 
   private:
     std::size_t                number; /**< of the exponent */

@@ -2,6 +2,8 @@
 #ifndef squeal_tribology_images_crack_depth_h
 #define squeal_tribology_images_crack_depth_h
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace squeal::tribology
@@ -21,7 +23,9 @@ namespace squeal::tribology
    * deviation b: deficit w d, peak d erf(w / (2 sqrt(2) b)). A wide crack
    * shows d, of a narrow one the deficit is all that is seen. Its depth is then
    * that of the other cracks of the image, and where none is wide enough an
-   * assumed one. All three are weighed by their errors.
+   * assumed one, which may not hold: the less of a crack is seen, the more its
+   * error says so. The probability of each depth is the product of what the
+   * peak, the image and the assumption say of it.
    */
   class CrackDepth
   {
@@ -33,29 +37,29 @@ namespace squeal::tribology
 
     struct Width
     {
-      double value  = 0.; /**< pixels */
+      double value  = 0.; /**< pixels, of the median depth */
       double own    = 0.; /**< deviation, pixels, alike along a crack */
       double common = 0.; /**< deviation, pixels, alike in the image */
     };
 
+    /** Deviations are about the value. The deficit must be positive. */
     Width width(const Dip &dip) const;
 
-    /** Mean depth of the cracks of the image. */
-    double
-    mean() const
-    {
-      return mean_depth;
-    }
-
-    /** Its deviation. */
-    double
-    mean_error() const
-    {
-      return error;
-    }
-
   private:
-    double blur, mean_depth, error;
+    /** Logarithms of the probability of the peak of @p dip, but for a constant:
+     * depths in rows, blurs in columns. */
+    Eigen::ArrayXXd likelihood(const Dip &dip) const;
+
+    double          blur;    // pixels, the likeliest
+    Eigen::ArrayXd  depths;  // logarithms
+    Eigen::MatrixXd scatter; // of cracks (columns) in images of a mean (rows)
+    // Probabilities, blurs in columns: of means of the image, and of depths of
+    // a crack in it before its peak is looked at.
+    Eigen::ArrayXXd means, before;
+    // Those of depths by which a width is stated: with the likeliest blur, an
+    // error of which changes it more to one side, and with the assumption if
+    // that is likelier to hold than not.
+    Eigen::ArrayXd likely;
   };
 } // namespace squeal::tribology
 

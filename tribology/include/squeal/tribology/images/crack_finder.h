@@ -39,6 +39,9 @@ namespace squeal::tribology
     /** Pixels of the centre line along which the picture shows no dark line,
      * so that their width is not known: its deviation is the largest width. */
     double without_line = 0.;
+    /** Pixels of gaps: six and more of a line in a row that are less than a
+     * third as dark as the line on both sides. */
+    double bridged = 0.;
   };
 
   /** Centre lines and the evidence that they were found in. */
