@@ -84,18 +84,20 @@ namespace squeal
                                           : nullptr;
     }
 
+    /** Whether run_program() starts programs anew even so. */
+    inline bool programs_start_anew = false;
+
     /** Never returns. A program that finds no kernels of the BLAS set would
      * begin anew, see include/squeal/base/blas_kernels.h: as this test. */
     inline void
-    become_program(const std::vector<std::string> &words,
-                   const bool                      needs_start)
+    become_program(const std::vector<std::string> &words)
     {
       std::vector<char *> arguments;
       for (const std::string &word : words)
         arguments.push_back(const_cast<char *>(word.c_str()));
       arguments.push_back(nullptr);
       int (*const main)(int, char **) = linked_main(words[0]);
-      if (needs_start || !main || !std::getenv("OPENBLAS_CORETYPE"))
+      if (programs_start_anew || !main || !std::getenv("OPENBLAS_CORETYPE"))
         {
           ::execvp(arguments[0], arguments.data());
           ::_exit(127);
@@ -108,7 +110,7 @@ namespace squeal
 
     /**
      * Runs a program to its end. @p before (optional) is called in the new
-     * process before the program, which then starts anew; @p during in this one, with the
+     * process before the program starts, @p during in this one, with the
      * process number, while it runs.
      */
     inline Outcome
@@ -128,7 +130,7 @@ namespace squeal
             ::dup2(::open(name, O_WRONLY | O_CREAT | O_TRUNC, 0666), stream);
           if (before)
             before();
-          become_program(words, bool(before));
+          become_program(words);
         }
       if (during)
         during(id);

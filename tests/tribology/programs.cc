@@ -374,26 +374,23 @@ namespace
   void
   command_line()
   {
-    const auto start = [](const std::vector<std::string> &words) {
-      return run_program(words, []() {});
-    };
     // existing results
     write_text("test.prm",
                replaced_in(damage_prm, "set Overwrite = true\n", ""));
-    const Outcome outcome = start({program, "test.prm"});
+    const Outcome outcome = run_program({program, "test.prm"});
     check(outcome.code == 2 && fs::exists("damage/damage.csv"),
           "existing results stay: " + outcome.errors);
-    check(start({program, "--nonsense"}).code == 2 &&
-            start({program}).code == 2 &&
-            start({program, "--help"}).code == 0 &&
-            start({program, "--version"}).code == 0,
+    check(run_program({program, "--nonsense"}).code == 2 &&
+            run_program({program}).code == 2 &&
+            run_program({program, "--help"}).code == 0 &&
+            run_program({program, "--version"}).code == 0,
           "the command line");
-    const Outcome defaults = start({program, "--print-defaults"});
+    const Outcome defaults = run_program({program, "--print-defaults"});
     write_text("defaults.prm",
                replaced_in(defaults.output,
                            "set File =\n",
                            "set File = squealing/history.h5\n"));
-    check(start({program, "--validate", "defaults.prm"}).code == 0,
+    check(run_program({program, "--validate", "defaults.prm"}).code == 0,
           "the printed defaults can be read");
   }
 } // namespace
@@ -407,5 +404,6 @@ main(int argc, char **argv)
   program = argv[1];
   whole_chain();
   bad_input();
+  programs_start_anew = true;
   command_line();
 }
