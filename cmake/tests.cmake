@@ -76,17 +76,29 @@ function(_squeal_test_properties name ranks timeout)
                        LABELS "${ARGN}")
 endfunction()
 
+# squeal_add_main(program source libraries...): an object with the main function
+# of a program under the name of main_of_<program>().
+function(squeal_add_main program source)
+  add_library(main_of_${program} OBJECT EXCLUDE_FROM_ALL "${source}")
+  target_compile_definitions(main_of_${program}
+                             PRIVATE main=main_of_${program})
+  target_link_libraries(main_of_${program} ${ARGN})
+  squeal_setup_target(main_of_${program})
+endfunction()
+
 # squeal_add_test(name source [MPI n] [LABELS ...] [TIMEOUT seconds]
-#                 [ARGUMENTS ...] [AFTER test...] [LIBRARIES ...])
+#                 [ARGUMENTS ...] [AFTER test...] [LIBRARIES ...]
+#                 [PROGRAMS squeal squeal_tribology])
 #
 # A test program: exit code 0 is a pass. It is linked against squeal_core and
 # LIBRARIES, finds the source tree by source_directory.h and runs in a
 # directory of its own, ${CMAKE_BINARY_DIR}/tests/run/<name>. One source may
 # serve several tests (other ranks or arguments). AFTER names tests whose files
-# it needs.
+# it needs. PROGRAMS are those whose main function is linked into it by the name
+# of main_of_<program>(), for run_program() of tests/analyses/program.h.
 function(squeal_add_test name source)
   cmake_parse_arguments(PARSE_ARGV 2 test "" "MPI;TIMEOUT"
-                        "LABELS;ARGUMENTS;AFTER;LIBRARIES")
+                        "LABELS;ARGUMENTS;AFTER;LIBRARIES;PROGRAMS")
   if(test_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "squeal_add_test(${name}): unknown argument "
                         "'${test_UNPARSED_ARGUMENTS}'")
@@ -102,6 +114,9 @@ function(squeal_add_test name source)
     target_include_directories(${_target}
                                PRIVATE "${PROJECT_SOURCE_DIR}/tests"
                                        "${PROJECT_BINARY_DIR}/tests")
+    foreach(_program ${test_PROGRAMS})
+      target_link_libraries(${_target} $<TARGET_OBJECTS:main_of_${_program}>)
+    endforeach()
     target_link_libraries(${_target} squeal_core ${test_LIBRARIES})
     squeal_setup_target(${_target})
     squeal_share_precompiled(${_target} squeal_core)

@@ -185,7 +185,10 @@ namespace
           "it alone");
     ends({expected}, 4, "a changed check of the scene itself");
     check(names("result_checks").size() == 3, "is one of three");
-    ends({friction, "Result checks/Checks = number, frequency, growth"},
+    ends({beam_cells,
+          pin_cells,
+          friction,
+          "Result checks/Checks = number, frequency, growth"},
          4,
          "a list of checks that is asked for is kept");
   }

@@ -5,9 +5,12 @@
 #include "../check.h"
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -16,6 +19,10 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+// Without PROGRAMS of squeal_add_test() they are null.
+__attribute__((weak)) int main_of_squeal(int argc, char **argv);
+__attribute__((weak)) int main_of_squeal_tribology(int argc, char **argv);
 
 namespace squeal
 {
@@ -64,6 +71,44 @@ namespace squeal
     }
 
     /**
+     * The main function of a program if it is part of this test, see PROGRAMS
+     * of squeal_add_test() in cmake/tests.cmake; else none. run_program() calls
+     * it in a copy of this process: to start a program takes half a second, in
+     * which its libraries are loaded, and here they are.
+     */
+    inline int (*linked_main(const std::string &program))(int, char **)
+    {
+      const std::string name = std::filesystem::path(program).filename();
+      return name == "squeal"             ? &main_of_squeal
+             : name == "squeal-tribology" ? &main_of_squeal_tribology
+                                          : nullptr;
+    }
+
+    /** Whether run_program() starts programs anew even so. */
+    inline bool programs_start_anew = false;
+
+    /** Never returns. A program that finds no kernels of the BLAS set would
+     * begin anew, see include/squeal/base/blas_kernels.h: as this test. */
+    inline void
+    become_program(const std::vector<std::string> &words)
+    {
+      std::vector<char *> arguments;
+      for (const std::string &word : words)
+        arguments.push_back(const_cast<char *>(word.c_str()));
+      arguments.push_back(nullptr);
+      int (*const main)(int, char **) = linked_main(words[0]);
+      if (programs_start_anew || !main || !std::getenv("OPENBLAS_CORETYPE"))
+        {
+          ::execvp(arguments[0], arguments.data());
+          ::_exit(127);
+        }
+      const int code = main(static_cast<int>(words.size()), arguments.data());
+      std::cout.flush();
+      std::fflush(nullptr);
+      ::_exit(code);
+    }
+
+    /**
      * Runs a program to its end. @p before (optional) is called in the new
      * process before the program starts, @p during in this one, with the
      * process number, while it runs.
@@ -73,6 +118,9 @@ namespace squeal
                 const std::function<void()>               &before = {},
                 const std::function<void(const pid_t id)> &during = {})
     {
+      // Else the copy would print it once more.
+      std::cout.flush();
+      std::fflush(nullptr);
       const pid_t id = ::fork();
       check(id >= 0, "started " + words[0]);
       if (id == 0)
@@ -80,14 +128,9 @@ namespace squeal
           for (const auto &[name, stream] :
                {std::pair{"stdout.txt", 1}, {"stderr.txt", 2}})
             ::dup2(::open(name, O_WRONLY | O_CREAT | O_TRUNC, 0666), stream);
-          std::vector<char *> arguments;
-          for (const std::string &word : words)
-            arguments.push_back(const_cast<char *>(word.c_str()));
-          arguments.push_back(nullptr);
           if (before)
             before();
-          ::execvp(arguments[0], arguments.data());
-          ::_exit(127);
+          become_program(words);
         }
       if (during)
         during(id);

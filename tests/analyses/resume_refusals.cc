@@ -60,7 +60,7 @@ namespace
                            "subsection Scene\n subsection Body pin\n"
                            "  set Shape = gmsh\n"
                            "  set Mesh file = pin.msh\n end\nend\n",
-                           "0.015"));
+                           "0.008"));
     stop_with_checkpoint("mesh");
     const std::string before = text_of("mesh/out/checkpoint.h5");
     write_pin(3);

@@ -139,21 +139,17 @@ end
           claim + ": '" + part + "' in " + o.errors);
   }
 
+  /** Where the map says that the damage is largest, in a direction. Returns
+   * how much more pressure is at the leading edge. */
   double
-  leading_edge_factor(const std::vector<std::string> &settings)
-  {
-    passes(program, scene, settings);
-    return read_csv("out/transient.csv").real(0, "leading_edge_factor");
-  }
-
-  /** Where the map says that the damage is largest, in a direction. */
-  void
   check_damage(const std::string &direction)
   {
     std::filesystem::remove_all("out");
     passes(program,
            scene,
            {"Scene/Contact block_floor/Sliding direction = " + direction});
+    const double factor =
+      read_csv("out/transient.csv").real(0, "leading_edge_factor");
     std::filesystem::rename("out/contact_history.h5", "history.h5");
     const std::string damage = "set Analysis = damage\nset Output directory = "
                                "damage\nset Overwrite = true\nsubsection "
@@ -170,14 +166,12 @@ end
     passes(tribology, damage, {"Fatigue/Mean stress = swt"});
     check(first_screen_has("compressive") && !first_screen_has("do not vary"),
           "damage that compression hides is not 'forces do not vary'");
+    return factor;
   }
 
   void
-  check_reversal(const double forwards)
+  check_reversal(const double forwards, const double backwards)
   {
-    const double backwards =
-      leading_edge_factor({"Scene/Contact block_floor/Sliding direction = 0, "
-                           "-1, 0"});
     check(std::abs(backwards / forwards - 1.) < 1e-3,
           "the leading edge of the reversed sliding is the other one: " +
             std::to_string(forwards) + ", " + std::to_string(backwards));
@@ -303,11 +297,11 @@ main(int argc, char **argv)
   program               = argv[1];
   tribology             = argv[2];
   folder                = argv[3];
-  const double forwards = leading_edge_factor({});
+  const double forwards = check_damage("0, 1, 0");
   check(forwards > 1.2, "pressure is largest at the leading edge");
-  for (const char *direction : {"0, 1, 0", "0, -1, 0", "1, 0, 0", "-1, 0, 0"})
+  check_reversal(forwards, check_damage("0, -1, 0"));
+  for (const char *direction : {"1, 0, 0", "-1, 0, 0"})
     check_damage(direction);
-  check_reversal(forwards);
   check_refusals();
   check_unstable_trigger();
   check_sticking_nodes();

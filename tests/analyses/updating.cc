@@ -152,10 +152,13 @@ subsection Updating
     {"pad", true_pad},
     {"contact", true_contact}};
 
+  /** The last one: programs that begin as copies of this process start MPI
+   * themselves. */
   void
-  test_derivatives()
+  test_derivatives(int argc, char **argv)
   {
     measure_twin(0.);
+    dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     write_text("run.prm", fit());
     const Parameters parameters =
       read_parameters("run.prm", {"Overwrite = true"});
@@ -449,14 +452,13 @@ end
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check(argc == 2, "argument: the program");
   program = argv[1];
-  test_derivatives();
   test_twin();
   test_confidence_intervals();
   test_identification();
   test_settings_of_lists();
   test_lone_number_without_influence();
   test_refusals();
+  test_derivatives(argc, argv);
 }

@@ -77,6 +77,9 @@ namespace
 
   const std::string mu = "Scene/Contact pad_disc/Friction coefficient = ";
 
+  /** Of meshes that others are compared with only the pairs count. */
+  const std::string no_errors = "Discretization/Estimate error = false";
+
   void
   test_modes_without_friction()
   {
@@ -166,6 +169,8 @@ namespace
     const auto with_degree = [&](const unsigned int degree) {
       auto all = settings;
       all.push_back("Discretization/Degree = " + std::to_string(degree));
+      if (degree == 4)
+        all.push_back(no_errors);
       return solve(all);
     };
     const Result fine = with_degree(4);
@@ -241,10 +246,12 @@ namespace
   {
     std::ofstream("disc_and_pad.prm") << disc_and_pad;
     const auto with_degree = [&](const std::string &degree) {
-      return solve(read_parameters(
-        "disc_and_pad.prm",
-        {"Discretization/Degree = " + degree,
-         "Scene/Contact c/Friction coefficient = " + coefficient}));
+      std::vector<std::string> all = {
+        "Discretization/Degree = " + degree,
+        "Scene/Contact c/Friction coefficient = " + coefficient};
+      if (degree == "5")
+        all.push_back(no_errors);
+      return solve(read_parameters("disc_and_pad.prm", all));
     };
     const Result coarse = with_degree("3"), fine = with_degree("5");
     check(coarse.pairs.size() == fine.pairs.size() && fine.pairs.size() >= 3,

@@ -20,7 +20,9 @@ namespace squeal
 {
   namespace testing
   {
-    /** A TriboBrake of few cells over the box of the shipped stability map. */
+    /** A TriboBrake of few cells over the box of the shipped stability map. The
+     * cost of a sweep is that of dense solves with its basis, which every cell
+     * of pad and support makes larger. */
     struct CoarseBrake
     {
       /** @p refine is called with the mesh before anything is assembled, @p
@@ -80,10 +82,10 @@ namespace squeal
       static Parameters
       read(std::vector<std::string> settings)
       {
-        settings.insert(settings.end(),
+        settings.insert(settings.begin(),
                         {"Scene/Body disc/Cells = 16, 3, 1",
-                         "Scene/Body pad/Cells = 2, 2, 2",
-                         "Scene/Body support/Cells = 2, 2, 6"});
+                         "Scene/Body pad/Cells = 1, 1, 1",
+                         "Scene/Body support/Cells = 1, 1, 6"});
         return read_parameters(
           SQUEAL_SOURCE_DIR "/prm/tribobrake/stability_map.prm", settings);
       }

@@ -135,7 +135,9 @@ namespace
   void
   contact()
   {
-    const Setup setup({"Sweep/Axis e_pad/Entries = Scene/Contact "
+    const Setup setup({"Scene/Body pad/Cells = 2, 2, 2",
+                       "Scene/Body support/Cells = 2, 2, 6",
+                       "Sweep/Axis e_pad/Entries = Scene/Contact "
                        "pad_disc/Normal stiffness",
                        "Sweep/Axis e_pad/From = 1e4",
                        "Sweep/Axis e_pad/To = 1e14",

@@ -35,6 +35,8 @@ namespace
   {
     SceneParameters scene         = pressed_brake(mu);
     scene.bodies[1].young_modulus = 1.6e10;
+    // Its face matches that of the pad, as the explicit scheme needs it.
+    scene.bodies[2].cells = {{2, 2, 3}};
     return scene;
   }
 
@@ -124,7 +126,7 @@ namespace
     const SteadySliding s = steady_sliding(r.model, mu);
     ImplicitTransient   run(
       full_model(r), 2e-6, drive(), load / r.model.n_nodes());
-    compare("implicit", r, s, run, 7.);
+    compare("implicit", r, s, run, 4.);
   }
 
   /** What the model says that the motions above its cut-off add to the growing
@@ -186,13 +188,13 @@ namespace
     // The pad is soft: much of its damping is in motions above the cut-off.
     compare("parts, reduced", r, s, reduced, 7., .2);
     ImplicitTransient implicit_run(full_model(r), 2e-6, drive(), nodal);
-    compare("parts, implicit", r, s, implicit_run, 3.);
+    compare("parts, implicit", r, s, implicit_run, 2.);
     const double largest_step =
       ExplicitTransient(full_model(r), 1e-8, drive(), nodal).largest_step();
     std::printf("largest step of the explicit scheme: %.2e s\n", largest_step);
     ExplicitTransient explicit_run(
       full_model(r), .95 * largest_step, drive(), nodal);
-    compare("parts, explicit", r, s, explicit_run, 3.);
+    compare("parts, explicit", r, s, explicit_run, 2.);
     check_close(explicit_run.largest_step(),
                 largest_step,
                 1e-6,

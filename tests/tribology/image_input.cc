@@ -423,6 +423,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  cv::setNumThreads(1);
   check_metadata();
   check_unlinked_map();
   check_rotations();

@@ -294,6 +294,7 @@ main(int argc, char **argv)
 {
   check(argc == 2, "one argument");
   program = argv[1];
+  cv::setNumThreads(1);
   check_mosaic();
   check_reports();
   check_section();

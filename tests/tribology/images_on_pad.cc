@@ -181,6 +181,7 @@ main(int argc, char **argv)
 {
   check(argc == 2, "one argument");
   program = argv[1];
+  cv::setNumThreads(1);
   SpecimenSettings settings;
   settings.data_bar = false;
   cv::Mat picture;

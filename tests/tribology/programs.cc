@@ -368,6 +368,12 @@ namespace
                         "features.csv, lacks.csv"),
             {"lacks.csv", "y_m"},
             "a missing column");
+  }
+
+  /** By the program itself, which starts anew. */
+  void
+  command_line()
+  {
     // existing results
     write_text("test.prm",
                replaced_in(damage_prm, "set Overwrite = true\n", ""));
@@ -398,4 +404,6 @@ main(int argc, char **argv)
   program = argv[1];
   whole_chain();
   bad_input();
+  programs_start_anew = true;
+  command_line();
 }

@@ -388,8 +388,9 @@ namespace
   void
   bands_and_waves(const std::size_t n_kinds, const unsigned int n_pairs)
   {
-    using Draw           = std::function<GridMap(std::mt19937_64 &)>;
-    const auto stretched = [](const double across, const double along) {
+    const unsigned int n_linked = n_pairs / 2;
+    using Draw                  = std::function<GridMap(std::mt19937_64 &)>;
+    const auto stretched        = [](const double across, const double along) {
       return [across, along](std::mt19937_64 &generator) {
         return random_map(
           11, 11, std::array<double, 2>{{across, along}}, generator);
@@ -439,14 +440,15 @@ namespace
                   map->values[cell] += is_rim ? 2. : 0.;
               }
             n_alarms += pad.tests.measure(x, y).p <= .05;
-            n_found += pad.tests.measure(x, linked).p <= .05;
+            if (pair < n_linked)
+              n_found += pad.tests.measure(x, linked).p <= .05;
           }
         check(n_alarms <= .08 * n_pairs,
               "bands " + name + ": false positives at most 8 %: " +
                 rate_text(n_alarms, n_pairs));
-        check(n_found >= .8 * n_pairs,
+        check(n_found >= .8 * n_linked,
               "bands " + name + ": a link of 0.8 is found in at least 80 %: " +
-                rate_text(n_found, n_pairs));
+                rate_text(n_found, n_linked));
       }
   }
 
@@ -477,9 +479,10 @@ main(int argc, char **argv)
   const std::string which = argc > 1 ? argv[1] : "";
   if (which == "false_positives")
     {
-      // rough maps, and the smoothest, of the fewest independent cells
-      false_positives({1.5, 8.}, 240);
-      bands_and_waves(2, 240);
+      // rough maps, and the smoothest, of the fewest independent cells; more
+      // pairs count everywhere
+      false_positives({1.5, 8.}, 160);
+      bands_and_waves(2, 160);
       power();
     }
   else if (which == "false_positives_everywhere")
