@@ -74,7 +74,8 @@ namespace squeal
      * The main function of a program if it is part of this test, see PROGRAMS
      * of squeal_add_test() in cmake/tests.cmake; else none. run_program() calls
      * it in a copy of this process: to start a program takes half a second, in
-     * which its libraries are loaded, and here they are.
+     * which its libraries are loaded, and here they are. Not where signals that
+     * are ignored from the start on matter.
      */
     inline int (*linked_main(const std::string &program))(int, char **)
     {
