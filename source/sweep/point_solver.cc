@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/dense_products.h>
 #include <squeal/eigen/certified_solver.h>
-#include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/dense_quadratic_of_band.h>
 #include <squeal/eigen/eigenvalue_condition.h>
 #include <squeal/sweep/point_solver.h>
 #include <squeal/sweep/refined_pairs.h>
@@ -18,7 +18,7 @@ namespace squeal
     using Complex = std::complex<double>;
 
     DensePairs
-    dense_pairs(const PointMatrices &p, const unsigned int n)
+    dense_pairs(const PointMatrices &p, const unsigned int n, const Band &band)
     {
       std::vector<ReducedPart> parts(3);
       parts[0] = {p.M.topLeftCorner(n, n), {1., 0., 0.}};
@@ -29,7 +29,8 @@ namespace squeal
         parts[2] = {p.C.topLeftCorner(n, n), {0., 1., 0.}};
       if (p.H.size() > 0)
         parts.push_back({p.H.topLeftCorner(n, n), {0., 0., Complex(0., 1.)}});
-      return solve_dense_quadratic(parts, p.rayleigh, p.alpha, p.beta);
+      return solve_dense_quadratic_of_band(
+        parts, p.rayleigh, p.alpha, p.beta, 2. * M_PI * band.highest);
     }
 
 
@@ -39,7 +40,7 @@ namespace squeal
     ComplexPairs
     band_pairs(const PointMatrices &p, const unsigned int n, const Band &band)
     {
-      const DensePairs dense = dense_pairs(p, n);
+      const DensePairs dense = dense_pairs(p, n, band);
       std::vector<int> kept;
       for (Eigen::Index i = 0; i < dense.lambda.size(); ++i)
         if (is_of_band(dense.lambda[i], band.lowest, band.highest))
