@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/dense_quadratic_of_band.h>
 #include <squeal/eigen/dense_scaling.h>
 #include <squeal/eigen/standard_pairs.h>
 
@@ -107,8 +108,8 @@ namespace squeal
     template <typename Matrix>
     struct Inverted
     {
-      Inverted(const Matrix &K, const Eigen::MatrixXd &M)
-        : kappa_0(typical_kappa(K.real(), M))
+      Inverted(const Matrix &K, const Eigen::MatrixXd &M, const double highest)
+        : kappa_0(typical_kappa(K.real(), M, least_kappa(highest)))
       {
         using Scalar   = typename Matrix::Scalar;
         const Matrix A = K + (kappa_0 * M).template cast<Scalar>();
@@ -133,9 +134,10 @@ namespace squeal
     solve_rayleigh(const Matrix          &K,
                    const Eigen::MatrixXd &M,
                    const double           alpha,
-                   const double           beta)
+                   const double           beta,
+                   const double           highest)
     {
-      const Inverted<Matrix> inverted(K, M);
+      const Inverted<Matrix> inverted(K, M, highest);
       const StandardPairs    pairs = standard_pairs(inverted.matrix);
       const Eigen::MatrixXcd right = inverted.D.asDiagonal() * pairs.right;
       const Eigen::MatrixXcd left =
@@ -168,8 +170,9 @@ namespace squeal
     {
       Companion(const Matrix          &K,
                 const Eigen::MatrixXd &M,
-                const Eigen::MatrixXd &C)
-        : s(std::sqrt(typical_kappa(K.real(), M)))
+                const Eigen::MatrixXd &C,
+                const double           highest)
+        : s(std::sqrt(typical_kappa(K.real(), M, least_kappa(highest))))
       {
         using Scalar         = typename Matrix::Scalar;
         const Eigen::Index n = M.rows();
@@ -198,9 +201,10 @@ namespace squeal
     DensePairs
     solve_companion(const Matrix          &K,
                     const Eigen::MatrixXd &M,
-                    const Eigen::MatrixXd &C)
+                    const Eigen::MatrixXd &C,
+                    const double           highest)
     {
-      const Companion<Matrix> companion(K, M, C);
+      const Companion<Matrix> companion(K, M, C, highest);
       const Eigen::Index      n     = M.rows();
       const StandardPairs     pairs = standard_pairs(companion.matrix);
       const Eigen::MatrixXcd  right =
@@ -228,17 +232,28 @@ namespace squeal
                         const double                    alpha,
                         const double                    beta)
   {
+    return solve_dense_quadratic_of_band(parts, rayleigh, alpha, beta, 0.);
+  }
+
+  DensePairs
+  solve_dense_quadratic_of_band(const std::vector<ReducedPart> &parts,
+                                const bool                      rayleigh,
+                                const double                    alpha,
+                                const double                    beta,
+                                const double                    highest)
+  {
     const Eigen::MatrixXd M = sum(parts, mass_of), C = sum(parts, damping_of),
                           K = sum(parts, stiffness_of);
     if (rayleigh)
-      return solve_rayleigh<Eigen::MatrixXd>(K, M, alpha, beta);
+      return solve_rayleigh<Eigen::MatrixXd>(K, M, alpha, beta, highest);
     const Eigen::MatrixXd H = sum(parts, loss_of);
     if (H.isZero(0.))
-      return solve_companion<Eigen::MatrixXd>(K, M, C);
+      return solve_companion<Eigen::MatrixXd>(K, M, C, highest);
     const Eigen::MatrixXcd complex_k =
       K.cast<Complex>() + Complex(0., 1.) * H.cast<Complex>();
-    return C.isZero(0.) ? solve_rayleigh<Eigen::MatrixXcd>(complex_k, M, 0., 0.)
-                        : solve_companion<Eigen::MatrixXcd>(complex_k, M, C);
+    return C.isZero(0.)
+             ? solve_rayleigh<Eigen::MatrixXcd>(complex_k, M, 0., 0., highest)
+             : solve_companion<Eigen::MatrixXcd>(complex_k, M, C, highest);
   }
 
 
@@ -299,13 +314,13 @@ namespace squeal
     Eigen::Index n = 0;
     if (C.isZero(0.))
       {
-        const Inverted<Eigen::MatrixXcd> inverted(K, M);
+        const Inverted<Eigen::MatrixXcd> inverted(K, M, omega);
         for (const Complex nu : standard_values(inverted.matrix))
           n += nu != 0. &&
                std::abs(std::sqrt(inverted.kappa_0 - 1. / nu).imag()) > omega;
         return n;
       }
-    const Companion<Eigen::MatrixXcd> companion(K, M, C);
+    const Companion<Eigen::MatrixXcd> companion(K, M, C, omega);
     for (const Complex t : standard_values(companion.matrix))
       n += t != 0. && (companion.s + companion.s / t).imag() > omega;
     return n;

@@ -16,16 +16,33 @@ namespace squeal
 
 
   double
-  typical_kappa(const Eigen::MatrixXd &K, const Eigen::MatrixXd &M)
+  typical_kappa(const Eigen::MatrixXd &K,
+                const Eigen::MatrixXd &M,
+                const double           least)
   {
     std::vector<double> quotients;
     for (Eigen::Index i = 0; i < K.rows(); ++i)
       if (const double q = K(i, i) / M(i, i); q > 0. && std::isfinite(q))
         quotients.push_back(q);
-    if (quotients.empty())
+    auto first = std::partition(quotients.begin(),
+                                quotients.end(),
+                                [least](const double q) { return q < least; });
+    if (first == quotients.end())
+      first = quotients.begin();
+    const auto n = quotients.end() - first;
+    if (n == 0)
       return 1.;
-    const auto low = quotients.begin() + quotients.size() / 20;
-    std::nth_element(quotients.begin(), low, quotients.end());
-    return *low;
+    std::nth_element(first, first + n / 20, quotients.end());
+    return first[n / 20];
+  }
+
+
+
+  double
+  least_kappa(const double highest)
+  {
+    // Three decades: rounding leaves free motions far below, and a pair as low
+    // loses nothing by a kappa of its own size.
+    return std::pow(1e-3 * highest, 2);
   }
 } // namespace squeal

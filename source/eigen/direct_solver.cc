@@ -205,15 +205,18 @@ namespace squeal
   Eigen::VectorXcd
   DirectSolver::apply(const Eigen::VectorXcd &z) const
   {
-    const Eigen::Index n = z.size() / 2;
+    // The second half, lambda x, in units of the shift: otherwise rounding of
+    // the larger half would move all eigenvalues.
+    const double       scale = std::abs(shift) > 0. ? std::abs(shift) : 1.;
+    const Eigen::Index n     = z.size() / 2;
     ComplexBlock       uv(n, 2);
-    uv << z.head(n), z.tail(n);
+    uv << z.head(n), scale * z.tail(n);
     const Pencil::Products p = pencil.apply(uv);
     const ComplexBlock     right =
       -(p.mass.col(1) + p.damping.col(0) + shift * p.mass.col(0));
     const ComplexBlock x = factor->solve(right);
     Eigen::VectorXcd   result(2 * n);
-    result << x, z.head(n) + shift * x;
+    result << x, (z.head(n) + shift * x) / scale;
     return result;
   }
 

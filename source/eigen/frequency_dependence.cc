@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/eigen/dense_quadratic_of_band.h>
 #include <squeal/eigen/frequency_dependence.h>
 #include <squeal/eigen/standard_pairs.h>
 
@@ -120,15 +121,17 @@ namespace squeal
   {
     std::vector<ReducedPart> there = with_coefficients(parts, at(lowest));
     growth                         = fastest_growth_below(
-      solve_dense_quadratic(there, false, 0., 0.).lambda, lowest, highest);
+      solve_dense_quadratic_of_band(there, false, 0., 0., highest).lambda,
+      lowest,
+      highest);
     // A loss factor has no meaning without vibration, and would turn what
     // diverges into a motion of negative frequency.
     for (ReducedPart &part : there)
       part.coefficients.stiffness = part.coefficients.stiffness.real();
-    const Complex without_vibration =
-      fastest_growth_below(solve_dense_quadratic(there, false, 0., 0.).lambda,
-                           1e-12 * highest,
-                           highest);
+    const Complex without_vibration = fastest_growth_below(
+      solve_dense_quadratic_of_band(there, false, 0., 0., highest).lambda,
+      1e-12 * highest,
+      highest);
     if (without_vibration.real() > growth.real())
       growth = without_vibration;
   }
@@ -233,8 +236,8 @@ namespace squeal
                                   const double                    upper) const
   {
     const double     middle = std::sqrt(lower * upper);
-    const DensePairs dense  = solve_dense_quadratic(
-      with_coefficients(parts, at(middle)), false, 0., 0.);
+    const DensePairs dense  = solve_dense_quadratic_of_band(
+      with_coefficients(parts, at(middle)), false, 0., 0., highest);
     // A pair may be carried here from beyond the window by its modulus.
     const double margin = std::max(0.3 * (upper - lower), 0.03 * middle);
     std::vector<Eigen::Index> near;

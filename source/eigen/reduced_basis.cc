@@ -147,6 +147,12 @@ namespace squeal
     Eigen::MatrixXd    A(n + b, n + b);
     A.topLeftCorner(n, n) = projected[i].matrix;
     A.rightCols(b)        = right;
+    // Products of a stiff matrix with smooth vectors leave more rounding in a
+    // product of vectors than symmetry allows: it would couple close pairs as
+    // friction does.
+    if (below.size() == 0)
+      A.bottomRightCorner(b, b) =
+        0.5 * (right.bottomRows(b) + right.bottomRows(b).transpose());
     A.bottomLeftCorner(b, n) =
       (below.size() > 0 ? below : right).topRows(n).transpose();
     projected[i].matrix = A;

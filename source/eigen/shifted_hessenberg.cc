@@ -23,7 +23,8 @@ namespace squeal
 
 
   ShiftedHessenberg::ShiftedHessenberg(const Eigen::MatrixXd &K,
-                                       const Eigen::MatrixXd &M)
+                                       const Eigen::MatrixXd &M,
+                                       const double           highest)
   {
     // Eigen's decompositions ask for one unknown at least.
     if (M.rows() == 0)
@@ -31,7 +32,7 @@ namespace squeal
     if (Eigen::LLT<Eigen::MatrixXd>(M).info() != Eigen::Success)
       throw ComputationError("the mass matrix of a reduced model is not "
                              "positive definite");
-    kappa_0                                      = typical_kappa(K, M);
+    kappa_0 = typical_kappa(K, M, least_kappa(highest));
     const Eigen::MatrixXd                      A = K + kappa_0 * M;
     const Eigen::VectorXd                      D = unit_diagonal_scales(A);
     const Eigen::PartialPivLU<Eigen::MatrixXd> inverse(D.asDiagonal() * A *

@@ -62,12 +62,16 @@ namespace squeal
       return;
     const ReducedContactModel &model    = pressed.model();
     const NodalFriction        friction = pressed.sliding_friction();
+    // The speed changes linearly, through zero where it turns back: the largest
+    // is that of an end, and all below it is passed through or slid at.
+    const double largest_speed =
+      std::max(1., std::abs(t.final_speed_ratio)) * pressed.speed();
     Eigen::VectorXd steepest(model.n_nodes()), about(model.n_nodes());
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
         const ContactParameters &contact =
           p.scene.contacts[pressed.nodes().pair_of(j)];
-        steepest[j] = FrictionLaw(contact).steepest_fall(pressed.speed() *
+        steepest[j] = FrictionLaw(contact).steepest_fall(largest_speed *
                                                          model.speed_ratio[j]);
         about[j]    = steepest[j] > 0. ? std::max(0., -friction.slope[j]) : 0.;
       }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/dense_products.h>
 #include <squeal/eigen/certified_solver.h>
-#include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/dense_quadratic_of_band.h>
+#include <squeal/eigen/dense_scaling.h>
 #include <squeal/eigen/eigenvalue_condition.h>
 #include <squeal/sweep/point_solver.h>
 #include <squeal/sweep/refined_pairs.h>
@@ -18,7 +19,7 @@ namespace squeal
     using Complex = std::complex<double>;
 
     DensePairs
-    dense_pairs(const PointMatrices &p, const unsigned int n)
+    dense_pairs(const PointMatrices &p, const unsigned int n, const Band &band)
     {
       std::vector<ReducedPart> parts(3);
       parts[0] = {p.M.topLeftCorner(n, n), {1., 0., 0.}};
@@ -29,7 +30,47 @@ namespace squeal
         parts[2] = {p.C.topLeftCorner(n, n), {0., 1., 0.}};
       if (p.H.size() > 0)
         parts.push_back({p.H.topLeftCorner(n, n), {0., 0., Complex(0., 1.)}});
-      return solve_dense_quadratic(parts, p.rayleigh, p.alpha, p.beta);
+      return solve_dense_quadratic_of_band(
+        parts, p.rayleigh, p.alpha, p.beta, 2. * M_PI * band.highest);
+    }
+
+
+
+    /** Of the entries of reduced matrices, relative, and the largest condition
+     * that it is multiplied by: eigenvalues next to a coalescence are moved by
+     * the root of rounding. */
+    constexpr double rounding_of_entries      = 1e-14,
+                     worst_rounding_condition = 1e8;
+
+    /** Of the largest 1 / (kappa + kappa_0) that solve_dense_quadratic() finds,
+     * which is next to 1 / kappa_0. */
+    constexpr double rounding_of_solver = 2e-15;
+
+    /** |y|^T (|lambda^2 M| + |lambda C| + |K|) |x| of each pair: what the
+     * rounding of the entries is a share of. */
+    Eigen::VectorXd
+    rounding_sizes(const PointMatrices &p, const ComplexPairs &pairs)
+    {
+      const Eigen::Index    n = pairs.right.rows(), k = pairs.size();
+      const Eigen::MatrixXd x = pairs.right.cwiseAbs(),
+                            y = pairs.left.cwiseAbs();
+      const auto size         = [&](const Eigen::MatrixXd &A) {
+        return Eigen::VectorXd(
+          y.cwiseProduct(A.topLeftCorner(n, n).cwiseAbs() * x)
+            .colwise()
+            .sum()
+            .transpose());
+      };
+      if (k == 0)
+        return Eigen::VectorXd();
+      const Eigen::VectorXd l = pairs.lambda.cwiseAbs();
+      Eigen::VectorXd       result =
+        l.cwiseAbs2().cwiseProduct(size(p.M)) + size(p.K);
+      if (!p.C.isZero(0.))
+        result += l.cwiseProduct(size(p.C));
+      if (p.H.size() > 0)
+        result += size(p.H);
+      return result;
     }
 
 
@@ -39,7 +80,7 @@ namespace squeal
     ComplexPairs
     band_pairs(const PointMatrices &p, const unsigned int n, const Band &band)
     {
-      const DensePairs dense = dense_pairs(p, n);
+      const DensePairs dense = dense_pairs(p, n, band);
       std::vector<int> kept;
       for (Eigen::Index i = 0; i < dense.lambda.size(); ++i)
         if (is_of_band(dense.lambda[i], band.lowest, band.highest))
@@ -57,11 +98,14 @@ namespace squeal
         }
       pairs.residual = pairs.left_residual = pairs.error_estimate =
         Eigen::VectorXd::Zero(k);
-      pairs.noise_floor =
-        growth_as_good_as_zero * band.highest *
-        pairs.lambda.cwiseAbs().cwiseMax(1e-300).cwiseInverse();
+      pairs.noise_floor = Eigen::VectorXd::Zero(k);
       pairs.condition.resize(k);
       pairs.pair_partner.assign(k, -1);
+      const Eigen::VectorXd sizes = rounding_sizes(p, pairs);
+      const double          kappa_0 =
+        typical_kappa(p.K.topLeftCorner(n, n),
+                      p.M.topLeftCorner(n, n),
+                      least_kappa(2. * M_PI * band.highest));
       const Eigen::MatrixXcd Mx = times(p.M.topLeftCorner(n, n), pairs.right);
       const Eigen::MatrixXcd My = times(p.M.topLeftCorner(n, n), pairs.left);
       const Eigen::MatrixXcd Cx = times(p.C.topLeftCorner(n, n), pairs.right);
@@ -77,6 +121,12 @@ namespace squeal
           pairs.left.col(j) /= mass_y;
           pairs.condition[j] =
             eigenvalue_condition(pairs.lambda[j], mass_x * mass_y, d);
+          const double kappa = std::norm(pairs.lambda[j]);
+          pairs.noise_floor[j] =
+            std::min(pairs.condition[j], worst_rounding_condition) *
+            std::max(rounding_of_entries * sizes[j] /
+                       (mass_x * mass_y * std::max(kappa, 1e-300)),
+                     rounding_of_solver * (1. + kappa / kappa_0));
         }
       return pairs;
     }

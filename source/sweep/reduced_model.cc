@@ -76,6 +76,13 @@ namespace squeal
   {
     cell.local.parts.clear();
     for (const auto &A : parts)
-      cell.local.parts.push_back(cell.turn.transpose() * A * cell.turn);
+      {
+        Eigen::MatrixXd turned = cell.turn.transpose() * A * cell.turn;
+        // What is symmetric stays so: rounding would couple close pairs as
+        // friction does.
+        if (A == A.transpose())
+          turned = 0.5 * (turned + turned.transpose()).eval();
+        cell.local.parts.push_back(std::move(turned));
+      }
   }
 } // namespace squeal

@@ -26,11 +26,12 @@ namespace squeal
     class Quadratic
     {
     public:
-      explicit Quadratic(const PointMatrices &m)
+      /** For eigenvalues up to the circular frequency @p highest. */
+      Quadratic(const PointMatrices &m, const double highest)
         : matrices(m)
       {
         if (m.rayleigh)
-          plane = std::make_unique<ShiftedHessenberg>(m.K, m.M);
+          plane = std::make_unique<ShiftedHessenberg>(m.K, m.M, highest);
       }
 
       /** Bases of the right and the left invariant subspace at @p lambda: two
@@ -216,8 +217,9 @@ namespace squeal
                const bool           with_vectors)
   {
     const Eigen::Index N = matrices.M.rows();
-    const Quadratic    quadratic(matrices);
-    RefinedPairs       result;
+    const Quadratic    quadratic(
+      matrices, pairs.size() > 0 ? pairs.lambda.imag().maxCoeff() : 0.);
+    RefinedPairs result;
     result.lambda = pairs.lambda;
     if (with_vectors)
       {

@@ -8,6 +8,7 @@
 #include <squeal/results/table.h>
 
 #include "program.h"
+#include "worst.h"
 
 #include <cmath>
 #include <sstream>
@@ -198,6 +199,109 @@ end
     check_stated_errors("ring", o);
   }
 
+  /** A rigid disc and two rigid pads on springs; the disc may turn. The numbers
+   * of unknowns are few, so that free motions are a large share of each basis.
+   */
+  std::string
+  rigid_brake()
+  {
+    std::string text   = R"(set Analysis         = sweep
+set Output directory = rigid
+subsection Scene
+  set Bodies   = disc, above, below
+  set Contacts = upper, lower
+  set Springs  = d1, d2, a1, a2, a3, b1, b2, b3
+  subsection Body disc
+    set Shape   = rigid
+    set Mass    = 5
+    set Inertia = 0.03, 0.031, 0.06
+  end
+  subsection Body above
+    set Shape    = rigid
+    set Mass     = 0.3
+    set Inertia  = 1e-4, 3e-5, 1.2e-4
+    set Position = 0.11, 0, 0.012
+  end
+  subsection Body below
+    set Shape    = rigid
+    set Mass     = 0.31
+    set Inertia  = 1.1e-4, 3.1e-5, 1.3e-4
+    set Position = 0.11, 0, -0.012
+  end
+)";
+    const auto  spring = [&text](const std::string &name,
+                                const std::string &body,
+                                const std::string &point,
+                                const std::string &stiffnesses) {
+      text += "  subsection Spring " + name + "\n    set Body = " + body +
+              "\n    set First point = " + point +
+              "\n    set Last point = " + point +
+              "\n    set Stiffnesses = " + stiffnesses + "\n  end\n";
+    };
+    spring("d1", "disc", "0, 0, 0.02", "8e7, 9e7, 2e8");
+    spring("d2", "disc", "0, 0, -0.03", "7e7, 6e7, 1e8");
+    const auto pad = [&](const std::string &name,
+                         const std::string &body,
+                         const std::string &z) {
+      spring(name + "1", body, "0.11, 0.04, " + z, "5e6, 6e7, 3e7");
+      spring(name + "2", body, "0.12, -0.03, " + z, "4e6, 2e7, 2.5e7");
+      spring(name + "3", body, "0.10, -0.01, " + z, "6e6, 3e6, 2e7");
+    };
+    pad("a", "above", "0.018");
+    pad("b", "below", "-0.018");
+    const auto contact = [&text](const std::string &name,
+                                 const std::string &body,
+                                 const std::string &z) {
+      text += "  subsection Contact " + name +
+              "\n    set Source body = " + body +
+              "\n    set Target body = disc\n    set Contact point = 0, "
+              "0.005, " +
+              z +
+              "\n    set Grid = 1, 1\n    set Normal stiffness = 4e7\n"
+              "    set Friction coefficient = 0.3\n  end\n";
+    };
+    contact("upper", "above", "-0.006");
+    contact("lower", "below", "0.006");
+    return text + R"(end
+subsection Eigenvalues
+  set Lowest frequency = 50
+end
+subsection Sweep
+  set Axes          = mu
+  set Direct checks = 2
+  subsection Axis mu
+    set Entries = Scene/Contact upper/Friction coefficient, Scene/Contact lower/Friction coefficient
+    set From    = 0
+    set To      = 0.7
+    set Number  = 5
+  end
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+)";
+  }
+
+  /** Wherever the band ends, the errors are stated right; with all unknowns in
+   * the basis both the sweep and the direct solver are exact. */
+  void
+  sweep_of_rigid_brake_that_may_turn()
+  {
+    for (const std::string highest : {"800", "1000", "5000"})
+      {
+        const Outcome o =
+          run(rigid_brake(), {"Eigenvalues/Highest frequency = " + highest});
+        check(o.code == 0, "sweep of rigid bodies: " + o.errors);
+        check_stated_errors("rigid", o);
+      }
+    const Table table = read_csv("rigid/direct_check.csv");
+    Worst       errors;
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      errors.add(table.real(row, "error_rel"));
+    check_within(errors, 1e-11, "all unknowns are in the basis");
+  }
+
   void
   sweep_of_free_pad()
   {
@@ -222,7 +326,7 @@ main(int argc, char **argv)
 {
   check(argc == 2, "argument: the program");
   program = argv[1];
-  for (const char *directory : {"out", "ring", "pad"})
+  for (const char *directory : {"out", "ring", "pad", "rigid"})
     fs::remove_all(directory);
 
   // Normal springs hold z, rx and ry of the pad: x, y and rz are free.
@@ -265,4 +369,5 @@ main(int argc, char **argv)
 
   sweep_of_turning_free_ring();
   sweep_of_free_pad();
+  sweep_of_rigid_brake_that_may_turn();
 }

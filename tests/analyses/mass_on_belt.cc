@@ -159,27 +159,40 @@ namespace
   void
   short_lag(const std::string &program)
   {
-    const auto warns = [&](const std::string &step) {
-      const Outcome o = run(program,
-                            {},
-                            "transient",
-                            "  set Friction coefficient = 0.3\n"
-                            "  set Friction law = exponential\n"
-                            "  set Static friction coefficient = 0.6\n"
-                            "  set Decay speed = 0.4\n",
-                            "subsection Transient\n set Cut-off = 20000\n"
-                            " set Start = steady sliding\n set Time step = " +
-                              step +
-                              "\n set End time = 0.002\n"
-                              " set Sample interval = 2e-5\nend\n");
+    const std::string exponential = "  set Friction coefficient = 0.3\n"
+                                    "  set Friction law = exponential\n"
+                                    "  set Static friction coefficient = 0.6\n"
+                                    "  set Decay speed = 0.4\n",
+                      // 1 s/m, from 0.6 m/s on: above the sliding speed.
+      table          = "  set Friction law = table\n"
+                       "  set Friction speeds = 0, 0.6, 0.8\n"
+                       "  set Friction coefficients = 0.5, 0.5, 0.3\n";
+    const auto warns = [&](const std::string &friction,
+                           const std::string &step,
+                           const std::string &final_ratio) {
+      const Outcome o =
+        run(program,
+            {},
+            "transient",
+            friction,
+            "subsection Transient\n set Cut-off = 20000\n"
+            " set Start = steady sliding\n set Time step = " +
+              step + "\n set Final speed ratio = " + final_ratio +
+              "\n set End time = 0.002\n"
+              " set Sample interval = 2e-5\nend\n");
       check(o.code == 0, "the motion is computed: " + o.errors);
       std::printf("%s\n", o.errors.c_str());
       return unbroken(o.errors + o.output)
                .find("that friction which falls so steeply needs") !=
              std::string::npos;
     };
-    check(warns("1e-6"), "steps below the limit are warned of");
-    check(!warns("1e-5"), "steps above it are not");
+    check(warns(exponential, "1e-6", "1"),
+          "steps below the limit are warned of");
+    check(!warns(exponential, "1e-5", "1"), "steps above it are not");
+    check(!warns(table, "1e-6", "1"), "a fall that is not reached is not");
+    check(warns(table, "1e-6", "2"), "one that the speed rises through is");
+    check(warns(table, "1e-6", "-2"), "and so after it has turned back");
+    check(!warns(table, "1e-6", "-1.1"), "but not below it");
   }
 } // namespace
 

@@ -4,7 +4,8 @@
 // a negative stiffness pushes away: that is no free motion, and its growth rate
 // is sqrt(-k/m), however fast that is beside the band; the direct solver finds
 // it, too, and a sweep. A chain of masses with an unknown without mass between
-// any two. Argument: the program.
+// any two. Two masses that friction couples grow by 0.1 1/s in a band that is
+// wide. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -142,6 +143,59 @@ namespace
     check_within(errors, 1e-6, "and the direct solver agrees");
   }
 
+  /** lambda^2 + c lambda + omega^2 +- i mu k = 0 grows from mu = c omega / k
+   * on, by some 0.1 1/s at most. */
+  void
+  slow_growth_in_a_wide_band(const std::string &program)
+  {
+    constexpr double omega = 200. * M_PI, c = .02, k = .42 * M_PI * 100.;
+    write_matrix("mass.mtx", 2, {{{0, 0}, 1.}, {{1, 1}, 1.}});
+    write_matrix(
+      "stiffness.mtx", 2, {{{0, 0}, omega * omega}, {{1, 1}, omega * omega}});
+    std::ostringstream friction;
+    friction.precision(17);
+    friction << "%%MatrixMarket matrix coordinate real general\n2 2 2\n2 1 "
+             << -k << "\n1 2 " << k << "\n";
+    write_text("friction.mtx", friction.str());
+    write_text("wide.prm",
+               "set Analysis = sweep\nset Output directory = wide\n"
+               "set Overwrite = true\n"
+               "subsection Output\n set Plots = false\n"
+               " set Report = false\nend\n"
+               "subsection Scene\n set Kind = matrices\n"
+               " set Matrix parts = m, k, n\n set Friction coefficient = 0.9\n"
+               " subsection Matrix part m\n  set File = mass.mtx\n"
+               "  set Role = mass\n end\n"
+               " subsection Matrix part k\n  set File = stiffness.mtx\n end\n"
+               " subsection Matrix part n\n  set File = friction.mtx\n"
+               "  set Role = friction\n end\n"
+               " subsection Damping\n  set Model = whole model\n"
+               "  set Mass damping = 0.02\n end\nend\n"
+               "subsection Eigenvalues\n set Lowest frequency = 20\n"
+               " set Highest frequency = 100000\nend\n"
+               "subsection Sweep\n set Axes = mu\n set Direct checks = 2\n"
+               " set Scatter samples = 100\n"
+               " subsection Axis mu\n"
+               "  set Entries = Scene/Friction coefficient\n"
+               "  set From = 0\n  set To = 0.9\n  set Number = 10\n"
+               " end\nend\n");
+    const Outcome o = run_program({program, "wide.prm"});
+    check(o.code == 0, "a sweep of a wide band: " + o.errors);
+    const Table  pairs      = read_csv("wide/eigenvalues.csv");
+    unsigned int n_unstable = 0;
+    for (std::size_t r = 0; r < pairs.n_rows(); ++r)
+      n_unstable += pairs.integer(r, "unstable");
+    check(n_unstable == 9, "it grows at all points but the first");
+    const Table ranges = read_csv("wide/unstable_ranges.csv");
+    check(ranges.n_rows() == 1, "in one range");
+    check_close(ranges.real(0, "lower"),
+                c * omega / k,
+                1e-4,
+                "from the friction of the closed form on");
+    check(read_csv("wide/scatter.csv").real(0, "probability") > .7,
+          "and most of what scatters over it");
+  }
+
   /** Between two masses there are two springs and an unknown without mass,
    * which leaves half of the stiffness of one. */
   void
@@ -183,6 +237,7 @@ main(int argc, char *argv[])
   check(argc == 2, "the program");
   negative_stiffness(argv[1]);
   fast_divergence(argv[1]);
+  slow_growth_in_a_wide_band(argv[1]);
   for (const std::string highest : {"200", "500", "1000"})
     without_mass(argv[1], highest);
 }

@@ -6,7 +6,7 @@
 #include "check.h"
 #include "worst.h"
 
-#include <squeal/eigen/dense_quadratic.h>
+#include <squeal/eigen/dense_quadratic_of_band.h>
 
 #include <Eigen/Dense>
 
@@ -69,6 +69,41 @@ namespace
         check((pairs.left.col(k).transpose() * Q).norm() < 1e-12 * size,
               text + ": y^T Q = 0");
       }
+  }
+
+  /** Of free motions, whose stiffness is rounding, and of pairs up to 10 krad/s
+   * with lambda^2 + c lambda + kappa = 0. */
+  void
+  test_free_motions(const Eigen::Index n_free, const double c)
+  {
+    constexpr double   highest = 1e4;
+    const Eigen::Index n = 14, n_pairs = n - n_free;
+    Matrices           m{Eigen::MatrixXd::Identity(n, n),
+               Eigen::MatrixXd::Zero(n, n),
+               1e-7 * Eigen::MatrixXd::Random(n, n)};
+    m.K.diagonal().head(n_free).setConstant(2e-7);
+    for (Eigen::Index i = 0; i < n_pairs; ++i)
+      {
+        m.K(n_free + i, n_free + i) = 1e7 * (1. + .5 * i);
+        m.C(n_free + i, n_free + i) = c;
+      }
+    const DensePairs pairs = solve_dense_quadratic_of_band(
+      {{m.M, {1., 0., 0.}}, {m.C, {0., 1., 0.}}, {m.K, {0., 0., 1.}}},
+      c == 0.,
+      0.,
+      0.,
+      highest);
+    squeal::testing::Worst off;
+    for (Eigen::Index i = 0; i < n_pairs; ++i)
+      {
+        const double  kappa = 1e7 * (1. + .5 * i);
+        const Complex exact(-.5 * c, std::sqrt(kappa - .25 * c * c));
+        off.add(
+          (pairs.lambda.array() - exact).abs().minCoeff<Eigen::PropagateNaN>() /
+          std::abs(exact));
+      }
+    check_within(
+      off, 1e-11, "pairs beside " + std::to_string(n_free) + " free motions");
   }
 
   void
@@ -180,5 +215,8 @@ main()
   test_two_dof_flutter();
   test_rayleigh_is_companion();
   test_tiny_damping();
+  for (const Eigen::Index n_free : {1, 3, 6, 12})
+    for (const double c : {0., 2.})
+      test_free_motions(n_free, c);
   return 0;
 }

@@ -122,6 +122,46 @@ namespace
     check_within(worst, 1e-11, "beside directions 1e18 times as stiff");
   }
 
+  /** Free motions, whose stiffness is rounding, before directions of a band;
+   * against Gaussian elimination with more digits. */
+  void
+  test_free_motions(const Eigen::Index n_free)
+  {
+    using Long           = std::complex<long double>;
+    using LongMatrix     = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
+    const Eigen::Index n = 14, n_soft = n - n_free;
+    Eigen::MatrixXd    K = 1e-7 * Eigen::MatrixXd::Random(n, n),
+                    M    = Eigen::MatrixXd::Identity(n, n);
+    K.diagonal().head(n_free).setConstant(2e-7);
+    auto soft = K.bottomRightCorner(n_soft, n_soft);
+    soft      = 1e5 * Eigen::MatrixXd::Random(n_soft, n_soft);
+    for (Eigen::Index i = 0; i < n_soft; ++i)
+      soft(i, i) = 1e7 * (1. + i);
+    M += .02 * (M * 2. + Eigen::MatrixXd::Ones(n, n));
+    const ShiftedHessenberg solver(K, M, 1e4);
+    const Eigen::MatrixXcd  B = Eigen::MatrixXcd::Random(n, 3);
+    Worst                   worst;
+    for (const Complex s : {Complex(-1.01e7, 1e4), Complex(-6e6, 0.)})
+      {
+        const LongMatrix Q      = K.cast<Long>() + Long(s) * M.cast<Long>();
+        const auto       factor = solver.factor(s);
+        for (const bool transposed : {false, true})
+          {
+            const Eigen::MatrixXcd exact =
+              Eigen::PartialPivLU<LongMatrix>(
+                transposed ? LongMatrix(Q.transpose()) : Q)
+                .solve(B.cast<Long>())
+                .cast<Complex>();
+            const Eigen::MatrixXcd x =
+              transposed ? factor.solve_transposed(B) : factor.solve(B);
+            worst.add((x - exact).norm() / exact.norm(),
+                      transposed ? "transposed" : "solve");
+          }
+      }
+    check_within(
+      worst, 1e-10, "beside " + std::to_string(n_free) + " free motions");
+  }
+
   void
   test_refusals()
   {
@@ -147,5 +187,7 @@ main()
     test_shifts(n);
   test_singular();
   test_stiff_directions();
+  for (const Eigen::Index n_free : {1, 3, 6, 12})
+    test_free_motions(n_free);
   test_refusals();
 }

@@ -13,8 +13,17 @@ namespace squeal
   Eigen::VectorXd unit_diagonal_scales(const Eigen::MatrixXd &A);
 
   /** A square frequency, (rad/s)^2, low in the spectrum of K x = kappa M x:
-   * most vectors of an enriched basis are far above the band. */
-  double typical_kappa(const Eigen::MatrixXd &K, const Eigen::MatrixXd &M);
+   * most vectors of an enriched basis are far above the band. Directions with
+   * quotients below @p least do not count: of free motions they are rounding,
+   * and K + kappa M with such a kappa is as good as singular. Where all
+   * are below it, all count; 1 where none is positive. */
+  double typical_kappa(const Eigen::MatrixXd &K,
+                       const Eigen::MatrixXd &M,
+                       const double           least = 0.);
+
+  /** What is far below all that a band up to the circular frequency @p highest,
+   * rad/s, tells from free motions, for typical_kappa(): (rad/s)^2. */
+  double least_kappa(const double highest);
 } // namespace squeal
 
 #endif

@@ -19,8 +19,12 @@ namespace squeal
   {
   public:
     /** @p M symmetric and positive definite, else throws ComputationError;
-     * @p K of any kind. */
-    ShiftedHessenberg(const Eigen::MatrixXd &K, const Eigen::MatrixXd &M);
+     * @p K of any kind. Of a K with free motions @p highest, a circular
+     * frequency of the size of those of the shifts, rad/s, tells them from the
+     * rest, which their rounding would drown. */
+    ShiftedHessenberg(const Eigen::MatrixXd &K,
+                      const Eigen::MatrixXd &M,
+                      const double           highest = 0.);
 
     /** K + s M of one shift; refers to the object that made it. At an
      * eigenvalue solutions are huge, along its vector. */

@@ -21,9 +21,8 @@ namespace squeal
                   const unsigned int                   n);
   };
 
-  /** Of the highest frequency of a band: a growth rate that may be rounding, as
-   * undamped pairs have one of either sign. The noise floor of the pairs below
-   * is this over |lambda|. */
+  /** Of the highest frequency of a band: a growth rate that does not count in
+   * suggestions and plots. */
   constexpr double growth_as_good_as_zero = 1e-6;
 
   /** Which pairs are wanted, Hz. */
@@ -36,10 +35,12 @@ namespace squeal
    * Eigenpairs at one parameter point from a local model, with the error of
    * each against the full one.
    *
-   * Vectors are coordinates in V, of mass norm 1. The error is the distance to
-   * the eigenvalue in all of [V W] that refine_pairs() finds from there. With
-   * @p corrected the eigenvalues and vectors (coordinates in [V W]) are
-   * the refined ones.
+   * Vectors are coordinates in V, of mass norm 1. The noise floor is what the
+   * rounding of reduced matrices moves the eigenvalue by. The error is the
+   * distance to the eigenvalue in all of [V W] that refine_pairs() finds from
+   * there. With @p corrected the eigenvalues and vectors (coordinates in
+   * [V W]) are the refined ones; the noise floor stays, relative, that of V,
+   * as undamped pairs have a sigma of either sign of its size.
    */
   ComplexPairs solve_point(const LocalModel                    &model,
                            const std::vector<TermCoefficients> &coefficients,

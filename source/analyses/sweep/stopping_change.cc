@@ -5,6 +5,7 @@
 #include "stopping_change.h"
 
 #include <squeal/eigen/direct_solver.h>
+#include <squeal/eigen/unstable_pair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +130,7 @@ namespace squeal
             nearest_followed(followed, pair.frequency, share) == followed.end())
           continue;
         take_worse(worst, pair);
-        if (pair.sigma > rounding())
+        if (is_unstable(pairs, i))
           result.push_back(pair);
       }
     return result;

@@ -201,10 +201,12 @@ namespace squeal
       }
     context.log.info(
       "  direct checks: largest error " + rounded_text(worst, 2) +
-      "; estimate over error from " + rounded_text(least_ratio, 2) + " to " +
-      rounded_text(largest_ratio, 2) + " (" + std::to_string(n_outside) +
-      " of " + std::to_string(n_judged) +
-      " errors above 1e-10 beyond a factor of 3)" +
+      (n_judged > 0
+         ? "; estimate over error from " + rounded_text(least_ratio, 2) +
+             " to " + rounded_text(largest_ratio, 2) + " (" +
+             std::to_string(n_outside) + " of " + std::to_string(n_judged) +
+             " errors above 1e-10 beyond a factor of 3)"
+         : "") +
       (n_beyond > 0 ? "; " + std::to_string(n_beyond) +
                         " pairs are beyond the reach of the direct solver"
                     : ""));
