@@ -183,9 +183,15 @@ namespace
         HistoryWriter writer("tension.h5", layout);
         writer.append(s);
         writer.finish();
-        const HistoryReader            reader("tension.h5");
-        const std::vector<std::string> notes =
+        const HistoryReader      reader("tension.h5");
+        std::vector<std::string> notes =
           count_history(reader, {}, f, {}, ContactGrid(reader.layout())).notes;
+        // Two samples a pulse: what they miss has a note of its own.
+        const auto of_peaks = [](const std::string &note) {
+          return note.find("the samples do not show the peaks") == 0;
+        };
+        notes.erase(std::remove_if(notes.begin(), notes.end(), of_peaks),
+                    notes.end());
         check(lowest < -1.
                 ? notes.size() == 1 &&
                     notes[0].find("negative in 1 values, down to ") !=
