@@ -343,12 +343,14 @@ set(SQUEAL_SOURCES_MODEL
     source/model/period_map_of.cc
     source/model/point_forces.cc
     source/model/point_remarks.cc
+    source/model/pressed_conditions.cc
     source/model/pressed_model.cc
     source/model/pressed_models.cc
     source/model/pressed_parameters.cc
     source/model/pressed_scene.cc
     source/model/reduced_motions.cc
     source/model/rotor_symmetry.cc
+    source/model/second_solutions.cc
     source/model/solved_scene.cc
     source/model/turning_modes.cc)
 

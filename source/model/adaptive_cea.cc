@@ -7,6 +7,7 @@
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/growth_errors.h>
+#include <squeal/model/second_solutions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,13 +106,15 @@ namespace squeal
                      const ComplexPairs &pairs,
                      const PairErrors   &errors,
                      const CoarserPairs &before,
+                     SecondSolutions    &second,
                      Timers             &timers)
     {
       const Eigen::VectorXcd result =
         growth_errors(model, pairs, errors, before, least_left);
       for (unsigned int k = 0; k < pairs.size(); ++k)
         if (pairs.sigma(k) > 0. && std::isnan(result[k].real()))
-          return growth_errors_by_lower_degree(model, pairs, errors, timers);
+          return growth_errors_by_lower_degree(
+            model, pairs, errors, second, timers);
       return result;
     }
 
@@ -121,6 +124,7 @@ namespace squeal
                  const Model        &model,
                  const Pencil       &pencil,
                  const ComplexPairs &pairs,
+                 SecondSolutions    &second,
                  RunLog             &log,
                  Timers             &timers)
     {
@@ -130,7 +134,7 @@ namespace squeal
           : errors_of_loudest(model, pencil, pairs, log, timers);
       if (nearly_incompressible_bodies(model.parameters().scene).empty())
         take_growth_errors(
-          errors_of_growth(model, pairs, errors, before, timers),
+          errors_of_growth(model, pairs, errors, before, second, timers),
           pairs,
           errors,
           log);
@@ -264,11 +268,12 @@ namespace squeal
   loudest_pair_errors(const Model        &model,
                       const Pencil       &pencil,
                       const ComplexPairs &pairs,
+                      SecondSolutions    &second,
                       RunLog             &log,
                       Timers             &timers)
   {
     Timers::Section section(timers, "Solve: mesh error of the pairs");
-    return errors_after({}, model, pencil, pairs, log, timers);
+    return errors_after({}, model, pencil, pairs, second, log, timers);
   }
 
 
@@ -297,8 +302,9 @@ namespace squeal
         if (p.estimate_error || is_adaptive(p))
           {
             Timers::Section section(timers, "Solve: mesh error of the pairs");
+            SecondSolutions second;
             result.errors = errors_after(
-              before, model, *result.modes.pencil, pairs, log, timers);
+              before, model, *result.modes.pencil, pairs, second, log, timers);
           }
         else
           result.errors = PairErrors::unknown(pairs.size());

@@ -3,15 +3,13 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/discretization/point_evaluator.h>
-#include <squeal/eigen/certified_solver.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/growth_errors.h>
-#include <squeal/model/other_degree.h>
+#include <squeal/model/second_solutions.h>
 #include <squeal/scene/modulus_table.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace squeal
 {
@@ -19,9 +17,9 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
-    /** Of the band beyond the pairs, in which they are sought again; below it
-     * where the second solution is the finer one, whose frequencies are lower.
-     */
+    /** Of the lowest frequency of the pairs below it, in which they are sought
+     * again; where the second solution is the finer one its frequencies are
+     * lower. */
     constexpr double reach = 0.15, reach_to_finer = 0.3;
     /** Least squared cosine of the shapes of a pair found again. Two modes
      * that lock in share half of each of theirs. */
@@ -88,38 +86,6 @@ namespace squeal
         if (pairs.sigma(k) > 0.)
           numbers.push_back(k);
       return select_pairs(pairs, numbers);
-    }
-
-    /** Pairs of another degree about those of @p pairs, from @p below of their
-     * lowest frequency under it on. */
-    ComplexPairs
-    pairs_of(const OtherDegree     &other,
-             const ComplexPairs    &pairs,
-             const double           below,
-             const EigenParameters &p)
-    {
-      double lowest = std::numeric_limits<double>::infinity(), highest = 0.;
-      for (unsigned int k = 0; k < pairs.size(); ++k)
-        {
-          lowest  = std::min(lowest, pairs.frequency(k));
-          highest = std::max(highest, pairs.frequency(k));
-        }
-      CertifiedOptions options;
-      options.lowest_frequency    = (1. - below) * lowest;
-      options.highest_frequency   = (1. + reach) * highest;
-      options.residual_tolerance  = std::max(1e-6, p.residual_tolerance);
-      options.error_tolerance     = std::max(1e-6, p.error_tolerance);
-      options.maximum_enrichments = p.maximum_enrichments;
-      ModeOptions of_modes;
-      of_modes.tolerance = p.mode_tolerance;
-      const ShiftedInverse inverse(
-        *other.pencil, std::pow(2. * M_PI * options.highest_frequency, 2));
-      UndampedModes modes = undamped_modes(*other.pencil, inverse, of_modes);
-      if (modes.shapes.cols() == 0)
-        return {};
-      CertifiedSolver solver(*other.pencil, inverse, modes);
-      modes.release_start();
-      return solver.solve(options);
     }
 
     /** The one that @p likeness calls the same and that grows fastest; -1 for
@@ -258,21 +224,23 @@ namespace squeal
         return all_unknown(pairs);
       const unsigned int degree = model.discretization()->degree();
       Timers::Section    section(timers, "Solve: pairs of the next degree");
-      const OtherDegree  fine = with_degree(model, degree + 1, timers);
-      ComplexPairs       finer;
+      SecondSolutions           second;
+      SecondSolutions::Solution fine;
       try
         {
-          finer =
-            pairs_of(fine, pairs, reach_to_finer, model.parameters().eigen);
+          fine = second.solve(model, degree + 1, pairs, reach_to_finer, timers);
         }
       catch (const ComputationError &)
         {
           return all_unknown(pairs);
         }
+      const ComplexPairs &finer = fine.pairs;
       if (finer.size() == 0)
         return all_unknown(pairs);
       const Eigen::MatrixXd likeness =
-        (shapes_at_corners(*fine.space, fine.system, finer.right).adjoint() *
+        (shapes_at_corners(
+           *fine.scene->space, fine.scene->system, finer.right)
+           .adjoint() *
          coarser_pairs(model, pairs).shapes)
           .cwiseAbs2();
       return against_finer(pairs, finer, likeness, 0.5 * (degree + 1.));
@@ -325,6 +293,7 @@ namespace squeal
   growth_errors_by_lower_degree(const Model        &model,
                                 const ComplexPairs &pairs,
                                 const PairErrors   &errors,
+                                SecondSolutions    &second,
                                 Timers             &timers)
   {
     if (cells_lock(model))
@@ -334,25 +303,24 @@ namespace squeal
       return unknown;
     const unsigned int degree = model.discretization()->degree() - 1;
     Timers::Section    section(timers, "Solve: pairs of the lower degree");
-    const OtherDegree  lower = with_degree(model, degree, timers);
-    ComplexPairs       coarse;
+    SecondSolutions::Solution lower;
     try
       {
-        coarse =
-          pairs_of(lower, growing(pairs), reach, model.parameters().eigen);
+        lower = second.solve(model, degree, growing(pairs), reach, timers);
       }
     catch (const ComputationError &)
       {
         return unknown; // the estimate of the cells stands
       }
-    if (coarse.size() == 0)
+    if (lower.pairs.size() == 0)
       return unknown;
     return growth_errors(
       model,
       pairs,
       errors,
-      {coarse.lambda,
-       shapes_at_corners(*lower.space, lower.system, coarse.right)},
+      {lower.pairs.lambda,
+       shapes_at_corners(
+         *lower.scene->space, lower.scene->system, lower.pairs.right)},
       degree > 1 ? least_ratio : least_ratio_linear);
   }
 

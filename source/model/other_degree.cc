@@ -1,33 +1,46 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/model/other_degree.h>
+#include <squeal/model/pressed_conditions.h>
 #include <squeal/model/pressed_model.h>
+
+#include <algorithm>
 
 namespace squeal
 {
   namespace
   {
+    /** Whether all pairs are point springs at places that no mesh moves. */
+    bool
+    are_all_grids(const SceneParameters &scene)
+    {
+      return std::all_of(
+        scene.contacts.begin(), scene.contacts.end(), [](const auto &contact) {
+          return contact.formulation ==
+                   ContactParameters::Formulation::springs &&
+                 contact.layout == ContactParameters::SpringLayout::grid;
+        });
+    }
+
     /** Contact states of @p model for other unknowns: those of point springs
      * stay where they are; mortar nodes are others. */
     std::vector<ContactStates>
     states_for(const Model                     &model,
                const Discretization            &space,
                const std::vector<BodyMatrices> &bodies,
-               Timers                          &timers)
+               Timers                          &timers,
+               PressedConditions               *pressed,
+               const std::size_t                number)
     {
-      bool has_preload = false, all_grids = true;
-      for (const auto &contact : model.parameters().scene.contacts)
-        {
-          has_preload =
-            has_preload || contact.state == ContactParameters::State::preload;
-          all_grids =
-            all_grids &&
-            contact.formulation == ContactParameters::Formulation::springs &&
-            contact.layout == ContactParameters::SpringLayout::grid;
-        }
-      if (!has_preload)
+      Parameters p = model.parameters();
+      if (!has_preload_state(p.scene))
         return {};
-      if (!all_grids)
-        return preload_states(model.parameters(), space, bodies, timers);
+      if (!are_all_grids(p.scene))
+        {
+          if (!pressed)
+            return preload_states(p, space, bodies, timers);
+          p.discretization.degree = space.degree();
+          return pressed->states(p, number, timers);
+        }
       std::vector<ContactStates> result;
       for (const ContactState &state : model.linearized().states)
         result.push_back({state});
@@ -38,13 +51,19 @@ namespace squeal
 
 
   OtherDegree
-  with_degree(const Model &model, const unsigned int degree, Timers &timers)
+  with_degree(const Model       &model,
+              const unsigned int degree,
+              Timers            &timers,
+              PressedConditions *pressed,
+              const std::size_t  number)
   {
     OtherDegree result;
     result.space      = model.discretization()->with_degree(degree);
     const auto bodies = assemble_bodies(*result.space);
     result.system     = linearized_system(
-      *result.space, bodies, states_for(model, *result.space, bodies, timers));
+      *result.space,
+      bodies,
+      states_for(model, *result.space, bodies, timers, pressed, number));
     result.pencil =
       std::make_unique<Pencil>(result.system.system, model.parameters().scene);
     return result;

@@ -195,25 +195,32 @@ namespace squeal
       std::vector<double>                      areas;
     };
 
+    /** Of the nodes of a mortar contact. */
+    LedNodes
+    led_nodes_of(const ContactParameters &contact, const ContactGeometry &nodes)
+    {
+      LedNodes result{contact.source_body,
+                      contact.source_face,
+                      contact.target_body,
+                      {},
+                      nodes.areas};
+      for (const auto &rows : nodes.source_rows)
+        {
+          result.rows.push_back({{-1u, -1u, -1u}});
+          for (unsigned int c = 0; c < 3; ++c)
+            if (!rows[c].empty()) // not held
+              result.rows.back()[c] = rows[c].front().first;
+        }
+      return result;
+    }
+
     std::vector<LedNodes>
-    led_nodes(const Discretization &d)
+    led_nodes(const Discretization               &d,
+              const std::vector<ContactGeometry> &contacts)
     {
       const auto           &scene = d.scene();
       const PointEvaluator  evaluator(d);
       std::vector<LedNodes> result;
-      const auto            add = [&](const std::string &body,
-                           const std::string &face,
-                           const std::string &target,
-                           const std::string &where) {
-        const MortarCoupling coupling = make_mortar_coupling(
-          d,
-          evaluator,
-          face_id(d.coarse_mesh(), scene, body, face),
-          target == "ground" ? -1u : body_index(scene, target),
-          where);
-        result.push_back(
-          {body, face, target, coupling.source_rows, coupling.weights});
-      };
       for (unsigned int i = 0; i < scene.ties.size(); ++i)
         if (!d.coarse_mesh().tie_is_conforming[i])
           {
@@ -225,12 +232,9 @@ namespace squeal
                               coupling.source_rows,
                               coupling.weights});
           }
-      for (const auto &contact : scene.contacts)
-        if (contact.formulation != Formulation::springs)
-          add(contact.source_body,
-              contact.source_face,
-              contact.target_body,
-              "Scene/Contact " + contact.name);
+      for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+        if (scene.contacts[i].formulation != Formulation::springs)
+          result.push_back(led_nodes_of(scene.contacts[i], contacts[i]));
       return result;
     }
 
@@ -277,7 +281,7 @@ namespace squeal
     const auto              &d = *model.discretization();
     const PointEvaluator     evaluator(d);
     std::vector<PointForces> result;
-    for (const LedNodes &nodes : led_nodes(d))
+    for (const LedNodes &nodes : led_nodes(d, model.linearized().contacts))
       {
         const unsigned int   body = body_index(d.scene(), nodes.body);
         const FaceQuadrature face = face_quadrature(

@@ -7,6 +7,8 @@
 
 namespace squeal
 {
+  class SecondSolutions;
+
   /** Complex pairs on the last mesh, with what the mesh does to them. */
   struct MeshedCea
   {
@@ -32,11 +34,12 @@ namespace squeal
 
   /** Errors by the mesh of all pairs that grow and of the least damped others,
    * as solve_cea_adaptively() gives them on one mesh: growth rates by a
-   * solution of one degree less where that finds the pair again. NaN for the
-   * rest. */
+   * solution of one degree less, of @p second, where that finds the pair again.
+   * NaN for the rest. */
   PairErrors loudest_pair_errors(const Model        &model,
                                  const Pencil       &pencil,
                                  const ComplexPairs &pairs,
+                                 SecondSolutions    &second,
                                  RunLog             &log,
                                  Timers             &timers);
 

@@ -7,6 +7,7 @@
 namespace squeal
 {
   class RunLog;
+  class SecondSolutions;
   class Timers;
 
   /** Pairs of a coarser model of the same coarse mesh. */
@@ -58,12 +59,13 @@ namespace squeal
                                  const CoarserPairs &coarser,
                                  const double        least_ratio);
 
-  /** By one degree less, with a ratio of at least 1/10; with linear elements
+  /** By one degree less, solved by @p second, with a ratio of at least 1/10; with linear elements
    * there, whose errors are tens of times larger, 1/100. NaN for all where the
    * degree is 1. */
   Eigen::VectorXcd growth_errors_by_lower_degree(const Model        &model,
                                                  const ComplexPairs &pairs,
                                                  const PairErrors   &errors,
+                                                 SecondSolutions    &second,
                                                  Timers             &timers);
 
   /**

@@ -8,6 +8,8 @@
 
 namespace squeal
 {
+  class PressedConditions;
+
   /** The scene of a model on the same mesh with elements of another degree. */
   struct OtherDegree
   {
@@ -17,10 +19,14 @@ namespace squeal
   };
 
   /** Assembles it. Contact states are those of steady sliding with that
-   * degree, or those of the model where its springs stay where they are. */
+   * degree, or those of the model where its springs stay where they are.
+   * @p pressed: what steady sliding has in common with other scenes on the same
+   * mesh, of the number @p bodies, or null. */
   OtherDegree with_degree(const Model       &model,
                           const unsigned int degree,
-                          Timers            &timers);
+                          Timers            &timers,
+                          PressedConditions *pressed = nullptr,
+                          const std::size_t  bodies  = 0);
 } // namespace squeal
 
 #endif

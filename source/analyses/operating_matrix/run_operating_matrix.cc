@@ -5,7 +5,8 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/adaptive_cea.h>
-#include <squeal/model/pressed_model.h>
+#include <squeal/model/pressed_conditions.h>
+#include <squeal/model/second_solutions.h>
 #include <squeal/model/solved_scene.h>
 #include <squeal/output/cea_quantities.h>
 #include <squeal/output/headline_error.h>
@@ -101,55 +102,10 @@ namespace squeal
       return result;
     }
 
-    /** The scene of a condition cut open and pressed on. */
-    struct PressedCondition
-    {
-      PressedCondition(const Parameters &p, Timers &timers)
-        : parameters(without_damping(p))
-        , open(std::make_unique<Model>(parameters,
-                                       timers,
-                                       std::vector<ContactStates>(),
-                                       Model::Contacts::open))
-        , pressed(pressed_for_many_states(parameters, *open, timers))
-      {
-      }
-
-      const Parameters                   parameters;
-      const std::unique_ptr<const Model> open;
-      const PressedModel                 pressed;
-    };
-
-    /** The contact of steady sliding under one condition after another. */
-    class PressedConditions
-    {
-    public:
-      /** @p bodies: the same number under conditions whose bodies and loads are
-       * the same. */
-      std::vector<ContactStates>
-      states(const Parameters &here, const std::size_t bodies, Timers &timers)
-      {
-        if (!has_preload_state(here.scene))
-          return {};
-        const Parameters undamped = without_damping(here);
-        if (first)
-          if (const auto other = first->pressed.with_moduli(undamped))
-            return preload_states(*other, undamped, timers);
-        if (first && bodies == bodies_of_first)
-          return preload_states(
-            first->pressed.with_sliding(undamped, timers), undamped, timers);
-        first.emplace(here, timers);
-        bodies_of_first = bodies;
-        return preload_states(first->pressed, undamped, timers);
-      }
-
-    private:
-      std::optional<PressedCondition> first;
-      std::size_t                     bodies_of_first = 0;
-    };
-
     ConditionPairs
     pairs_of(const SolvedScene        &scene,
              const OperatingCondition &c,
+             SecondSolutions          &second,
              RunContext               &context)
     {
       const Model           &model = scene.model();
@@ -161,7 +117,7 @@ namespace squeal
       const PairErrors errors =
         model.parameters().discretization.estimate_error
           ? loudest_pair_errors(
-              model, scene.pencil(), pairs, context.log, context.timers)
+              model, scene.pencil(), pairs, second, context.log, context.timers)
           : PairErrors::unknown(pairs.size());
       ConditionPairs result = condition_pairs(model, pairs, c, errors.lambda);
       result.outside        = text_of_growth_outside(scene.solution(), eigen);
@@ -176,10 +132,11 @@ namespace squeal
       std::vector<ConditionPairs> result(all.size());
       std::size_t                 n_done = 0;
       PressedConditions           pressed;
+      SecondSolutions             second;
       std::size_t                 n_groups = 0;
       for (const auto &[key, members] : with_same_bodies(all))
         {
-          ++n_groups;
+          second.of_bodies(++n_groups);
           std::unique_ptr<SolvedScene> first;
           for (const std::size_t k : members)
             {
@@ -193,7 +150,7 @@ namespace squeal
                 first.get(),
                 context.log,
                 context.timers);
-              result[k] = pairs_of(*scene, all[k], context);
+              result[k] = pairs_of(*scene, all[k], second, context);
               if (scene->has_start())
                 first = std::move(scene);
             }
