@@ -207,6 +207,56 @@ namespace squeal
 
 
 
+  CellErrorProblem::Tractions
+  CellErrorProblem::tractions(const dealii::FEValuesBase<3> &points,
+                              const dealii::FEValuesBase<3> &normals,
+                              const CellValues              &u,
+                              const Material                &material) const
+  {
+    const unsigned int n_q = points.n_quadrature_points,
+                       n   = fe.n_dofs_per_cell();
+    std::array<Eigen::MatrixXd, 3> shape_gradients;
+    for (unsigned int l = 0; l < 3; ++l)
+      {
+        shape_gradients[l].resize(n_q, n);
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int q = 0; q < n_q; ++q)
+            shape_gradients[l](q, a) = points.shape_grad(a, q)[l];
+      }
+    Tractions       result;
+    Eigen::VectorXd along(n_q);
+    Eigen::MatrixXd of_component(n_q, n);
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        result[i].setZero(n_q, nodal.cols());
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            // sum over k, l of n_k C_ikcl d/dx_l: of few columns beside those
+            // of the modes.
+            of_component.setZero();
+            for (unsigned int l = 0; l < 3; ++l)
+              {
+                bool is_zero = true;
+                along.setZero();
+                for (unsigned int k = 0; k < 3; ++k)
+                  if (const double C = material.C[3 * i + k][3 * c + l];
+                      C != 0.)
+                    {
+                      is_zero = false;
+                      for (unsigned int q = 0; q < n_q; ++q)
+                        along[q] += C * normals.normal_vector(q)[k];
+                    }
+                if (!is_zero)
+                  of_component += along.asDiagonal() * shape_gradients[l];
+              }
+            result[i].noalias() += of_component * u[c];
+          }
+      }
+    return result;
+  }
+
+
+
   void
   CellErrorProblem::assemble_volume(const Cell &cell, const Material &material)
   {
@@ -386,8 +436,8 @@ namespace squeal
                                  const Material                &material,
                                  const bool                     own_traction)
   {
-    const Material &beyond = materials[neighbour->material_id()];
-    TensorField     stress = stresses(own, values, material);
+    const Material &beyond   = materials[neighbour->material_id()];
+    Tractions       traction = tractions(own, own, values, material);
     // Corrections of both sides take the least energy when the stiffer one
     // adapts more to the traction of the softer one.
     const double share =
@@ -395,22 +445,19 @@ namespace squeal
                    : material.modulus / (material.modulus + beyond.modulus);
     if (share > 0.)
       {
-        const TensorField theirs =
-          stresses(other, cell_values(neighbour), beyond);
-        for (unsigned int i = 0; i < 9; ++i)
-          stress[i] = (1. - share) * stress[i] + share * theirs[i];
+        const Tractions theirs =
+          tractions(other, own, cell_values(neighbour), beyond);
+        for (unsigned int i = 0; i < 3; ++i)
+          traction[i] = (1. - share) * traction[i] + share * theirs[i];
       }
     const unsigned int n = space.size(), n_q = own.n_quadrature_points;
     Eigen::VectorXd    area(n_q);
-    for (unsigned int k = 0; k < 3; ++k)
-      {
-        for (unsigned int q = 0; q < n_q; ++q)
-          area[q] = own.JxW(q) * own.normal_vector(q)[k];
-        const Eigen::MatrixXd weighted_trace = area.asDiagonal() * trace;
-        for (unsigned int i = 0; i < 3; ++i)
-          residual.middleRows(i * n, n).noalias() +=
-            weighted_trace.transpose() * stress[3 * i + k];
-      }
+    for (unsigned int q = 0; q < n_q; ++q)
+      area[q] = own.JxW(q);
+    const Eigen::MatrixXd weighted_trace = area.asDiagonal() * trace;
+    for (unsigned int i = 0; i < 3; ++i)
+      residual.middleRows(i * n, n).noalias() +=
+        weighted_trace.transpose() * traction[i];
   }
 
 

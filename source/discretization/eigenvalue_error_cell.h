@@ -90,6 +90,8 @@ namespace squeal
     using TensorField = std::array<Eigen::MatrixXd, 9>;
     /** Nodal values of x, y, z (rows) for the modes (columns). */
     using CellValues = std::array<Eigen::MatrixXd, 3>;
+    /** Components x, y, z at points (rows) for the modes (columns), Pa. */
+    using Tractions = std::array<Eigen::MatrixXd, 3>;
     struct Material
     {
       ElasticTensor C;
@@ -102,22 +104,28 @@ namespace squeal
     TensorField     stresses(const dealii::FEValuesBase<3> &points,
                              const CellValues              &values,
                              const Material                &material) const;
-    void            assemble_stiffness(const Material &material);
-    void            assemble_volume(const Cell &cell, const Material &material);
-    void            add_forces(const std::vector<Force> &forces);
-    void            add_face(const Cell              &cell,
-                             const unsigned int       face,
-                             const Material          &material,
-                             const std::vector<bool> &set_apart);
-    void            add_traction(const dealii::FEValuesBase<3> &own,
-                                 const dealii::FEValuesBase<3> &other,
-                                 const Cell                    &neighbour,
-                                 const Eigen::MatrixXd         &trace,
-                                 const Material                &material,
-                                 const bool                     own_traction);
-    void            hold_supported(const Cell        &cell,
-                                   const unsigned int face,
-                                   const Material    &material);
+    /** Tractions of the stresses there, on faces with the normals of
+     * @p normals. */
+    Tractions tractions(const dealii::FEValuesBase<3> &points,
+                        const dealii::FEValuesBase<3> &normals,
+                        const CellValues              &values,
+                        const Material                &material) const;
+    void      assemble_stiffness(const Material &material);
+    void      assemble_volume(const Cell &cell, const Material &material);
+    void      add_forces(const std::vector<Force> &forces);
+    void      add_face(const Cell              &cell,
+                       const unsigned int       face,
+                       const Material          &material,
+                       const std::vector<bool> &set_apart);
+    void      add_traction(const dealii::FEValuesBase<3> &own,
+                           const dealii::FEValuesBase<3> &other,
+                           const Cell                    &neighbour,
+                           const Eigen::MatrixXd         &trace,
+                           const Material                &material,
+                           const bool                     own_traction);
+    void      hold_supported(const Cell        &cell,
+                             const unsigned int face,
+                             const Material    &material);
     const Eigen::MatrixXd &trace(const Cell        &cell,
                                  const unsigned int face,
                                  const int          subface);

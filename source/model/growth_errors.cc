@@ -224,7 +224,7 @@ namespace squeal
         return all_unknown(pairs);
       const unsigned int degree = model.discretization()->degree();
       Timers::Section    section(timers, "Solve: pairs of the next degree");
-      SecondSolutions           second;
+      SecondSolutions    second;
       SecondSolutions::Solution fine;
       try
         {
@@ -238,8 +238,7 @@ namespace squeal
       if (finer.size() == 0)
         return all_unknown(pairs);
       const Eigen::MatrixXd likeness =
-        (shapes_at_corners(
-           *fine.scene->space, fine.scene->system, finer.right)
+        (shapes_at_corners(*fine.scene->space, fine.scene->system, finer.right)
            .adjoint() *
          coarser_pairs(model, pairs).shapes)
           .cwiseAbs2();
@@ -314,14 +313,14 @@ namespace squeal
       }
     if (lower.pairs.size() == 0)
       return unknown;
-    return growth_errors(
-      model,
-      pairs,
-      errors,
-      {lower.pairs.lambda,
-       shapes_at_corners(
-         *lower.scene->space, lower.scene->system, lower.pairs.right)},
-      degree > 1 ? least_ratio : least_ratio_linear);
+    return growth_errors(model,
+                         pairs,
+                         errors,
+                         {lower.pairs.lambda,
+                          shapes_at_corners(*lower.scene->space,
+                                            lower.scene->system,
+                                            lower.pairs.right)},
+                         degree > 1 ? least_ratio : least_ratio_linear);
   }
 
 
