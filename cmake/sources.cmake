@@ -325,6 +325,7 @@ set(SQUEAL_SOURCES_RUN
 set(SQUEAL_SOURCES_MODEL
     source/model/adaptive_cea.cc
     source/model/cea_solution.cc
+    source/model/common_parts.cc
     source/model/contact_states.cc
     source/model/doublets.cc
     source/model/drive_warnings.cc

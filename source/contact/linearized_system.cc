@@ -362,12 +362,30 @@ namespace squeal
 
 
 
+  std::vector<MortarCoupling>
+  contact_couplings(const Discretization &d)
+  {
+    const PointEvaluator        evaluator(d);
+    std::vector<MortarCoupling> result;
+    for (const auto &contact : d.scene().contacts)
+      result.push_back(contact.formulation ==
+                           ContactParameters::Formulation::springs
+                         ? MortarCoupling()
+                         : coupling_of(d, evaluator, contact));
+    return result;
+  }
+
+
+
   LinearizedSystem
-  linearized_system(const Discretization             &d,
-                    const std::vector<BodyMatrices>  &bodies,
-                    const std::vector<ContactStates> &given)
+  linearized_system(const Discretization              &d,
+                    const std::vector<BodyMatrices>   &bodies,
+                    const std::vector<ContactStates>  &given,
+                    const std::vector<MortarCoupling> *couplings)
   {
     check_contact_faces(d);
+    const std::vector<MortarCoupling> made =
+      couplings ? std::vector<MortarCoupling>() : contact_couplings(d);
     const auto                &scene = d.scene();
     const PointEvaluator       evaluator(d);
     LinearizedSystem           result    = bodies_alone(d, bodies);
@@ -390,8 +408,8 @@ namespace squeal
             result.states.push_back(states.front());
             continue;
           }
-        const MortarCoupling coupling = coupling_of(d, evaluator, contact);
-        ContactGeometry      g        = nodal_geometry(d, contact, coupling);
+        const MortarCoupling &coupling = (couplings ? *couplings : made)[i];
+        ContactGeometry       g        = nodal_geometry(d, contact, coupling);
         if (is_given(i) && given[i].size() > 1)
           throw InputError("Scene/Contact " + contact.name +
                            ": contact states that change over a sweep need "

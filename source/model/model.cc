@@ -5,6 +5,7 @@
 #include <squeal/contact/friction_law.h>
 #include <squeal/contact/mortar.h>
 #include <squeal/discretization/face_quadrature.h>
+#include <squeal/model/common_parts.h>
 #include <squeal/model/imported_system.h>
 #include <squeal/model/model.h>
 #include <squeal/model/point_remarks.h>
@@ -95,10 +96,12 @@ namespace squeal
   Model::Model(const Parameters                 &parameters,
                Timers                           &timers,
                const std::vector<ContactStates> &states,
-               const Contacts                    contacts)
+               const Contacts                    contacts,
+               CommonParts                      *common)
     : all_parameters(parameters)
     , given_states(states)
     , what_contacts_do(contacts)
+    , common_parts(common)
   {
     if (parameters.scene.kind == SceneParameters::Kind::bodies)
       {
@@ -135,7 +138,8 @@ namespace squeal
     refuse_turning_without_axis(*space);
     {
       Timers::Section section(timers, "Assemble: bodies");
-      bodies        = assemble_bodies(*space);
+      bodies =
+        common_parts ? common_parts->bodies(*space) : assemble_bodies(*space);
       inertia_parts = inertia_of_bodies(*space, bodies);
     }
     if (what_contacts_do == Contacts::open)
@@ -151,7 +155,11 @@ namespace squeal
               contact.state == ContactParameters::State::preload)
             states = preload_states(all_parameters, *space, bodies, timers);
         Timers::Section section(timers, "Assemble: springs and contact");
-        system = linearized_system(*space, bodies, states);
+        system = linearized_system(
+          *space,
+          bodies,
+          states,
+          common_parts ? &common_parts->couplings(*space) : nullptr);
       }
     Timers::Section section(timers, "Setup: names of modes");
     mode_namer = std::make_unique<ModeNamer>(*space);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/model/common_parts.h>
 #include <squeal/model/other_degree.h>
 #include <squeal/model/pressed_conditions.h>
 #include <squeal/model/pressed_model.h>
@@ -28,18 +29,17 @@ namespace squeal
                const Discretization            &space,
                const std::vector<BodyMatrices> &bodies,
                Timers                          &timers,
-               PressedConditions               *pressed,
-               const std::size_t                number)
+               const SharedByScenes            *shared)
     {
       Parameters p = model.parameters();
       if (!has_preload_state(p.scene))
         return {};
       if (!are_all_grids(p.scene))
         {
-          if (!pressed)
+          if (!shared)
             return preload_states(p, space, bodies, timers);
           p.discretization.degree = space.degree();
-          return pressed->states(p, number, timers);
+          return shared->pressed->states(p, shared->bodies, timers);
         }
       std::vector<ContactStates> result;
       for (const ContactState &state : model.linearized().states)
@@ -51,19 +51,20 @@ namespace squeal
 
 
   OtherDegree
-  with_degree(const Model       &model,
-              const unsigned int degree,
-              Timers            &timers,
-              PressedConditions *pressed,
-              const std::size_t  number)
+  with_degree(const Model          &model,
+              const unsigned int    degree,
+              Timers               &timers,
+              const SharedByScenes *shared)
   {
     OtherDegree result;
     result.space      = model.discretization()->with_degree(degree);
-    const auto bodies = assemble_bodies(*result.space);
+    const auto bodies = shared ? shared->parts->bodies(*result.space)
+                               : assemble_bodies(*result.space);
     result.system     = linearized_system(
       *result.space,
       bodies,
-      states_for(model, *result.space, bodies, timers, pressed, number));
+      states_for(model, *result.space, bodies, timers, shared),
+      shared ? &shared->parts->couplings(*result.space) : nullptr);
     result.pencil =
       std::make_unique<Pencil>(result.system.system, model.parameters().scene);
     return result;

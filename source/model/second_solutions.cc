@@ -33,15 +33,6 @@ namespace squeal
       options.maximum_enrichments = p.maximum_enrichments;
       return options;
     }
-
-    /** Whether all scenes of these parameters have one mesh. */
-    bool
-    has_mesh_of_all(const DiscretizationParameters &p)
-    {
-      using Refinement = DiscretizationParameters::Refinement;
-      return p.refinement == Refinement::none ||
-             p.refinement == Refinement::uniform;
-    }
   } // namespace
 
 
@@ -85,7 +76,10 @@ namespace squeal
   SecondSolutions::of_bodies(const std::size_t bodies)
   {
     if (!pressed)
-      pressed = std::make_unique<PressedConditions>();
+      {
+        parts   = std::make_unique<CommonParts>();
+        pressed = std::make_unique<PressedConditions>();
+      }
     if (bodies != bodies_of_scene)
       last.reset();
     bodies_of_scene = bodies;
@@ -110,14 +104,11 @@ namespace squeal
                          const double        below,
                          Timers             &timers)
   {
-    const Parameters &p      = model.parameters();
-    const bool        shares = pressed && has_mesh_of_all(p.discretization);
-    const auto        scene  = std::make_shared<const OtherDegree>(
-      with_degree(model,
-                  degree,
-                  timers,
-                  shares ? pressed.get() : nullptr,
-                  bodies_of_scene));
+    const Parameters &p = model.parameters();
+    const bool shares   = pressed && CommonParts::exist_for(p.discretization);
+    const SharedByScenes shared{parts.get(), pressed.get(), bodies_of_scene};
+    const auto           scene = std::make_shared<const OtherDegree>(
+      with_degree(model, degree, timers, shares ? &shared : nullptr));
     const CertifiedOptions options = options_about(pairs, below, p.eigen);
     if (shares && last && last->solver &&
         options.highest_frequency <= last->highest_frequency)

@@ -9,10 +9,15 @@ namespace squeal
   SolvedScene::SolvedScene(const Parameters                 &p,
                            const std::vector<ContactStates> &states,
                            const SolvedScene                *earlier,
+                           CommonParts                      &common,
                            RunLog                           &log,
                            Timers                           &timers)
     : parameters(p)
-    , own_model(parameters, timers, states)
+    , own_model(parameters,
+                timers,
+                states,
+                Model::Contacts::closed,
+                CommonParts::exist_for(p.discretization) ? &common : nullptr)
   {
     if (earlier && earlier->has_start())
       shared_pencil = pencil_on(*earlier);

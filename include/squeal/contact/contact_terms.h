@@ -4,6 +4,7 @@
 
 #include <squeal/contact/contact_geometry.h>
 #include <squeal/contact/friction_law.h>
+#include <squeal/contact/mortar.h>
 #include <squeal/discretization/affine_system.h>
 
 namespace squeal
@@ -80,14 +81,22 @@ namespace squeal
     std::function<std::shared_ptr<const Functionals>(const Functionals &)>
       reduce;
   };
+  /** The mortar couplings of all contacts of the scene in their order, empty
+   * for those by point springs. Throws InputError as make_mortar_coupling(). */
+  std::vector<MortarCoupling> contact_couplings(
+    const Discretization &discretization);
+
   /** The contact states are those of the scene's parameters (the whole face
    * slips or sticks under an even pressure) unless @p states are given, one
    * list a pair, empty for those of the parameters. Throws InputError for
-   * several states of a mortar pair: each of them has unknowns of its own. */
+   * several states of a mortar pair: each of them has unknowns of its own.
+   * @p couplings: contact_couplings() of the discretisation, or null to have
+   * them made. */
   LinearizedSystem linearized_system(
-    const Discretization             &discretization,
-    const std::vector<BodyMatrices>  &bodies,
-    const std::vector<ContactStates> &states = {});
+    const Discretization              &discretization,
+    const std::vector<BodyMatrices>   &bodies,
+    const std::vector<ContactStates>  &states    = {},
+    const std::vector<MortarCoupling> *couplings = nullptr);
 
   /**
    * The scene with its contacts cut open: bodies, springs and ties, and the

@@ -12,6 +12,7 @@
 
 namespace squeal
 {
+  class CommonParts;
   struct ImportedModel;
   class RunLog;
   class Timers;
@@ -32,11 +33,13 @@ namespace squeal
 
     /** Discretises and assembles. The states of closed contacts are those of
      * the parameters (`preload`: of the steady sliding) unless they are given,
-     * a list for each pair. Throws InputError. */
+     * a list for each pair. @p common: what it shares with other scenes on the
+     * same mesh, or null; kept. Throws InputError. */
     Model(const Parameters                 &parameters,
           Timers                           &timers,
           const std::vector<ContactStates> &states   = {},
-          const Contacts                    contacts = Contacts::closed);
+          const Contacts                    contacts = Contacts::closed,
+          CommonParts                      *common   = nullptr);
 
     /** Assembles again on a (refined) mesh. */
     void assemble(Timers &timers);
@@ -86,6 +89,7 @@ namespace squeal
     const Parameters                    &all_parameters;
     const std::vector<ContactStates>     given_states;
     const Contacts                       what_contacts_do;
+    CommonParts *const                   common_parts; /**< or null */
     std::unique_ptr<Discretization>      space;
     std::vector<BodyMatrices>            bodies;
     LinearizedSystem                     system;

@@ -8,7 +8,18 @@
 
 namespace squeal
 {
+  class CommonParts;
   class PressedConditions;
+
+  /** What a scene shares with others whose meshes are made of the same numbers,
+   * on elements of another degree. */
+  struct SharedByScenes
+  {
+    CommonParts       *parts;
+    PressedConditions *pressed;
+    /** The same for scenes whose bodies and loads are the same. */
+    std::size_t bodies;
+  };
 
   /** The scene of a model on the same mesh with elements of another degree. */
   struct OtherDegree
@@ -20,13 +31,11 @@ namespace squeal
 
   /** Assembles it. Contact states are those of steady sliding with that
    * degree, or those of the model where its springs stay where they are.
-   * @p pressed: what steady sliding has in common with other scenes on the same
-   * mesh, of the number @p bodies, or null. */
-  OtherDegree with_degree(const Model       &model,
-                          const unsigned int degree,
-                          Timers            &timers,
-                          PressedConditions *pressed = nullptr,
-                          const std::size_t  bodies  = 0);
+   * @p shared: null where nothing is. */
+  OtherDegree with_degree(const Model          &model,
+                          const unsigned int    degree,
+                          Timers               &timers,
+                          const SharedByScenes *shared = nullptr);
 } // namespace squeal
 
 #endif

@@ -3,6 +3,7 @@
 #define squeal_model_second_solutions_h
 
 #include <squeal/eigen/complex_pairs.h>
+#include <squeal/model/common_parts.h>
 #include <squeal/model/other_degree.h>
 #include <squeal/model/pressed_conditions.h>
 
@@ -52,7 +53,9 @@ namespace squeal
       const OtherDegree     &scene,
       const SceneParameters &parameters) const;
 
-    std::unique_ptr<PressedConditions> pressed; /**< of scenes on one mesh */
+    /** Of scenes on one mesh: parts, statics. */
+    std::unique_ptr<CommonParts>       parts;
+    std::unique_ptr<PressedConditions> pressed;
     std::size_t                        bodies_of_scene = 0;
     std::unique_ptr<const Solved>      last;
   };

@@ -3,6 +3,7 @@
 #define squeal_model_solved_scene_h
 
 #include <squeal/model/cea_solution.h>
+#include <squeal/model/common_parts.h>
 #include <squeal/model/model.h>
 #include <squeal/parameters/parameters.h>
 
@@ -29,12 +30,15 @@ namespace squeal
      * @param states   of the closed contacts, a list for each pair; empty for
      *                 those of the parameters
      * @param earlier  a scene to start from where that is possible, or null
+     * @param common   what it shares with other scenes whose meshes are made of
+     *                 the same numbers
      * Throws InputError where the band is empty, ComputationError where the
      * pairs do not converge.
      */
     SolvedScene(const Parameters                 &parameters,
                 const std::vector<ContactStates> &states,
                 const SolvedScene                *earlier,
+                CommonParts                      &common,
                 RunLog                           &log,
                 Timers                           &timers);
 

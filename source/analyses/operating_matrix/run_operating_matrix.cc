@@ -132,6 +132,7 @@ namespace squeal
       std::vector<ConditionPairs> result(all.size());
       std::size_t                 n_done = 0;
       PressedConditions           pressed;
+      CommonParts                 common;
       SecondSolutions             second;
       std::size_t                 n_groups = 0;
       for (const auto &[key, members] : with_same_bodies(all))
@@ -148,6 +149,7 @@ namespace squeal
                 here,
                 pressed.states(here, n_groups, context.timers),
                 first.get(),
+                common,
                 context.log,
                 context.timers);
               result[k] = pairs_of(*scene, all[k], second, context);
