@@ -3,6 +3,7 @@
 // Motions of the reduced model about steady sliding: which of them grow, which
 // a run has, and what the damping at the cut-off does to them.
 
+#include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
 #include <squeal/eigen/dense_quadratic.h>
@@ -13,6 +14,20 @@
 
 namespace squeal
 {
+  LinearizedMotion
+  motions_about(const SteadyModel &about)
+  {
+    const PressedModel &pressed = about.pressed;
+    if (pressed.model().n_modes() == 0)
+      throw InputError(
+        "Transient/Cut-off: no mode of the bodies lies below it, "
+        "so nothing can vibrate; raise it");
+    return linearize(pressed.model(),
+                     about.sliding,
+                     pressed.sliding_friction(),
+                     pressed.speed());
+  }
+
   std::vector<Eigen::Index>
   pairs_in_band(const LinearizedMotion &linear, const EigenParameters &band)
   {

@@ -3,7 +3,8 @@
 // Where a motion far above the band grows so fast that it takes over in a
 // period of the pair that a limit cycle is sought from, the contact of that
 // motion has no solution: the search has not converged, and the log says why,
-// alone and in a campaign. Argument: the program.
+// alone and in a campaign. Where the cut-off leaves no motion at all there is
+// nothing to seek, and the run is refused. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -156,6 +157,69 @@ subsection Sweep
 end
 )";
 
+  /** A pad pressed on a plate, both on springs, whose modes all lie above the
+   * cut-off. */
+  const std::string without_motions = R"(
+set Analysis         = limit cycle
+set Output directory = out
+set Overwrite        = true
+subsection Scene
+  set Bodies   = pad, disc
+  set Springs  = back, bed
+  set Loads    = press
+  set Contacts = belt
+  subsection Body pad
+    set Size          = 0.02, 0.03, 0.01
+    set Young modulus = 3e9
+    set Density       = 2500
+    set Cells = 1,1,1
+  end
+  subsection Spring back
+    set Kind        = area
+    set Body        = pad
+    set Face        = z_max
+    set Stiffnesses = 8e10, 5e10, 6e10
+  end
+  subsection Body disc
+    set Size     = 0.04, 0.06, 0.01
+    set Position = 0, 0, -0.01
+    set Cells    = 2, 2, 1
+  end
+  subsection Spring bed
+    set Kind        = area
+    set Body        = disc
+    set Face        = z_min
+    set Stiffnesses = 2e11, 3e11, 2e11
+  end
+  subsection Load press
+    set Body  = pad
+    set Face  = z_max
+    set Force = 0, 0, -400
+  end
+  subsection Contact belt
+    set Formulation          = mortar
+    set Source body          = pad
+    set Source face          = z_min
+    set Target body          = disc
+    set Target face          = z_max
+    set Sliding speed        = 0.4
+    set Friction coefficient = 0.5
+    set Friction direction   = fixed y
+  end
+end
+subsection Discretization
+  set Degree         = 1
+  set Estimate error = false
+end
+subsection Eigenvalues
+  set Lowest frequency  = 0.5
+  set Highest frequency = 1
+end
+subsection Transient
+  set Cut-off = 2
+end
+)";
+
   Outcome
   run(const std::string &program, const std::string &text)
   {
@@ -173,6 +237,16 @@ end
             std::string::npos,
           "the log says why: " + o.output + o.errors);
   }
+
+  void
+  refuses_without_motions(const std::string &program)
+  {
+    write_text("low.prm", without_motions);
+    const Outcome o = run_program({program, "low.prm"});
+    check(o.code == 1 && o.errors.find("no mode of the bodies lies below") !=
+                           std::string::npos,
+          "a limit cycle without motions is refused: " + o.errors);
+  }
 } // namespace
 
 int
@@ -189,4 +263,5 @@ main(int argc, char **argv)
           points.text(1, "outcome") == "no limit cycle found",
         "a campaign goes on: " + points.text(0, "outcome") + ", " +
           points.text(1, "outcome"));
+  refuses_without_motions(argv[1]);
 }

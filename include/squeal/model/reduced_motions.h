@@ -13,6 +13,10 @@ namespace squeal
 {
   class RunLog;
 
+  /** The motions about the steady sliding of @p about. Throws InputError where
+   * `Transient/Cut-off` leaves the bodies none. */
+  LinearizedMotion motions_about(const SteadyModel &about);
+
   /** Growing pairs of @p linear within @p band, the fastest first. */
   std::vector<Eigen::Index> growing_pairs(const LinearizedMotion &linear,
                                           const EigenParameters  &band);

@@ -69,11 +69,7 @@ namespace squeal
           scene.find_steady(p.scene.contacts, context.log, context.timers);
         if (!about)
           return without_sliding(p);
-        const LinearizedMotion linear =
-          linearize(about->pressed.model(),
-                    about->sliding,
-                    about->pressed.sliding_friction(),
-                    about->pressed.speed());
+        const LinearizedMotion          linear = motions_about(*about);
         const std::vector<Eigen::Index> growing =
           growing_pairs(linear, p.eigen);
         if (const std::string text = text_of_growth_outside(linear, p);

@@ -235,8 +235,7 @@ namespace squeal
     LinearizedMotion linear;
     {
       Timers::Section section(context.timers, "Solve: linearised motion");
-      linear = linearize(
-        pressed.model(), steady, pressed.sliding_friction(), pressed.speed());
+      linear = motions_about(about);
     }
     const std::vector<Eigen::Index> pairs =
       pairs_to_follow(linear, p.eigen, p.limit_cycle);

@@ -114,10 +114,7 @@ namespace squeal
       LinearizedMotion
       linear_motion(const SteadyModel &about, const Parameters &p)
       {
-        LinearizedMotion linear = linearize(about.pressed.model(),
-                                            about.sliding,
-                                            about.pressed.sliding_friction(),
-                                            about.pressed.speed());
+        LinearizedMotion linear = motions_about(about);
         if (const std::string text = text_of_growth_outside(linear, p);
             !text.empty())
           context.log.warning(text + ": nothing is struck there");
