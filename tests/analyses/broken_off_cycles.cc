@@ -243,7 +243,7 @@ end
   {
     write_text("low.prm", without_motions);
     const Outcome o = run_program({program, "low.prm"});
-    check(o.code == 1 && o.errors.find("no mode of the bodies lies below") !=
+    check(o.code == 2 && o.errors.find("no mode of the bodies lies below") !=
                            std::string::npos,
           "a limit cycle without motions is refused: " + o.errors);
   }
